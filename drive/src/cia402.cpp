@@ -11,7 +11,7 @@ namespace {
 
 using enum Cia402State;
 
-/// A state's bits 0 to 3, 5 and 6 of the statusword (CiA 402-2, table "state coding").
+/// Bits 0 to 3, 5 and 6 of the statusword of a state (CiA 402-2, table "state coding").
 struct Coding {
   Cia402State state;
   std::uint16_t mask;
@@ -40,7 +40,7 @@ constexpr std::uint16_t switch_on = 0x07;
 constexpr std::uint16_t enable_operation = 0x0f;
 constexpr std::uint16_t fault_reset = 0x80;
 
-/// The command in a controlword: one of the five above, whatever its bits that do not count.
+/// The command in a controlword: one of the five above, ignoring the other bits.
 std::uint16_t command_of(std::uint16_t word) {
   if ((word & 0x02U) == 0) return disable_voltage;
   if ((word & 0x04U) == 0) return quick_stop;
@@ -92,7 +92,7 @@ std::optional<Cia402Status> status_of(std::uint16_t word) {
 
 std::uint16_t statusword(const Cia402Status& status) {
   unsigned word = codings[static_cast<std::size_t>(status.state)].value | remote;
-  if (status.state != quick_stop_active) word |= 0x20U;  // not: quick stop
+  if (status.state != quick_stop_active) word |= 0x20U;  // bit 5 cleared: quick stop
   if (status.state != not_ready_to_switch_on) word |= voltage_enabled;
   if (status.internal_limit) word |= internal_limit;
   if (status.follows) word |= follows;
@@ -142,8 +142,8 @@ Increments::Increments(double per_rev, double position_per_rev, bool reversed)
     throw InputError("increments_per_rev", per_rev, "must be a whole number below 2147483648");
 }
 
-/// With h + l = position * per_rev exactly and q the quotient to rounding, what is left,
-/// h - q position_per_rev + l, says whether q has to move by one.
+/// Let h + l = position * per_rev exactly and q the rounded quotient. The remainder, h - q
+/// position_per_rev + l, shows whether q has to change by one.
 std::optional<std::int64_t> Increments::of(double position) const noexcept {
   const double h = position * per_rev_;
   const double q = std::round(h / position_per_rev_);

@@ -22,7 +22,7 @@ double EncoderReading::operator()(double position) noexcept {
   return errors_.resolution * std::floor(position / errors_.resolution);
 }
 
-/// splitmix64 (Steele, Lea, Flood 2014), the upper 53 bits.
+/// Uses splitmix64 (Steele, Lea, Flood 2014), the upper 53 bits.
 double EncoderReading::uniform() noexcept {
   state_ += 0x9E3779B97F4A7C15U;
   std::uint64_t z = state_;

@@ -22,7 +22,8 @@ std::optional<SimulatedSwitch> simulated(const std::string& key,
   }
 }
 
-/// Whether the way from one position to another passes a place; one that is reached is passed upwards.
+/// True if the motion from one position to another passes `place`; a position that is just reached
+/// counts as passed upwards.
 bool passes(double place, double from, double to) {
   return (from < place) != (to < place);
 }
@@ -93,7 +94,7 @@ Feedback DriveOnMachine::feedback() noexcept {
   return said;
 }
 
-/// As the encoder counts.
+/// Converts to the coordinate of the encoder.
 Sensor DriveOnMachine::latched(std::optional<SimulatedSwitch>& of, double from,
                                double to) noexcept {
   if (!of) return {};

@@ -39,7 +39,7 @@ SharedMemory::SharedMemory(const std::string& name, Side side)
   file_ = shm_open(path_.c_str(), maker ? O_RDWR | O_CREAT | O_CLOEXEC : O_RDWR | O_CLOEXEC, 0600);
   if (file_ < 0) fail("cannot open shared memory", path_);
   try {
-    // The lock goes with the process, however it ends: what is left behind without one is free.
+    // The lock ends with its process, for any reason of its end: memory without a lock is free.
     if (maker && flock(file_, LOCK_EX | LOCK_NB) != 0)
       throw InputError("name", name, "is used by another executor");
     if (maker && ftruncate(file_, sizeof(SharedProcessData)) != 0)
@@ -68,7 +68,7 @@ SharedMemory::SharedMemory(const std::string& name, Side side)
 
 SharedMemory::~SharedMemory() {
   if (side_ == Side::executor) {
-    data_->magic.store(0, std::memory_order_release);  // the other side sees that it is over
+    data_->magic.store(0, std::memory_order_release);  // shows the end to the other side
     shm_unlink(path_.c_str());
   }
   munmap(data_, sizeof(SharedProcessData));

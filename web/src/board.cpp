@@ -102,7 +102,7 @@ std::string Board::json_since(std::int64_t& seen, Nanos now) const {
     axes.push_back(std::move(axis));
   }
   seen = count_;
-  // A text from the wire is UTF-8; a board that is filled otherwise must not throw either.
+  // Texts from the wire are UTF-8; other content of a board must not throw either.
   return ordered_json{{"axes", std::move(axes)}}.dump(-1, ' ', false,
                                                       ordered_json::error_handler_t::replace);
 }

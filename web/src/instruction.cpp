@@ -45,7 +45,7 @@ std::string text_of(const json& object, const char* key) {
   return at->get<std::string>();
 }
 
-/// A browser's numbers are whole up to 2^53.
+/// Integers of a browser are exact up to 2^53.
 std::int64_t hold_of(const json& object) {
   constexpr std::int64_t most = std::int64_t{1} << 53U;
   const auto at = object.find("hold");

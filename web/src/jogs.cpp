@@ -8,7 +8,7 @@
 namespace jounce::web {
 namespace {
 
-constexpr std::size_t most_over = 1024;  // numbers that are kept
+constexpr std::size_t most_over = 1024;  // numbers kept
 
 CallOutcome has_ended(const std::string& axis) {
   return {StreamError::refused, wire::Refusal::none, 0,
@@ -17,7 +17,7 @@ CallOutcome has_ended(const std::string& axis) {
 
 }  // namespace
 
-/// A jog under way. Its thread ends with it.
+/// A jog in progress. Its thread ends with it.
 struct Jogs::Held {
   explicit Held(std::int64_t its_number) : number(its_number), asked(steady_now()) {}
   ~Held() {
@@ -33,14 +33,14 @@ struct Jogs::Held {
     changed.notify_all();
   }
 
-  /// The browser still holds its button; false: the jog has ended.
+  /// The browser still holds its button; returns false if the jog has ended.
   bool ask() {
     const std::scoped_lock lock(mutex);
     asked = steady_now();
     return !ended;
   }
 
-  /// True: it ended within `time`, or by the browser's silence.
+  /// Returns true if it ended within `time`, or by the browser's timeout.
   bool ends_within(Nanos time) {
     std::unique_lock lock(mutex);
     changed.wait_for(lock, time, [this] { return ended; });
@@ -48,7 +48,8 @@ struct Jogs::Held {
     return ended;
   }
 
-  /// Sends heartbeats until it ends. An operator's stop ends the session: then there is nothing to keep.
+  /// Sends heartbeats until it ends. An operator's stop ends the session: heartbeats are then
+  /// pointless.
   void keep() {
     const std::int64_t session = client->session();
     try {
@@ -64,7 +65,7 @@ struct Jogs::Held {
   const std::int64_t number;
   std::unique_ptr<Transport> link;
   std::unique_ptr<Client> client;
-  std::mutex mutex;  // guards both below
+  std::mutex mutex;  // guards the two below
   Nanos asked;
   bool ended = false;
   std::condition_variable changed;
@@ -78,9 +79,9 @@ Jogs::~Jogs() {
   for (auto& [axis, held] : held_) held->end();
 }
 
-/// The new jog of this number; nothing where there is one, or where it has ended.
+/// Returns the new jog of this number; null if it exists, or has ended.
 std::shared_ptr<Jogs::Held> Jogs::begun(const std::string& axis, std::int64_t number) {
-  std::shared_ptr<Held> before;  // ends without the lock, before the new one begins
+  std::shared_ptr<Held> before;  // destroyed without the lock, before the new one begins
   const std::scoped_lock lock(mutex_);
   if (over_.contains({axis, number})) return nullptr;
   std::shared_ptr<Held>& held = held_[axis];
@@ -124,7 +125,7 @@ void Jogs::release(const std::string& axis, std::int64_t number) {
   end(axis, number);
 }
 
-/// The number does not begin a jog again. The oldest of the numbers that are kept makes room.
+/// The number cannot begin a jog again. The oldest of the kept numbers is dropped.
 void Jogs::forget(const std::string& axis, std::int64_t number) {
   if (!over_.emplace(axis, number).second) return;
   oldest_.emplace_back(axis, number);

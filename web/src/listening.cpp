@@ -29,7 +29,7 @@ sockaddr_in here(std::uint16_t port) {
 
 Listening::Listening(std::uint16_t port)
     : descriptor_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  const int yes = 1;  // not SO_REUSEPORT, with which another process could share the port
+  const int yes = 1;  // not SO_REUSEPORT: another process could share the port
   const sockaddr_in address = here(port);
   if (descriptor_ >= 0 &&
       setsockopt(descriptor_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&

@@ -20,9 +20,9 @@ namespace jounce::web {
 namespace {
 
 constexpr int waiting_statuses =
-    64;  // a link keeps the oldest: they are taken out faster than they come
+    64;  // a link keeps the oldest: they are read faster than they arrive
 constexpr Nanos turn = std::chrono::milliseconds(50);
-constexpr Nanos again = std::chrono::seconds(1);  // until a lost link is opened again
+constexpr Nanos again = std::chrono::seconds(1);  // interval of attempts to open a lost link again
 
 Answer answer(int status, const std::string& reason) {
   const nlohmann::ordered_json said{{"ok", status == 200}, {"reason", reason}};
@@ -58,7 +58,8 @@ struct Panel::Impl {
         ears->subscribe(wire::channel(axis, lane), waiting_statuses);
   }
 
-  /// Until the end, whatever happens to the link: the page says of each axis for how long it was silent.
+  /// Runs until the end, in any state of the link: the page shows for how long each axis has been
+  /// silent.
   void listen() {
     while (running) {
       try {
@@ -126,9 +127,9 @@ struct Panel::Impl {
   const PanelOptions options;
   const MakeLink make_link;
   Jogs jogs;
-  std::unique_ptr<Transport> ears;  // the listener's
+  std::unique_ptr<Transport> ears;  // link of the listener thread
   Rejects rejects;                  // likewise
-  std::mutex mutex;                 // guards what of the board changes
+  std::mutex mutex;                 // guards the changing parts of the board
   Board board;
   std::optional<Server> server;
   std::atomic<bool> running{true};

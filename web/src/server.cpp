@@ -21,9 +21,9 @@
 
 #include "jounce/web/gate.hpp"
 
-// One thread waits for all connections; an order, which waits for an axis, has a thread of a pool. httplib, which
-// was here before, reads a body whole before it asks for the token, and has a time for each read but none for
-// a request: it cannot be bounded from outside.
+// One thread waits for all connections; an order, which waits for an axis, has a thread of a pool.
+// httplib, used before, reads a whole body before it checks the token, and has a timeout for each
+// read but none for a request: it cannot be bounded from outside.
 namespace jounce::web {
 namespace {
 
@@ -34,13 +34,13 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using namespace std::chrono_literals;
 
-constexpr auto period = 50ms;  // of events
+constexpr auto period = 50ms;  // interval of events
 constexpr std::size_t most_head = 8192;
 constexpr std::size_t most_body = 1024;
 constexpr std::chrono::seconds patience{Server::request_seconds};
-constexpr std::size_t most_drained = std::size_t{1} << 20U;  // of what nobody reads, before a close
+constexpr std::size_t most_drained = std::size_t{1} << 20U;  // unread bytes, before a close
 constexpr auto drain_time = 1s;
-constexpr auto freshness = 300ms;  // of an order that waited for others
+constexpr auto freshness = 300ms;  // limit for an order that waited for others
 
 using Response = http::response<http::string_body>;
 
@@ -83,18 +83,18 @@ struct Server::Impl {
   asio::io_context io;
   tcp::acceptor acceptor{io};
   asio::steady_timer pause{io};
-  std::list<std::weak_ptr<Connection>> connections;  // the oldest first
+  std::list<std::weak_ptr<Connection>> connections;  // oldest first
   asio::thread_pool urgent{4};
   asio::thread_pool others{4};
   std::thread thread;  // last: it uses the others
 };
 
-/// One request, on a connection of its own.
+/// One request, on its own connection.
 class Server::Impl::Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(tcp::socket socket, Impl& server) : stream_(std::move(socket)), server_(server) {
     parser_.header_limit(most_head);
-    // The length is looked at once the token was. (Beast 1.74 takes `none` for 0.)
+    // The length is checked after the token. (Beast 1.74 takes `none` for 0.)
     parser_.body_limit(std::numeric_limits<std::uint64_t>::max());
   }
   ~Connection() {
@@ -106,7 +106,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   void begin() {
     error_code ignored;
     stream_.socket().set_option(tcp::no_delay(true), ignored);
-    stream_.expires_after(patience);  // for all of the request
+    stream_.expires_after(patience);  // limit for the whole request
     http::async_read_header(stream_, buffer_, parser_,
                             [self = shared_from_this()](error_code error, std::size_t /*size*/) {
                               if (error == http::error::header_limit)
@@ -166,12 +166,12 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     if (!at_once && server_.orders >= Server::most_orders)
       return answer(503, "too many orders wait for an axis\n");
     if (!at_once) ++server_.orders;
-    stream_.expires_never();  // the axis has its own time
+    stream_.expires_never();  // the axis has its own timeout
     asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(),
                                                            body = std::move(body), at_once,
                                                            came =
                                                                std::chrono::steady_clock::now()] {
-      // The one who sent it may be gone: an old order moves nothing.
+      // The sender may be gone: an old order causes no motion.
       const bool late = !at_once && std::chrono::steady_clock::now() - came > freshness;
       const Answer said =
           late
@@ -209,8 +209,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
                       });
   }
 
-  /// A socket that is closed over unread bytes takes the answer back: they are read and dropped, but not
-  /// without bounds.
+  /// Closing a socket with unread bytes discards the answer: reads and drops them, up to a bound.
   void leave() {
     error_code ignored;
     stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -259,7 +258,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
                       });
   }
 
-  /// A reader says nothing more: what comes is its end.
+  /// A reader sends nothing more: the next event on its socket is its end.
   void watch() {
     stream_.socket().async_wait(
         tcp::socket::wait_read,
@@ -292,7 +291,7 @@ Server::Impl::Impl(Listening listening, std::string its_token, Site its_site)
         io.run();
         ended = true;
       } catch (const std::exception&) {
-        // One connection has failed (no memory for it): it is gone, the others go on.
+        // One connection has failed (out of memory): it is dropped, the others continue.
       }
     }
   });
@@ -308,7 +307,7 @@ Server::Impl::~Impl() {
 
 void Server::Impl::accept() {
   acceptor.async_accept([this](error_code error, tcp::socket socket) {
-    if (error) {  // no descriptor is left: some will be, in a while
+    if (error) {  // no descriptor is available: retries after a while
       pause.expires_after(100ms);
       return pause.async_wait([this](error_code stopped) {
         if (!stopped) accept();
@@ -322,7 +321,7 @@ void Server::Impl::accept() {
   });
 }
 
-/// Closes the oldest guest where there are too many.
+/// Closes the oldest guest if there are too many.
 void Server::Impl::make_room() {
   connections.remove_if([](const auto& one) { return one.expired(); });
   int guests = 0;
@@ -338,7 +337,7 @@ void Server::Impl::make_room() {
   }
 }
 
-/// Whether one more may read events, for which one without the token is closed if need be.
+/// True if one more may read events; closes one without the token if necessary.
 bool Server::Impl::make_room_for_reader(bool trusted) {
   if (readers < most_readers) return true;
   if (!trusted) return false;

@@ -10,7 +10,8 @@
 /// Base of the movements with a live master.
 namespace jounce::detail {
 
-/// Numbers that a master may have: finite, and small enough for their squares and quotients to be.
+/// Permitted values of a master: finite, and small enough that their squares and quotients are
+/// finite.
 inline bool usable(const Jet& x) {
   return std::all_of(x.begin(), x.end(), [](double v) { return std::abs(v) <= most_magnitude; });
 }

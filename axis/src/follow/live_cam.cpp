@@ -72,7 +72,7 @@ Setpoint LiveCam::at(const Moment& now) noexcept {
   return last_ = detail::setpoint(now.master, slave);
 }
 
-/// From the end on that was left, at its ratio. The coupling is kept as it is there.
+/// Extends the cam from the end at which it was left, at its ratio. Keeps the coupling at that end.
 void LiveCam::extend(double side) noexcept {
   const Placement& p = engaged_.placement;
   const double X = side > 0 ? table_->end() : table_->start();
@@ -82,7 +82,7 @@ void LiveCam::extend(double side) noexcept {
   engaged_.master = {beyond_->master, 0, 0, 0};
 }
 
-/// A straight cam, and what is left of the correction.
+/// A straight cam, plus the remainder of the correction.
 Setpoint LiveCam::beyond(const Moment& now) noexcept {
   const auto& [side, from, slave, ratio] = *beyond_;
   const Jet& x = now.master;

@@ -12,7 +12,7 @@
 namespace jounce {
 namespace {
 
-/// Of a gear, whose only trouble is its master.
+/// Cause of a broken gear: its only failure is a lost master.
 Cause lost(Progress progress) {
   return progress == Progress::broken ? Cause::master_lost : Cause::none;
 }
@@ -26,8 +26,8 @@ bool usable(const MotionState& s) {
 LiveGear::LiveGear(std::uint64_t id, const GearInSpec& spec)
     : Movement(id, Course::live), spec_(spec), gear_(gear_in(spec, MotionState{}, Jet{}, 0)) {}
 
-// gear_in() throws for a bad spec, which the constructor has tried, and for numbers that would not
-// stay finite, which usable() keeps away.
+// gear_in() throws for a bad spec, which the constructor has checked, and for results that are not
+// finite, which usable() prevents.
 Cause LiveGear::begin(const MotionState& axis, const Moment& now) noexcept {
   if (!detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   try {

@@ -9,34 +9,35 @@
 #include "jounce/profiles/error.hpp"
 
 // The filter (Morrison 1969; Brookner, Tracking and Kalman Filtering Made Easy, 1998, 1.3 and 1.4).
-// With h the time since the measurement before and z the new one,
+// Let h be the time since the previous measurement and z the new one:
 //
 //   (1)  x- = x + v h + a h^2 / 2,   v- = v + a h,   a- = a             prediction
 //   (2)  r = z - x-
 //   (3)  x = x- + A r,   v = v- + B r / h,   a = a- + 2 C r / h^2
 //
-// Fading memory: all eigenvalues of the error are at t = exp(-h / time_constant), so that it dies out
-// as fast as it can without overshooting more than it must:
+// Fading memory: all eigenvalues of the error are at t = exp(-h / time_constant), so that the error
+// decays as fast as possible with the least overshoot:
 //
 //   (4)  order 2:  A = 1 - t^2,   B = (1 - t)^2,                   C = 0
 //   (5)  order 3:  A = 1 - t^3,   B = 3/2 (1 - t)^2 (1 + t),       C = (1 - t)^3 / 2
 //
-// At first there is no memory to fade: until (4), (5) are as slow, the least squares line (parabola)
-// through all n + 1 measurements so far,
+// At first there is no memory to fade. Until (4), (5) are as slow, the filter is the least squares
+// line (parabola) through all n + 1 measurements so far,
 //
 //   (6)  order 2:  A = 2 (2n + 1) / D,         B = 6 / D,              D = (n + 1)(n + 2)
 //   (7)  order 3:  A = 3 (3n^2 + 3n + 2) / D,  B = 18 (2n + 1) / D,    C = 30 / D,
 //                  D = (n + 1)(n + 2)(n + 3),  n >= 2
 //
-// The output follows the estimate x*, v*. In a cycle of dt, with constant acceleration between
+// The output follows the estimate x*, v*. In a cycle of dt, with constant acceleration,
 //
-//   (8)  e = x* - (p + dt (v + v*) / 2)        what would be missing if it ended with v*
+//   (8)  e = x* - (p + dt (v + v*) / 2)        position error if it ended with v*
 //   (9)  v := v* + k e,   k = 2 (1 - exp(-dt / settle)) / dt
 //  (10)  p := p + dt (v_before + v) / 2
 //
-// so e falls by exp(-dt / settle), and a target of constant velocity or acceleration is followed
-// without lag. |k e| is held below sqrt(a |e|), the speed from which half the acceleration a brings
-// the output to rest on its target, v to within a dt of the one before, and to the velocity.
+// so e falls by exp(-dt / settle), and the output follows a target of constant velocity or
+// acceleration without lag. |k e| is limited to sqrt(a |e|), the speed from which half the
+// acceleration a brings the output to rest on its target. v is limited to its previous value +- a
+// dt, and to the velocity.
 
 namespace jounce {
 namespace {
@@ -111,8 +112,8 @@ void Tracked::lose() noexcept {
   following_ = false;
 }
 
-/// The estimate at `time` + latency, extrapolated with an acceleration and a velocity that the master
-/// can have.
+/// The estimate at `time` + latency, extrapolated with an acceleration and a velocity within the
+/// limits of the master.
 Jet Tracked::target(double time) const {
   Estimate e = estimate_;
   e.a = std::clamp(e.a, -spec_.acceleration, spec_.acceleration);

@@ -3,13 +3,14 @@
 
 #include "jounce/axis/axis.hpp"
 
-// How an axis is homed: Homing says which velocity it shall have, and the axis plans the way there like any
-// other move of its own, but for the position range: that counts from a home which is not known yet.
+// Homing of an axis: Homing computes the velocity, and the axis plans the motion like any other
+// move of its own. The position range does not apply: it refers to a home position that is not yet
+// available.
 
 namespace jounce {
 namespace {
 
-/// What the command changes of the axis's homing.
+/// Returns the homing of the axis with the changes of the command.
 HomingSpec chosen(const Command& command, HomingSpec spec) {
   const auto take = [](double& value, double given) {
     if (!std::isnan(given)) value = given;
@@ -79,7 +80,7 @@ void MotionAxis::seek() {
   if (!adopt(goal, wanted_rate())) fail(Cause::jump);
 }
 
-/// The axis stands beyond its home position, which gets its name.
+/// The axis stands beyond its home position, which gets its new coordinate.
 void MotionAxis::find_home() {
   const double home = homing_->home() + now_.offset;
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there

@@ -15,8 +15,8 @@ constexpr HomingMethod entering(Sensor Sensors::*sensor, int search, int last) {
   return {sensor, search, false, last, false};
 }
 
-/// 17 to 30. A home switch is on either from a place to the end of the travel (19 to 22) or in between
-/// (23 to 30).
+/// Methods 17 to 30. A home switch is on either from one position to the end of the travel (19 to
+/// 22) or in an interval (23 to 30).
 constexpr std::array<HomingMethod, 14> by_edge{{
     leaving(&Sensors::negative, -1, 1),
     leaving(&Sensors::positive, 1, -1),
@@ -78,7 +78,7 @@ void Homing::step(const Seen& now) noexcept {
   if (now.at_rest && quiet_ >= settle) proceed(now);
 }
 
-/// What became of the switch, and on which side of it the axis is now.
+/// Updates the state of the switch, and the side of it on which the axis is now.
 void Homing::observe(const Seen& now) noexcept {
   if (const int way = sign(now.position - position_); way != 0) heading_ = way;
   position_ = now.position;
@@ -89,7 +89,7 @@ void Homing::observe(const Seen& now) noexcept {
   if (std::isfinite(sensor.edge))
     change_ = sensor.edge;
   else if (sensor.on != on_)
-    change_ = now.position;  // a drive without a latch
+    change_ = now.position;  // for a drive without a latch
   on_ = sensor.on;
   if (!change_) return;
   quiet_ = 0;
@@ -107,7 +107,7 @@ Cause Homing::check(const Seen& now) const noexcept {
   return limit != Cause::none && turned_ ? Cause::home_not_found : Cause::none;
 }
 
-/// The limit switch on which an axis stands that goes this way, unless it is what is searched for.
+/// The fault of the active limit switch in this direction, unless the search is for that switch.
 Cause Homing::limit_ahead(const Sensors& sensors, double velocity) const noexcept {
   const bool up = velocity > 0;
   Sensor Sensors::*const limit = up ? &Sensors::positive : &Sensors::negative;
@@ -115,7 +115,7 @@ Cause Homing::limit_ahead(const Sensors& sensors, double velocity) const noexcep
   return up ? Cause::positive_switch : Cause::negative_switch;
 }
 
-/// From rest to the next motion.
+/// Selects the next motion from rest.
 void Homing::proceed(const Seen& now) noexcept {
   const double fast = spec_.search_velocity;
   const double slow = spec_.index_velocity;
@@ -141,14 +141,14 @@ void Homing::begin(Phase phase, double velocity, const Seen& now) noexcept {
   from_ = now.position;
 }
 
-/// Whether the present motion has come to what it is for.
+/// Ends the present motion once it has reached its purpose.
 void Homing::move(const Seen& now) noexcept {
   if (phase_ == Phase::seek && !side_ && limit_ahead(now.sensors, velocity_) != Cause::none)
     return turn_round();
   if (phase_ == Phase::seek && side_) velocity_ = 0;
   if (phase_ == Phase::place && side_ == wanted_side()) velocity_ = 0;
   if (phase_ == Phase::edge && change_ && heading_ != method_.last) {
-    velocity_ = 0;  // the machine still came from the other way: that was another edge
+    velocity_ = 0;  // the machine still came from the other side: that was another edge
   } else if (phase_ == Phase::edge && change_) {
     home_ = *change_;
     if (!method_.index) return find(home_);

@@ -3,13 +3,14 @@
 
 #include "jounce/axis/axis.hpp"
 
-// What waits: a command for its tick; and the moves that wait for the end of the motion under way (BufferMode),
-// and how the first of them takes over: from rest, or where the move before passes its target. Each is taken to
-// end at rest until it is under way itself: so whatever is taken back, all that moves can stop where it was told.
+// Waiting commands: one command for its tick, and the moves that wait for the end of the present
+// motion (BufferMode). The first of these takes over from rest, or at the point at which the
+// previous move passes its target. Each waiting move is planned to end at rest until it is in
+// progress itself. After any withdrawal, the present motion can therefore stop at its own target.
 
 namespace jounce {
 
-/// One command with a tick of its own waits for that. What it needs is looked at then.
+/// One command with its own tick can wait. The axis checks its conditions in that tick.
 void MotionAxis::postpone(const Command& command) {
   const auto at = static_cast<double>(command.at);
   if (command.at < now_.tick) return refuse(Cause::too_late, at, static_cast<double>(now_.tick));
@@ -21,14 +22,14 @@ void MotionAxis::postpone(const Command& command) {
   later_ = command;
 }
 
-/// In its tick, or the next one that is stepped, it is obeyed before the command of that tick.
+/// Executes it in its tick, or in the next one that is stepped, before the command of that tick.
 void MotionAxis::obey_due() {
   if (!later_ || later_->at > now_.tick) return;
   Command command = *later_;
   later_.reset();
   command.at = -1;
   obey(command);
-  if (now_.refused) now_.dropped = now_.refused;  // nobody waits for its answer
+  if (now_.refused) now_.dropped = now_.refused;  // no sender waits for its answer
   now_.refused.reset();
 }
 
@@ -37,7 +38,8 @@ void MotionAxis::forget_later() {
   later_.reset();
 }
 
-/// It is looked at where the one before will end, if that is known, and again when it begins.
+/// Checks the move against the end of the previous one, if that is available, and again when it
+/// begins.
 void MotionAxis::buffer(const Command& command) {
   constexpr auto most = static_cast<double>(WaitingMoves::most);
   if (next_.full()) return refuse(Cause::buffer_full, most, most);
@@ -46,11 +48,11 @@ void MotionAxis::buffer(const Command& command) {
   if (now_.refused = goal_of(command, end_of_waiting().value_or(last()), goal); now_.refused)
     return;
   next_.push(command);
-  const bool follows = next_.size() == 1;  // the move under way, which may pass its target now
+  const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
   if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
 }
 
-/// Where the last of what waits will have come to rest; nothing: nobody knows.
+/// The state at rest after the last waiting move; nullopt: not available.
 std::optional<MotionState> MotionAxis::end_of_waiting() const {
   auto end = expected_end();
   for (const Command& move : next_) {
@@ -61,8 +63,8 @@ std::optional<MotionState> MotionAxis::end_of_waiting() const {
   return end;
 }
 
-/// At which velocity a move to this goal passes it on to the next one. Where something was superimposed
-/// on it that ends at rest: the next one's target is a place without that.
+/// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
+/// move, the move ends at rest: the next target does not include the superimposed distance.
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
   if (next_.empty() || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
   Goal further;
@@ -70,8 +72,8 @@ double MotionAxis::through(const MotionState& from, const Goal& goal, double fac
   return passing_velocity(from, goal, further, next_.front().buffer, factor, config_);
 }
 
-/// The target was passed since the tick before: the plan from there goes on at the very instant. Or why
-/// it cannot: as long as it moves that way, only for a limit switch.
+/// The target was passed since the previous tick: the plan continues from there at that very
+/// instant. Returns the cause if it cannot: in the direction of motion, only a limit switch.
 Cause MotionAxis::pass_target() {
   const double beyond = plan_time() - plan_.duration();
   const MotionState there = plan_.end();
@@ -86,7 +88,8 @@ Cause MotionAxis::pass_target() {
   return Cause::none;
 }
 
-/// The move under way ends at its target then. Where it is too late for that it goes on as it was told.
+/// The present move then ends at its target. If it is too late for that, the move continues
+/// unchanged.
 void MotionAxis::take_back_next() {
   const WaitingMoves waited = std::exchange(next_, {});
   const bool blends = base_ == Base::move && goal_.through != 0;
@@ -97,8 +100,8 @@ void MotionAxis::take_back_next() {
   forget(waited);
 }
 
-/// What waited first begins in the tick in which the motion before has ended. Where it cannot, what was to
-/// come after it does not begin either: it would begin elsewhere.
+/// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,
+/// the moves after it are dropped too: they would begin elsewhere.
 void MotionAxis::begin_next() {
   const Command command = next_.front();
   next_.pop();
@@ -110,7 +113,7 @@ void MotionAxis::begin_next() {
   next_.clear();
 }
 
-/// Something else has taken their place; the first of them is told.
+/// Another motion has replaced them; reports the first of them.
 void MotionAxis::forget(const WaitingMoves& moves) {
   if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0};
 }

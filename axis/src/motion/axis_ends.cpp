@@ -4,12 +4,12 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/setpoint_check.hpp"
 
-// How a motion ends: at its end, by a stop, or in a fault.
+// The ends of a motion: at its target, by a stop, or in a fault.
 
 namespace jounce {
 
 void MotionAxis::conclude() {
-  if (state_ == State::homing) return;  // it says itself when it has ended
+  if (state_ == State::homing) return;  // homing sets its state itself when it ends
   if (base_ == Base::move) {
     if (plan_time() < plan_.duration()) return;
     if (ending_ != Ending::none) return rest();
@@ -24,7 +24,7 @@ void MotionAxis::conclude() {
     if (!(std::abs(now_.velocity) > still)) return rest();
     const bool keeps = active_->keeps_velocity();
     leave(keeps ? Goal::Kind::velocity : Goal::Kind::rest);
-    origin_ = now_.tick;  // of what was given out just now, not in the tick before
+    origin_ = now_.tick;  // tick of the present setpoint, not of the previous one
     return;
   }
   const bool passed = boundary_ == Boundary::finish && clock_.at(now_.tick).s >= boundary_at_;
@@ -34,7 +34,7 @@ void MotionAxis::conclude() {
   if (ending_ != Ending::none && at_rest && !resumable) rest();
 }
 
-/// The motion is over, in whatever way.
+/// Ends the motion, for any reason.
 void MotionAxis::rest() {
   const bool stopped = ending_ >= Ending::stop && ending_ <= Ending::halt;
   if (stopped) ++now_.stopped;
@@ -60,7 +60,7 @@ void MotionAxis::rest() {
     if (!next_.empty() && ended) begin_next();
     return;
   }
-  // What was superimposed runs on alone.
+  // The superimposed move continues alone.
   base_ = Base::move;
   bare_ = from;
   now_.velocity = from.velocity;
@@ -72,7 +72,7 @@ void MotionAxis::rest() {
     fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
 }
 
-/// The setpoint stays where it is; the state is the caller's affair.
+/// The setpoint stays at its present value; the caller sets the state.
 void MotionAxis::freeze() {
   drop_movement();
   base_ = Base::rest;
@@ -84,14 +84,14 @@ void MotionAxis::freeze() {
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }
 
-/// The same in the middle of a motion.
+/// Freezes in the middle of a motion.
 void MotionAxis::cut_off() {
   now_.frozen = now_.velocity != 0;
   freeze();
 }
 
 void MotionAxis::fail(Cause cause) {
-  // The first fault is the one that stays: what follows is its consequence.
+  // The first fault stays: later ones are its consequences.
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;

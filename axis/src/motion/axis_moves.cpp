@@ -6,7 +6,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/setpoint_check.hpp"
 
-// The moves that an axis plans itself (move_plan.hpp), each from the last setpoint that went out.
+// The moves that an axis plans itself (move_plan.hpp), each from the last output setpoint.
 
 namespace jounce {
 
@@ -14,10 +14,10 @@ using Kind = Command::Kind;
 
 namespace {
 
-/// A move on top of another one takes what that leaves of the limits: so both together keep them, whatever
-/// the phase in which they meet.
+/// A superimposed move uses the part of the limits that the motion below leaves. Their sum
+/// therefore keeps the limits at any relative phase.
 std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
-  constexpr double least = 1e-9;  // of a limit
+  constexpr double least = 1e-9;  // relative to a limit
   const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
     const double most = std::exchange(limit, limit - used);
     return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
@@ -29,7 +29,7 @@ std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
   return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
 }
 
-/// Whether a motion keeps these limits.
+/// True if a motion keeps these limits.
 bool keeps(const Profile& motion, const Limits& limits) {
   constexpr double same = 1 + 1e-9;
   const Peaks most = peaks(motion);
@@ -95,7 +95,7 @@ std::optional<Refusal> MotionAxis::velocity_goal(double velocity, const MotionSt
   return std::nullopt;
 }
 
-/// Why no move may have this target.
+/// Reason why no move may have this target.
 std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
   const auto& [low, high, v, a, j] = config_.limits;
   if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
@@ -105,7 +105,7 @@ std::optional<Refusal> MotionAxis::forbidden(double target, double from) const {
   return blocked ? std::optional(Refusal{Cause::direction_blocked, target, from}) : std::nullopt;
 }
 
-/// What is under way below a superimposed move, at most.
+/// The greatest magnitudes of the motion below a superimposed move.
 Peaks MotionAxis::beneath() const {
   if (on_path()) {
     const double r = std::max(1.0, clock_.target());
@@ -119,14 +119,14 @@ Peaks MotionAxis::beneath() const {
             ramp.jerk};
   }
   const MoveDynamics& d = goal_.dynamics;
-  // What it was in the middle of when it was told may take it beyond its own dynamics.
+  // The state at the start of the move may take it beyond its own dynamics.
   const Peaks planned = peaks(plan_);
   return {std::max(planned.velocity, d.velocity * std::max(1.0, factor_)),
           std::max({planned.acceleration, d.acceleration, d.deceleration}),
           config_.limits.jerk ? std::max(planned.jerk, d.jerk) : 0};
 }
 
-/// Why a distance on top of what is under way would end outside the range.
+/// Reason why a distance on top of the present motion would end outside the range.
 std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
   const auto end = expected_end();
   if (!end || lifting_) return std::nullopt;
@@ -176,12 +176,12 @@ void MotionAxis::decouple() {
 
 // ---- planning ----------------------------------------------------------------------------------
 
-/// A move takes the place of whatever moves the axis, and goes on from its last setpoint.
+/// A move replaces any present motion, and continues from its last setpoint.
 bool MotionAxis::go(const Goal& goal) {
   const bool was_moving = moving();
   if (!adopt(goal, factor_)) return false;
   held_ = false;
-  if (!was_moving) begun_ = emitted_ = now_.tick;  // more may be told in this very tick
+  if (!was_moving) begun_ = emitted_ = now_.tick;  // more commands may follow in this tick
   ending_ = Ending::none;
   now_.reason = was_moving ? Cause::replaced : Cause::none;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
@@ -204,7 +204,7 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
                            double factor) {
   Goal aim = goal;
   aim.through = through(from, goal, factor);
-  // A homing waits by its own acceleration; any other move, by that of the axis.
+  // A homing waits by its own acceleration, any other move by that of the axis.
   const bool waits = homing_ && !(factor > 0);
   const Goal rest{Goal::Kind::rest, 0, goal.dynamics};
   const auto profile = waits ? plan(from, rest, 1, rules()) : plan(from, aim, factor, rules());
@@ -216,7 +216,7 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
   return true;
 }
 
-/// At another rate. Where it comes to rest what is superimposed becomes a part of it.
+/// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
 bool MotionAxis::replan_move() {
   const double rate = wanted_rate();
   if (rate > 0 || (!lifting_ && shift_ == 0)) return plan_from(bare_, emitted_, goal_, rate);
@@ -229,17 +229,17 @@ bool MotionAxis::replan_move() {
   return true;
 }
 
-/// From the last setpoint that was good, and from the tick in which it went out.
+/// Brakes from the last good setpoint, and from the tick of its output.
 void MotionAxis::brake(double deceleration) {
   const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
     if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
     ending_ = Ending::fault;
-    if (stays_inside(plan_, rules())) return;  // else harder
+    if (stays_inside(plan_, rules())) return;  // otherwise harder
   }
 }
 
-/// To rest at the end of the range, with the gentlest stop that the last good setpoint has.
+/// Comes to rest at the end of the range, with the gentlest stop that the last good setpoint has.
 bool MotionAxis::stop_at_limit(Cause limit) {
   const auto& [low, high, v_most, a_most, j_most] = config_.limits;
   const auto end = limit == Cause::positive_soft_limit ? high : low;
@@ -251,11 +251,12 @@ bool MotionAxis::stop_at_limit(Cause limit) {
   const double a = stop == Stop::soft ? config_.limit_acceleration : config_.stop_acceleration;
   const double j = j_most ? config_.stop_jerk : Bounds::none;
   const double own = std::abs(from.velocity) + from.acceleration * from.acceleration / (2 * j);
-  // From rest, what it gains in this tick: an axis that has just begun gets there, too.
+  // From rest, the velocity gained in this tick: so an axis that has just begun also reaches the
+  // end.
   const double velocity = std::min(std::max(own, a * dt()), *v_most);
   const MoveDynamics dynamics{velocity, a, a, j};
   const auto rest = plan(from, {Goal::Kind::rest, 0, dynamics}, 1, config_);
-  const double near = 10 * velocity * dt();  // else it does not move towards the limit
+  const double near = 10 * velocity * dt();  // otherwise it does not move towards the limit
   if (!rest || std::abs(*end - rest->end().position) > near) return false;
   if (!adopt({Goal::Kind::position, *end, dynamics}, 1)) return false;
   ending_ = Ending::fault;

@@ -4,8 +4,8 @@
 
 #include "jounce/axis/axis.hpp"
 
-// The time of a path (path_clock.hpp): how fast it runs, where it ends, and that a path which grows is
-// never run out of.
+// The time of a path (path_clock.hpp): its rate, its end, and the stop before a growing path runs
+// out.
 
 namespace jounce {
 
@@ -37,7 +37,7 @@ Cause MotionAxis::advance_path(Setpoint& next) {
   return is_fault(active_->cause()) ? active_->cause() : Cause::jump;
 }
 
-/// Less is known of the path than a stop begun in the next tick would need.
+/// True if the available part of the path is shorter than a stop that begins in the next tick.
 bool MotionAxis::starves() const {
   if (wanted_rate() == 0) return false;
   if (active_->progress() == Progress::starving) return true;
@@ -47,10 +47,10 @@ bool MotionAxis::starves() const {
   return active_->known() < rest + 1e-3 * seconds(1);  // rounding
 }
 
-/// Above full speed a growing path runs only while it could come back to full speed on what is
-/// known, and then to rest: supply that does not keep up makes it slower, and only at full speed is
-/// it an underrun. What was asked for, or half the way to it, or half of that, is granted where half
-/// as much again is known, so that it does not tremble.
+/// Above full speed, a growing path runs only while its available part suffices to return to full
+/// speed and then to rest. A slow supply therefore first slows the path; it is an underrun only at
+/// full speed. The path gets the requested rate, or half of the increase, or half of that, if half
+/// as much again is available: the margin prevents oscillation.
 void MotionAxis::govern() {
   if (factor_ <= 1 || wanted_rate() <= 1) return;
   if (!active_->growing()) {
@@ -68,7 +68,8 @@ void MotionAxis::govern() {
     }
 }
 
-/// Whether so many times the way is known that a run at `rate` takes to rest by way of full speed.
+/// True if `times` times the path time is available that a run at `rate` takes to full speed and to
+/// rest.
 bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
   const double way = clock_.way_by(tick, rate, slope_to(rate, now_.tick));
   return active_->known() >= clock_.at(tick).s + times * way + 1e-3 * seconds(1);  // rounding
@@ -76,21 +77,21 @@ bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
 
 // ---- rates -------------------------------------------------------------------------------------
 
-/// The rate that is asked for now; a path may grant less.
+/// The requested rate; a path may grant less.
 double MotionAxis::wanted_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
-  if (homing_) return std::min(factor_, 1.0);  // the way behind a switch is made for its speeds
+  if (homing_) return std::min(factor_, 1.0);  // the motion behind a switch has its own speeds
   return on_path() ? std::min(factor_, most_rate()) : factor_;
 }
 
-/// What this path takes, and the one that it is about to be swapped for.
+/// The highest rate of this path, and of the armed one if a swap is due.
 double MotionAxis::most_rate() const {
   const double own = highest_rate(peaks_, config_);
   return waiting_ && pending_ ? std::min(own, highest_rate(pending_->peaks(), config_)) : own;
 }
 
-/// What of it a path takes now: above full speed, one that grows has its rate from govern(), and what
-/// is about to be swapped for one comes back to full speed first.
+/// The rate that a path accepts now. Above full speed, govern() sets the rate of a growing path; a
+/// path that is about to be swapped for a growing one first returns to full speed.
 double MotionAxis::granted(double wanted) const {
   if (!on_path() || wanted <= 1) return wanted;
   if (waiting_ && pending_ && pending_->growing()) return 1;
@@ -103,8 +104,9 @@ bool MotionAxis::change_rate(double rate) {
   return clock_.change(now_.tick, rate, slope_to(rate, now_.tick));
 }
 
-/// To rest, on what is known. After a late cycle a stop from now on may end beyond that, and so may whatever
-/// was told in this tick: then it begins where the last tick that was stepped has left it room (starves()).
+/// Stops within the available path. After a late cycle, a stop from now on may end beyond it, and
+/// so may a change of this tick. The stop then begins in the last stepped tick, for which starves()
+/// has kept enough path.
 bool MotionAxis::stop_on_path() {
   PathClock now = clock_;
   const bool can = now.target() == 0 || now.change(now_.tick, 0, slope_to(0, now_.tick));
@@ -116,7 +118,7 @@ bool MotionAxis::stop_on_path() {
   return clock_.target() == 0 || clock_.change(from_, 0, slope_to(0, from_));
 }
 
-/// How steep a change to that rate from that tick on would be.
+/// The slope of a change to that rate from that tick on.
 double MotionAxis::slope_to(double rate, std::int64_t tick) const {
   const double highest = std::max({1.0, clock_.highest(tick), rate});
   Peaks above;
@@ -125,14 +127,14 @@ double MotionAxis::slope_to(double rate, std::int64_t tick) const {
   return rate_slope(peaks_, config_, highest, above);
 }
 
-/// The rate has changed: the path runs at another one, a move is planned anew.
+/// Applies a new rate: changes the clock of a path, or plans a move again.
 bool MotionAxis::replan() {
   const bool done = on_path() ? replan_path() : replan_move();
   if (!done) refuse(Cause::no_such_move);
   return done;
 }
 
-/// Where the path comes to rest, so does what is superimposed on it; and goes on with it.
+/// The superimposed move comes to rest with the path, and resumes with it.
 bool MotionAxis::replan_path() {
   const bool rests = wanted_rate() == 0;
   if (!lifting_ || rests == lift_rests_) return change_rate(granted_rate());

@@ -5,7 +5,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/cam/coupling/passing.hpp"
 
-// The slots of an axis: a movement is armed, its start accepted, and begun when it is due.
+// The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
 
 namespace jounce {
 
@@ -17,8 +17,7 @@ void MotionAxis::arm(Movement* movement) {
   else if (movement->course() == Course::path)
     refuse(Cause::in_motion);
   if (now_.refused && stands()) now_.refused = movement->admit(config_, last());
-  // For a swap where the master passes a position, or where rows will end: where it begins is looked
-  // at there.
+  // A swap at a master position, or at the end of rows, checks its start state at the swap.
   if (now_.refused && on_path() && (active_->synchronized() || ends_somewhere()) &&
       (now_.refused->cause == Cause::start_position ||
        now_.refused->cause == Cause::start_velocity))
@@ -28,7 +27,8 @@ void MotionAxis::arm(Movement* movement) {
   pending_ = movement;
 }
 
-/// Where what is under way will come to rest, or where a pass of it ends; nothing: nobody knows.
+/// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
+/// not available.
 std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = shift_ + (lifting_ ? lift_goal_.value : 0);
@@ -62,7 +62,7 @@ void MotionAxis::start(const Command& command) {
   const bool rests = !moving() || (stands() && !swaps);
   if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
   if (swaps && !ready_to_swap()) return;
-  // A coupling that begins later is judged where it begins: its master will be elsewhere.
+  // A coupling that begins later is checked at its beginning: its master will be elsewhere.
   const bool later = command.start_at == StartAt::master_position || command.at > now_.tick;
   if (rests && !(later && pending_->course() == Course::live)) {
     now_.refused = pending_->admit(config_, last());
@@ -79,7 +79,8 @@ void MotionAxis::start(const Command& command) {
   start_position_ = command.position;
 }
 
-/// Held on its path, or stopped there by an underrun and reset: what is armed may begin from here.
+/// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
+/// may begin from here.
 bool MotionAxis::stands() const {
   return on_path() && !lifting_ && ending_ == Ending::none && clock_.target() == 0 &&
          clock_.steady(now_.tick) && now_.velocity == 0;
@@ -105,13 +106,13 @@ void MotionAxis::gear_in(const Command& command) {
   start_tick_ = std::max(command.at, now_.tick);
 }
 
-/// Begins what waits, if this is its tick, or the master passes its position, or a pass of the cam that
-/// is played ends.
+/// Begins the armed movement in its tick, or when the master passes its position, or when a pass of
+/// the active cam ends.
 void MotionAxis::begin_due() {
   if (!waiting_) return;
   const bool on_cam = on_path() && pending_->course() == Course::path;
-  if (start_at_ == StartAt::master_position && on_cam) return;  // swap_at_master()
-  if (start_at_ == StartAt::end_of_table && on_path()) return;  // swap_at_boundary()
+  if (start_at_ == StartAt::master_position && on_cam) return;  // see swap_at_master()
+  if (start_at_ == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
   const auto at = begins_at();
   if (!at) return;
   if (pending_->course() == Course::path && moving() && !stands())
@@ -119,7 +120,7 @@ void MotionAxis::begin_due() {
   begin_pending(*at);
 }
 
-/// The instant at which it begins, `t` s after this tick (0 or less); nothing: it is not due.
+/// The instant at which it begins, `t` s after this tick (0 or less); nullopt: it is not due.
 std::optional<Moment> MotionAxis::begins_at() {
   if (start_at_ == StartAt::tick) {
     if (start_tick_ > now_.tick) return std::nullopt;
@@ -140,7 +141,8 @@ std::optional<Moment> MotionAxis::begins_at() {
   return at;
 }
 
-/// Where the live master passes the position of the start, between the tick before and this one.
+/// The instant at which the live master passes the start position, between the previous tick and
+/// this one.
 std::optional<Moment> MotionAxis::crossing() const {
   const double before = last_master_[0] - start_position_;
   const double after = inputs_.master[0] - start_position_;
@@ -152,7 +154,7 @@ std::optional<Moment> MotionAxis::crossing() const {
   return Moment{at.t, dt(), at.master};
 }
 
-/// The axis at that instant: what a coupling goes on from.
+/// The state of the axis at that instant: the start of a coupling.
 std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
   if (!moving() || pending_->course() != Course::live) return last();
   Setpoint next;
@@ -169,7 +171,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
   return MotionState{next.slave[0], next.slave[1], next.slave[2]};
 }
 
-/// What the movement that waits said to an axis in this state.
+/// The answer of the armed movement to an axis in this state.
 Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
   const bool placed = no == Cause::start_position;
   return {.cause = no,
@@ -218,7 +220,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   if (!live) {
     const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
     played_to_ = 0;
-    // At full speed path time is bit for bit ticks * period since the tick of the start.
+    // At full speed, path time is bit for bit ticks * period since the tick of the start.
     if (start_at_ == StartAt::tick)
       clock_.start(start_tick_, 0, rate);
     else

@@ -6,12 +6,12 @@
 
 #include "jounce/axis/axis.hpp"
 
-// From one path onto the next without a stop: at the end of the one that is played, or of its pass, or
-// where its master passes a position.
+// Changes from one path to the next without a stop: at the end of the present path, or of its pass,
+// or where its master passes a position.
 
 namespace jounce {
 
-/// A swap where the path, or its present pass, ends.
+/// A swap at the end of the path, or of its present pass.
 void MotionAxis::start_at_end() {
   if (base_ == Base::movement && !on_path()) return start_at_pass_end();
   const auto end = expected_end();
@@ -27,7 +27,7 @@ void MotionAxis::start_at_end() {
   start_at_ = StartAt::end_of_table;
 }
 
-/// Another coupling, where a pass of the cam behind the live master ends.
+/// Another coupling, at the end of a pass of the cam that follows the live master.
 void MotionAxis::start_at_pass_end() {
   if (!active_->passes()) return refuse(Cause::no_movement);
   if (pending_->course() != Course::live || lifting_) return refuse(Cause::in_motion);
@@ -36,19 +36,20 @@ void MotionAxis::start_at_pass_end() {
   start_at_ = StartAt::end_of_table;
 }
 
-/// Rows end where the last of them does, at rest: which one that is may not be known yet.
+/// Rows end with their last row, at rest: its number may not be available yet.
 bool MotionAxis::ends_somewhere() const {
   return on_path() && active_->pass() <= 0;
 }
 
-/// The boundary of what plays, as soon as it is known; until it is reached, rows may be added.
+/// Sets the boundary of the present path as soon as it is available; until the boundary, rows may
+/// be added.
 void MotionAxis::seek_boundary() {
   if (boundary_ == Boundary::swap && ends_somewhere() && !active_->growing())
     boundary_at_ = active_->known();
 }
 
-/// What plays has come to its boundary. Where that was not known when the swap was told, whether
-/// both meet is looked at now; where they do not, what plays just ends.
+/// The present path has reached its boundary. If the boundary was not available at the command,
+/// checks now that both paths meet; otherwise the present path ends.
 Cause MotionAxis::swap_at_boundary() {
   if (!ends_somewhere()) {
     swap(boundary_at_, *active_->end());
@@ -64,8 +65,8 @@ Cause MotionAxis::swap_at_boundary() {
   return Cause::none;
 }
 
-/// Until the swap the rate may only be what both paths take. It comes down to that by the dynamics of
-/// the one that is played.
+/// Until the swap, the rate is limited to the range of both paths. It falls to that by the dynamics
+/// of the present path.
 bool MotionAxis::ready_to_swap() {
   if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
   if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
@@ -75,11 +76,12 @@ bool MotionAxis::ready_to_swap() {
   return true;
 }
 
-/// What is armed goes on where the present path, or its pass, ends at path time `boundary`.
+/// The armed movement continues from the end of the present path, or of its pass, at path time
+/// `boundary`.
 void MotionAxis::swap(double boundary, MotionState end) {
   boundary_ = Boundary::none;
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
-  // The boundary may have come before the rate was down.
+  // The boundary may precede the end of the rate change.
   const double rate = clock_.at(now_.tick).rate;
   const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
   if (rate > most * (1 + 1e-9))
@@ -105,13 +107,13 @@ void MotionAxis::swap(double boundary, MotionState end) {
   outputs_.place(SwitchesOf::master);
 }
 
-/// Whether what waits begins where the master of this path passes a position.
+/// True if the armed movement begins when the master of this path passes a position.
 bool MotionAxis::swaps_at_master() const {
   return waiting_ && start_at_ == StartAt::master_position && active_->synchronized();
 }
 
-/// When the master passes that position on the way to path time `to`, by halving. Where a pass ends on
-/// the way the master leaps to its beginning: that passes nothing.
+/// The path time, up to `to`, at which the master passes that position, by bisection. At the end of
+/// a pass the master jumps to its beginning: that jump passes nothing.
 std::optional<double> MotionAxis::passing(double to) const {
   const auto beyond = [&](double s) { return active_->at(moment(s)).master - start_position_; };
   const auto crossing = [&](double low, double high) -> std::optional<double> {
@@ -132,7 +134,7 @@ std::optional<double> MotionAxis::passing(double to) const {
   return there ? there : crossing(leap, to);
 }
 
-/// The swap there, if both paths meet.
+/// Swaps there if both paths meet.
 void MotionAxis::swap_at_master(double s) {
   const Jet& there = active_->at(moment(s)).slave;
   const MotionState end{there[0], there[1], there[2]};

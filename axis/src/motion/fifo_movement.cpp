@@ -43,7 +43,7 @@ std::optional<double> origin_of(const FifoSpec& spec) {
   return spec.from->position;
 }
 
-/// How far the motion goes from where it begins, at most: rows of a stream beyond their limits are refused.
+/// Range of the motion relative to its start: rows of a stream beyond it are rejected.
 SegmentFifos::Reach range_of(const FifoSpec& spec) {
   if (!spec.stream) return spec.range;
   const double begin = spec.from ? spec.from->position : 0;
@@ -51,19 +51,19 @@ SegmentFifos::Reach range_of(const FifoSpec& spec) {
           std::min(spec.range.highest, spec.limits.position_max - begin)};
 }
 
-/// What counts as the same place: rounding, and 1e-9 of the stroke, as a whole table is forgiven.
+/// Tolerance for equal positions: rounding, and 1e-9 of the stroke, as for a whole table.
 double near_of(const SegmentFifos::Reach& range, double origin) {
   const double stroke = range.highest - range.lowest;
   return 1e-12 * (1 + std::abs(origin)) + (std::isfinite(stroke) ? 1e-9 * stroke : 0);
 }
 
-/// Whether an axis there does not stand where the rows begin.
+/// True if an axis at `position` does not stand at the start of the rows.
 bool misplaced(const std::optional<double>& origin, const SegmentFifos::Reach& range,
                double position) {
   return origin && !(std::abs(position - *origin) <= near_of(range, *origin));
 }
 
-/// What a state of the FIFOs means for what is played.
+/// Progress of the movement for a state of the FIFOs.
 Progress progress_of(SegmentFifos::State state) {
   switch (state) {
     case SegmentFifos::State::ended:
@@ -98,7 +98,7 @@ RowLimits row_limits(const AxisConfig& given, bool absolute) {
   return rows;
 }
 
-// ---- over time -----------------------------------------------------------------------------------
+// ---- over time ----------------------------------------------------------------------------------
 
 FifoPath::FifoPath(std::uint64_t id, const FifoSpec& spec)
     : Movement(id, Course::path),
@@ -109,7 +109,7 @@ FifoPath::FifoPath(std::uint64_t id, const FifoSpec& spec)
   fifos_.set_loops(spec.loops);
 }
 
-/// The announced range against the axis's, where it has one.
+/// Compares the announced range with that of the axis, if it has one.
 std::optional<Refusal> FifoPath::leaves(const AxisConfig& config, double from) const {
   const double lowest = from + range_.lowest;
   const double highest = from + range_.highest;
@@ -128,8 +128,8 @@ bool FifoPath::within(const SegmentFifos::Reach& pass) const {
          pass.highest <= begun_at_ + range_.highest + near;
 }
 
-/// Tables: a pass that leaves the range breaks the movement; one before it is supervised, as is one
-/// whose rates were not known when it was filled.
+/// For tables: a pass that leaves the range breaks the movement. The axis supervises the pass
+/// before it, and a pass whose rates were not available when it was filled.
 void FifoPath::supervise() {
   if (fifos_.stream() || !fifos_.moving()) return;
   const SegmentFifos::Reach pass = fifos_.reach();
@@ -195,7 +195,7 @@ double FifoPath::known() const noexcept {
   return std::numeric_limits<double>::infinity();
 }
 
-/// The axis asks once, when it begins: of what is still to come, the limits are all that is known.
+/// The axis reads this once, when it begins: for later rows only the limits are available.
 Peaks FifoPath::peaks() const noexcept {
   const RowPeaks f = fifos_.peaks();
   const RowLimits& most = fifos_.layout().limits;
@@ -206,7 +206,7 @@ Peaks FifoPath::peaks() const noexcept {
           of(f.jerk, most.jerk), of(f.velocity_step, most.velocity_step)};
 }
 
-// ---- over a live master --------------------------------------------------------------------------
+// ---- over a live master -------------------------------------------------------------------------
 
 FifoFollow::FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& run)
     : Movement(id, Course::live),
@@ -263,7 +263,8 @@ Setpoint FifoFollow::at(const Moment& now) noexcept {
   return last_;
 }
 
-/// The slave and its derivatives by the master, further along the line on which its tables ended.
+/// The slave and its derivatives with respect to the master, along the line beyond the end of the
+/// tables.
 Jet FifoFollow::beyond(double master) const noexcept {
   const SegmentFifos::End& end = fifos_.end();
   const double travel = run_.dir == 0 ? master - run_.origin : run_.furthest;

@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-constexpr double same = 1e-9;  // relative: forgives rounded input, as check_continuity does
+constexpr double same = 1e-9;  // relative: tolerates rounded input, like check_continuity
 
 double seconds(std::int64_t ns) {
   return static_cast<double>(ns) / 1e9;
@@ -27,7 +27,7 @@ void include(Ranges& ranges, std::size_t order, double value, double where, Side
   if (value > range.max.value) range.max = {value, where, side};
 }
 
-/// Where the derivative of the given order is zero in (a, b), at whose ends its signs differ.
+/// The zero of the derivative of this order in (a, b), at whose ends its signs differ.
 double turning_point(const Coupled& f, std::size_t order, double a, double b) {
   const bool rising = f.jet(a)[order] < 0;
   double middle = a + (b - a) / 2;
@@ -67,8 +67,8 @@ Ranges survey(const Coupled& f) {
   return ranges;
 }
 
-/// Every jump of the `order`th derivative, ascending; of a run that repeats also those after its
-/// end, over one more tick.
+/// Every jump of the `order`th derivative, ascending; if the run repeats, also those in one tick
+/// after its end.
 template <Signal S>
 std::vector<Jump> steps_of(const S& f, std::size_t order, bool repeats, double tick) {
   std::vector<Jump> steps;
@@ -86,12 +86,12 @@ std::vector<Jump> steps_of(const S& f, std::size_t order, bool repeats, double t
   return steps;
 }
 
-/// The largest sum of jumps within one tick, and where it begins.
+/// The largest sum of jumps within one tick, and its start.
 template <Signal S>
 Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
   const std::vector<Jump> steps = steps_of(f, order, repeats, tick);
   Jump largest;
-  double sum = 0;  // of the magnitudes of steps [first, next)
+  double sum = 0;  // sum of the magnitudes of steps [first, next)
   for (std::size_t first = 0, next = 0; first < steps.size(); ++first) {
     while (next < steps.size() && steps[next].where < steps[first].where + tick * (1 - same))
       sum += std::abs(steps[next++].step);
@@ -103,7 +103,7 @@ Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
   return largest;
 }
 
-/// The sign of the velocity half a tick into the first interval that moves; 0: none does.
+/// The sign of the velocity half a tick into the first interval with motion; 0: none.
 template <Signal S>
 int first_direction(const S& f, double tick) {
   for (std::size_t i = 0; i + 1 < f.breaks().size(); ++i) {
@@ -114,7 +114,8 @@ int first_direction(const S& f, double tick) {
   return 0;
 }
 
-/// By how much the master, scaled, leaves a cam that refuses it; rounding is forgiven.
+/// The distance by which the scaled master leaves a cam that does not permit it; tolerates
+/// rounding.
 Extremum excess(const Table& cam, const Placement& placement, const Range& master) {
   if (cam.outside() != Extrapolation::refuse) return {};
   const double below = cam.start() - placement.at(master.min.value);
@@ -157,7 +158,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
 }
 
 void Job::couple(const CouplingSpec& spec, double position, double tick) {
-  // Held instead of refused, so that a master that leaves the cam is a finding of admit().
+  // Held instead of rejected, so that admit() can report a master that leaves the cam.
   const Cam curve = cam_->outside() == Extrapolation::refuse
                         ? with(cam_->curve<OverMaster>(), Extrapolation::hold)
                         : cam_->curve<OverMaster>();
@@ -180,7 +181,7 @@ void Job::survey_steps(const S& slave, double tick) {
   direction_ = first_direction(slave, tick);
 }
 
-/// What the time table says at local time t; after its end it rests there.
+/// The value of the time table at local time t; after its end it is at rest.
 Jet Job::master(double t, Side side) const {
   if (side == Side::left && t == time_->length()) return time_->jet(time_->end(), side);
   if (repeats() || t < time_->length()) return time_->jet(start() + t);

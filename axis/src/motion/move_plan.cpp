@@ -9,7 +9,7 @@
 namespace jounce {
 namespace {
 
-/// One number of the dynamics against its limit; the limit where it is not given.
+/// Checks one number of the dynamics against its limit; a missing number becomes the limit.
 std::optional<Refusal> fill(double& value, double limit, Cause cause) {
   if (std::isnan(value)) value = limit;
   if (!(value > 0)) return Refusal{Cause::not_positive, value, 0};
@@ -27,19 +27,19 @@ std::optional<Refusal> fill(MoveDynamics& d, double velocity, double acceleratio
   return std::nullopt;
 }
 
-/// The position range, widened to where the axis is: from outside it may come back.
+/// The position range, extended to the position of the axis: an axis outside may return.
 void keep_range(Bounds& bounds, double position, const Limits& limits) {
   if (limits.position_min) bounds.position_min = std::min(*limits.position_min, position);
   if (limits.position_max) bounds.position_max = std::max(*limits.position_max, position);
 }
 
-/// Where it would come to rest, braking with `deceleration`; the jerk does not matter for a sign.
+/// The position of rest after braking with `deceleration`; the jerk does not matter for a sign.
 double stopping_point(const MotionState& from, const MoveDynamics& d) {
   return from.position + from.velocity * std::abs(from.velocity) / (2 * d.deceleration);
 }
 
-/// Whether a move to the target slows down on its way up. An axis that stops exactly at the target goes
-/// on as it does: rounding does not turn it round.
+/// True if a move to the target slows down on its way up. An axis that stops exactly at the target
+/// continues: rounding does not reverse it.
 bool brakes_upwards(const MotionState& from, double target, const MoveDynamics& d) {
   const double rounding = 1e-12 * (std::abs(from.position) + std::abs(target));
   const double beyond = target - stopping_point(from, d);
@@ -55,9 +55,9 @@ Bounds towards(const MotionState& from, double target, const MoveDynamics& d, do
   return bounds;
 }
 
-/// Until an axis accelerates no more its velocity changes by a^2 / (2j). A jerk that is too low for
-/// that to stay within the limit, or for a stop not to turn round, is raised, at most to that of a
-/// stop: the axis's limits go first.
+/// Until the acceleration is 0, the velocity changes by a^2 / (2j). If the jerk is too low for the
+/// velocity to stay within its limit, or for a stop without reversal, it is raised, at most to that
+/// of a stop: the axis's limits take precedence.
 double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& config) {
   const auto& [p, v, a] = from;
   const double along = std::copysign(v, v * a);  // > 0: it speeds up
@@ -68,7 +68,7 @@ double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& con
   return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
 }
 
-/// Whether a motion goes one way only.
+/// True if a motion does not reverse.
 bool straight(const Profile& profile, double way) {
   const double near =
       1e-12 * (std::abs(profile.start().velocity) + std::abs(profile.end().velocity));
@@ -76,8 +76,8 @@ bool straight(const Profile& profile, double way) {
   return (way > 0 ? slowest : -fastest) >= -near;
 }
 
-/// One after the other, up to the state in which the second ends; nothing where a profile has no room for
-/// their phases, or for so many different values.
+/// Joins two profiles, up to the end state of the second; nullopt if a profile cannot hold all
+/// their phases, or the magnitudes differ too much.
 std::optional<Profile> joined(const Profile& first, const Profile& second, const MotionState& end) {
   if (first.phases() + second.phases() > Profile::capacity) return std::nullopt;
   Profile both(first.start(), second.order());
@@ -96,12 +96,13 @@ std::optional<Profile> joined(const Profile& first, const Profile& second, const
   return both;
 }
 
-/// To a target that is passed faster than the move's own velocity: at that first, and faster as late as can
-/// be, with a ramp that ends at the target. With w the ramp's way,
+/// A move that passes its target faster than its own velocity: it moves at its own velocity first
+/// and speeds up as late as possible, with a ramp that ends at the target. Let w be the distance of
+/// the ramp:
 ///
 ///     (1)  from -> (target - w, own velocity) -> (target, velocity there)
 ///
-/// Where the way is too short for (1), it speeds up all the way.
+/// If the distance is too short for (1), it speeds up throughout.
 std::optional<Profile> speed_up(const MotionState& from, const Goal& goal, const MoveDynamics& d,
                                 double own, const AxisConfig& config) {
   const double way = std::copysign(1.0, goal.through);
@@ -121,9 +122,9 @@ std::optional<Profile> speed_up(const MotionState& from, const Goal& goal, const
   return move ? std::optional(move.profile) : std::nullopt;
 }
 
-/// Whether the halves of a motion meet in the middle: the first is reckoned from its start, the second back from
-/// its end (Profile::at). Where its accelerations differ by many orders of magnitude, a double has too few digits
-/// for its durations, and they do not.
+/// True if the halves of a motion meet in the middle: the first is computed from its start, the
+/// second back from its end (Profile::at). They do not meet if the accelerations differ by many
+/// orders of magnitude: a double then has too few digits for the durations.
 bool halves_meet(const Profile& motion, const AxisConfig& config) {
   const double middle = motion.duration() / 2;
   const Motion one = motion.at(std::nextafter(middle, 0));
@@ -152,8 +153,9 @@ double wanted_at_passing(double previous, double next, BufferMode mode) {
   return std::min(previous, next);
 }
 
-/// To rest at the end of the range that this stop leaves, inside the range on the way: it turns round and comes back.
-/// Which end that is its velocity does not show: an acceleration may still turn it round.
+/// Comes to rest at the end of the range that this stop leaves: it reverses and returns, inside the
+/// range throughout. The sign of the velocity does not determine that end: the acceleration may
+/// still reverse the motion.
 std::optional<Profile> rest_at_limit(const MotionState& from, const Profile& stop,
                                      const MoveDynamics& d, const AxisConfig& config) {
   const auto [lowest, highest] = positions(stop);
@@ -178,8 +180,8 @@ std::optional<Profile> to_position(const MotionState& from, const Goal& goal, co
   return move ? std::optional(move.profile) : std::nullopt;
 }
 
-/// To a velocity: with the acceleration where it speeds up, the deceleration where it slows down,
-/// the lesser of both where it turns round.
+/// The limit for a change of velocity: the acceleration to speed up, the deceleration to slow down,
+/// the smaller of both to reverse.
 double change_of_velocity(double from, double to, const MoveDynamics& d) {
   if (from * to < 0) return std::min(d.acceleration, d.deceleration);
   return std::abs(to) > std::abs(from) ? d.acceleration : d.deceleration;
@@ -221,7 +223,7 @@ std::optional<Profile> plan(const MotionState& from, const Goal& goal, double fa
   return inside ? inside : move.profile;
 }
 
-/// v + a t + j t^2 / 2 = 0 in each phase: where it turns round.
+/// Solves v + a t + j t^2 / 2 = 0 in each phase: the points of reversal.
 std::array<double, 2> positions(const Profile& profile) noexcept {
   double low = std::min(profile.start().position, profile.end().position);
   double high = std::max(profile.start().position, profile.end().position);
@@ -270,8 +272,8 @@ std::array<double, 2> velocities(const Profile& profile) noexcept {
   for (std::size_t i = 0; i < profile.phases(); ++i) {
     const auto [p, v, a, unused] = profile.at(t);
     const auto [T, value] = profile.phase(i);
-    const double j = profile.order() == 3 ? value : 0;  // at() may still see the phase before
-    const bool turns = j * a < 0 && std::abs(a) < std::abs(j) * T;  // where a = 0
+    const double j = profile.order() == 3 ? value : 0;  // at() may still return the previous phase
+    const bool turns = j * a < 0 && std::abs(a) < std::abs(j) * T;  // the acceleration has a zero
     const double extreme = turns ? v - a * a / (2 * j) : v;
     low = std::min({low, v, extreme});
     high = std::max({high, v, extreme});
@@ -311,7 +313,7 @@ double passing_velocity(const MotionState& from, const Goal& goal, const Goal& n
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,
                                 const MoveDynamics& d, const AxisConfig& config) noexcept {
   if (config.modulo == 0) return position;
-  // Beyond that modulo_target() could not count the turns.
+  // Beyond that, modulo_target() could not count the turns.
   if (!(std::abs(from.position) < 0x1p50 * config.modulo)) return std::nullopt;
   const Bounds bounds = within(d.velocity, std::min(d.acceleration, d.deceleration), d.jerk);
   const ModuloTarget target = modulo_target(from, position, direction, config.modulo, bounds);

@@ -7,33 +7,33 @@
 
 #include "jounce/profiles/moves/move.hpp"
 
-// A stop, a hold and an override on the path. The table goes on being played, but its own time s
-// runs at a rate r(t) = ds/dt, so the position never leaves the table's path. By the chain rule,
+// A stop, a hold and an override on the path. The axis still plays the table, but the table's own
+// time s runs at a rate r(t) = ds/dt, so the position never leaves the path. By the chain rule,
 // with p the table,
 //
 //     (1)  velocity      p' r
 //     (2)  acceleration  p'' r^2 + p' r'
 //     (3)  jerk          p''' r^3 + 3 p'' r r' + p' r''
 //
-// Let V, A, J be the peaks of the table and h >= r the highest rate of a change. It keeps the
-// limits a and j that are set for it wherever it comes if |r'| <= R and |r''| <= 2 R^2 with
+// Let V, A, J be the peaks of the table and h >= r the highest rate of a change. The change keeps
+// its limits a and j anywhere on the path if |r'| <= R and |r''| <= 2 R^2 with
 //
 //     (4)  A h^2 + V R <= a                          that is  R <= (a - A h^2) / V
 //     (5)  J h^3 + 3 A h R + 2 V R^2 <= j            that is  R <= 2c / (b + sqrt(b^2 + 8 V c)),
 //                                                             b = 3 A h, c = j - J h^3
 //
 // The fastest change of the rate by 1 under these bounds has |r'| rising for 1/(2R), constant for
-// 1/(2R) and falling for 1/(2R): it lasts
+// 1/(2R) and falling for 1/(2R): its duration is
 //
 //     (6)  D = 3 / (2R)
 //
-// and runs, being symmetric, through D/2 of path time. That is a velocity move (jounce/profiles/moves/move.hpp)
-// whose "velocity" is the rate: what it guarantees for any start is what a change of mind needs. On
-// such a ramp to a rate, r' can always be brought to 0 before that rate is passed; so r stays
-// between the rates, and in particular never runs backwards.
+// and, by symmetry, it covers D/2 of path time. It is a velocity move
+// (jounce/profiles/moves/move.hpp) whose "velocity" is the rate. Such a move may start from any
+// state, so a new change may interrupt it. On a ramp to a rate, r' can always fall to 0 before r
+// passes that rate; so r stays between the rates, and path time never runs backwards.
 //
 // A step of the velocity within the table counts as the acceleration that makes it in one tick. At
-// rates above 1 twice as many of them may fall into a tick.
+// rates above 1, a tick may contain twice as many steps.
 
 namespace jounce {
 namespace {

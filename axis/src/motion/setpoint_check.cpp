@@ -10,14 +10,14 @@
 namespace jounce {
 namespace {
 
-constexpr double same = 2e-9;  // relative: admit() forgives half of that
+constexpr double same = 2e-9;  // relative: admit() tolerates half of that
 
-/// What counts as the same position here: rounding, and what the limit velocity does in 1e-9 ticks.
+/// Tolerance for equal positions: rounding, and the travel at the limit velocity in 1e-9 ticks.
 double slack(double position, const AxisConfig& config, double dt) {
   return 1e-12 * std::abs(position) + 1e-9 * *config.limits.velocity * dt;
 }
 
-/// admit() forgives a path 1e-9 of its stroke, which is at most the range where both ends are set.
+/// admit() tolerates 1e-9 of the stroke of a path, which is at most the range if both ends are set.
 double range_slack(double position, const AxisConfig& config) {
   const double low = config.limits.position_min.value_or(position);
   const double high = config.limits.position_max.value_or(position);
@@ -32,8 +32,8 @@ MotionState mirrored(const MotionState& state) {
   return {-state.position, -state.velocity, -state.acceleration};
 }
 
-/// An upper bound of the way of any stop with this deceleration, upwards: its velocity never exceeds (1),
-/// and it lasts no longer than (2), the sum of its three phases.
+/// An upper bound of the upward distance of any stop with this deceleration: the velocity never
+/// exceeds (1), and the duration never exceeds (2), the sum of its three phases.
 ///
 ///     (1)  w = max(v, 0) + a^2 / (2 j)            where a > 0
 ///     (2)  a / j  +  w / s  +  s / j
@@ -43,9 +43,10 @@ double most_way(double v, double a, double s, double j) {
   return w * (rise / j + w / s + s / j);
 }
 
-/// How far it goes up before it turns round, with the jerk -j to the acceleration -s, and on with that.
+/// The upward distance before reversal, with the jerk -j to the acceleration -s, then at that
+/// acceleration.
 ///
-///     (3)  v + a t - j t^2 / 2 = 0                 where it turns before the acceleration is -s
+///     (3)  v + a t - j t^2 / 2 = 0                 if it reverses before the acceleration is -s
 double way_to_turn(double v, double a, double s, double j) {
   if (std::isinf(j)) return v > 0 ? v * v / (2 * s) : 0;
   const double root = a * a + 2 * j * v;
@@ -111,7 +112,7 @@ Cause check_range(const MotionState& last, const MotionState& next,
                   const AxisConfig& config) noexcept {
   const auto& [low, high, v, a, j] = config.limits;
   const auto loses = [&](double limit, const MotionState& before, const MotionState& after) {
-    const double most = std::max(limit, before.position);  // from outside it may come back
+    const double most = std::max(limit, before.position);  // an axis outside may return
     const Stop left = gentlest_below(most, after, config);
     return left != Stop::soft && left > gentlest_below(most, before, config);
   };

@@ -7,9 +7,9 @@
 
 #include "jounce/axis/setpoint_check.hpp"
 
-// One tick of an axis, from what it sees to what it says; read from step() down. What it can be told
-// is in axis_commands.cpp, axis_moves.cpp and axis_starts.cpp, the time of a path in axis_path.cpp,
-// going over from one movement to the next in axis_swap.cpp, and how a motion ends in axis_ends.cpp.
+// One tick of an axis, from its inputs to its outputs; read from step() down. Other files: commands
+// in axis_commands.cpp, axis_moves.cpp and axis_starts.cpp, the time of a path in axis_path.cpp,
+// the change from one movement to the next in axis_swap.cpp, the end of a motion in axis_ends.cpp.
 
 namespace jounce {
 
@@ -53,7 +53,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   return now_;
 }
 
-/// What is left to say of the tick.
+/// Sets the remaining outputs of the tick.
 void MotionAxis::report() {
   now_.in_position =
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
@@ -73,7 +73,7 @@ void MotionAxis::report() {
   now_.rate = on_path() ? clock_.at(now_.tick).rate : 1;
 }
 
-// ---- what it sees ------------------------------------------------------------------------------
+// ---- inputs ------------------------------------------------------------------------------------
 
 void MotionAxis::take(const Inputs& inputs) {
   const double renamed = inputs.master_offset - inputs_.master_offset;
@@ -83,13 +83,13 @@ void MotionAxis::take(const Inputs& inputs) {
   see_renamed(renamed);
   now_.actual_position = inputs_.feedback.position + now_.offset;
   now_.torque = inputs_.feedback.torque;
-  // While nothing is commanded the axis is where the drive is: enabling it moves nothing.
+  // A disabled axis takes the position of its drive: enabling causes no motion.
   if (state_ == State::disabled && std::isfinite(now_.actual_position))
     now_.position = now_.actual_position;
   now_.following_error = now_.position - now_.actual_position;
 }
 
-/// Another name for where the master is passes nothing and moves nothing.
+/// A new coordinate of the master passes no position and causes no motion.
 void MotionAxis::see_renamed(double by) {
   if (by == 0) return;
   last_master_[0] += by;
@@ -98,7 +98,7 @@ void MotionAxis::see_renamed(double by) {
 }
 
 void MotionAxis::watch() {
-  if (inputs_.feedback.fault) now_.homed = false;  // the drive's count may have been lost
+  if (inputs_.feedback.fault) now_.homed = false;  // the drive may have lost its position count
   if (!now_.power) return windows_.reset();
   Cause wrong = check_inputs(inputs_);
   if (state_ == State::disabled) {  // the drive is being switched on
@@ -106,7 +106,7 @@ void MotionAxis::watch() {
     if (wrong == Cause::drive_not_ready) return;
     state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
   }
-  // Without a sign of life what moves is stopped; what stands just stands.
+  // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest.
   const bool stops = state_ == State::error_stop || !(moving() || waiting_ || later_);
   if (wrong == Cause::watchdog && stops) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
@@ -118,7 +118,7 @@ void MotionAxis::watch() {
 // ---- the next setpoint -------------------------------------------------------------------------
 
 void MotionAxis::play() {
-  // What was left out before the motion began, or while it was held, does not count.
+  // Ticks skipped before the motion began, or during a hold, do not count.
   const bool held = on_path() && now_.velocity == 0 && clock_.at(now_.tick).rate == 0;
   if (!held && std::min(now_.skipped, now_.tick - begun_) >= config_.longest_gap)
     return fail(Cause::stalled);
@@ -152,12 +152,12 @@ Cause MotionAxis::advance(Setpoint& next) {
     if (const Cause no = pass_target(); no != Cause::none) return no;
   const double t = plan_time();
   const auto [p, v, a, j] = plan_.at(t);
-  const double beyond = std::max(t - plan_.duration(), 0.0);  // at its last velocity
+  const double beyond = std::max(t - plan_.duration(), 0.0);  // continues at its last velocity
   next = {now_.master, 0, {p + v * beyond, v, a, j}};
   return Cause::none;
 }
 
-/// Adds what is superimposed.
+/// Adds the superimposed move.
 void MotionAxis::lift(Setpoint& next) {
   next.slave[0] += shift_;
   if (!lifting_) return;
@@ -172,7 +172,7 @@ void MotionAxis::lift(Setpoint& next) {
   shift_ += lift_.end().position;
 }
 
-/// Whether it may go out; what brings the axis to rest after a fault may.
+/// Checks a setpoint before its output; braking after a fault passes without a check.
 Cause MotionAxis::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
   const MotionState state{next.slave[0], next.slave[1], next.slave[2]};
@@ -191,8 +191,9 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   return Cause::none;
 }
 
-/// The whole motion is known and was admitted against the range: a path, and a move planned to a target.
-/// Each can be stopped inside: the path on itself; the move with the stop limits, which are greater than its own.
+/// True if the whole motion is available and was admitted against the range: a path, or a move
+/// planned to a target. Each can stop inside: the path on itself, the move with the stop limits,
+/// which exceed its own.
 bool MotionAxis::inside_as_a_whole() const {
   if (lifting_ || shift_ != 0) return false;
   if (on_path()) return active_->bounded();
@@ -222,7 +223,7 @@ void MotionAxis::operate_outputs() {
   now_.compare = outputs_.compare();
 }
 
-// ---- small things ------------------------------------------------------------------------------
+// ---- helpers -----------------------------------------------------------------------------------
 
 bool in_motion(const Tick& tick) {
   const bool left = tick.state == State::error_stop && tick.job != 0 && tick.rate == 0;
@@ -230,7 +231,7 @@ bool in_motion(const Tick& tick) {
 }
 
 void MotionAxis::hand_back(const Movement* movement) {
-  // At most three in one step: the one played, the one armed, and the one just refused.
+  // At most three in one step: the active one, the armed one, and the one just rejected.
   auto free = std::find(now_.handed_back.begin(), now_.handed_back.end(), nullptr);
   assert(free != now_.handed_back.end());
   *free = movement;
@@ -240,7 +241,8 @@ void MotionAxis::refuse(Cause cause, double value, double limit) {
   now_.refused = Refusal{cause, value, limit};
 }
 
-/// What waits does not begin. An answer to the command of this tick only if that asked for it.
+/// Drops the waiting start. This answers the command of this tick only if that command requested
+/// it.
 void MotionAxis::drop(const Refusal& why) {
   (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
   disarm();
@@ -258,7 +260,7 @@ Moment MotionAxis::moment(double t) const {
   return {t, dt(), inputs_.master};
 }
 
-/// As the live movement that is played counts its master.
+/// The moment in the master coordinate of the active live movement.
 Moment MotionAxis::coupled(Moment now) const {
   now.master[0] -= renamed_;
   return now;

@@ -5,8 +5,8 @@
 
 #include "jounce/axis/axis.hpp"
 
-// What an axis is told, one command a tick: where each goes, and those about power, counting, the speed
-// and the end of what moves.
+// The commands of an axis, one a tick: the dispatch of all, and those for power, coordinates,
+// speed, and the end of a motion.
 
 namespace jounce {
 
@@ -36,7 +36,7 @@ void MotionAxis::take_up(const Command& command) {
   act(command);
 }
 
-/// What goes to a position needs to have found from where that counts.
+/// True if the command moves to a position and the axis is not yet homed.
 bool MotionAxis::needs_home(const Command& command) const {
   if (!config_.require_home || now_.homed) return false;
   return command.kind == Kind::move_absolute || (command.movement && command.movement->absolute());
@@ -95,7 +95,7 @@ void MotionAxis::act(const Command& command) {
   }
 }
 
-// ---- power and place ---------------------------------------------------------------------------
+// ---- power and coordinates ---------------------------------------------------------------------
 
 void MotionAxis::power(bool on) {
   if (on && inputs_.feedback.fault) return refuse(Cause::drive_fault);
@@ -110,7 +110,7 @@ void MotionAxis::power(bool on) {
   state_ = State::disabled;
 }
 
-/// A path that an underrun stopped is still there, and at rest: it waits for a resume.
+/// A path that an underrun stopped is still active and at rest: it waits for a resume.
 void MotionAxis::reset() {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return refuse(Cause::in_motion);
@@ -133,7 +133,7 @@ void MotionAxis::set_position(double position) {
   outputs_.place(SwitchesOf::position);
 }
 
-// ---- faster, slower, and to an end -------------------------------------------------------------
+// ---- speed and end -----------------------------------------------------------------------------
 
 void MotionAxis::end_motion(Ending ending, const Command& command) {
   // A search has no position range: it always ends with the stop of the axis.
@@ -156,27 +156,28 @@ void MotionAxis::end_motion(Ending ending, const Command& command) {
   now_.reason = Cause::none;
 }
 
-/// The motion ends before its end. For an armed movement, disarm() does the same.
+/// Ends the motion early. disarm() does the same for an armed movement.
 void MotionAxis::break_group() {
   if (!active_) return;
   now_.broken[0] = group_;
   last_break_ = {group_, now_.tick};
 }
 
-/// The armed movement belongs to it now. A break of this tick stays: the other axes have not read it yet.
+/// The armed movement now belongs to this group. A break of this tick stays: the other axes have
+/// not read it yet.
 void MotionAxis::join_group(std::int64_t group) {
   next_group_ = group;
   if (last_break_.group == group && last_break_.tick == now_.tick) return;
   std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
 }
 
-/// Motions that begin together end together: by a stop, also where a fault ended the other one.
+/// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
   if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group, {});
 }
 
-/// Only the first point of the path was given out, where the axis stood.
+/// True if only the first point of the path was output, at the position of the axis.
 bool MotionAxis::unplayed() const {
   return on_path() && !lifting_ && played_to_ == 0 && now_.velocity == 0;
 }
@@ -190,7 +191,7 @@ void MotionAxis::hold(bool on) {
 
 void MotionAxis::set_override(double factor) {
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
-  // What is superimposed was given what the factor left.
+  // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
   if (lifting_ && factor > most) return refuse(Cause::in_motion, factor, most);
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
@@ -198,7 +199,7 @@ void MotionAxis::set_override(double factor) {
   if (!replan()) factor_ = before;
 }
 
-/// Agito StopRep: the stroke is finished, the next one does not begin.
+/// Agito StopRep: finishes the stroke; the next one does not begin.
 void MotionAxis::finish() {
   if (!on_path()) return refuse(Cause::not_on_path);
   if (ending_ != Ending::none) return refuse(Cause::halting);

@@ -17,7 +17,7 @@ double required(const char* key, const std::optional<double>& limit) {
 double stop_limit(const char* key, double value, double limit) {
   if (value == 0) return 2 * limit;
   require_finite(key, value);
-  // A table may use its limit up; a stop that may do little more would take for ever.
+  // A table may use its full limit; a stop with hardly more would never end.
   if (value >= 1.1 * limit) return value;
   throw InputError(key, value, "must be at least 1.1 times the limit, " + number(1.1 * limit));
 }

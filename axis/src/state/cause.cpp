@@ -202,7 +202,7 @@ constexpr std::array entries{
           "Look at the other axes of the start: one of them has the reason."},
 };
 
-/// True for the refusals with a measured value and a limit.
+/// True for the rejections with a measured value and a limit.
 bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
 }

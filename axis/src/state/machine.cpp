@@ -47,7 +47,7 @@ void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) 
   }
 }
 
-/// Leaders first, else as declared: each axis is placed after the chain of axes that it hangs on.
+/// Leaders first, otherwise in declared order: each axis comes after its chain of leaders.
 std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes) {
   std::vector<std::size_t> order;
   std::vector<bool> placed(axes.size(), false);
@@ -78,7 +78,8 @@ std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t mast
   return axes;
 }
 
-/// Another axis has broken the group: in this tick where it was stepped before, else in an earlier one.
+/// True if another axis has broken the group: in this tick if it was stepped earlier, otherwise in
+/// an earlier tick.
 bool is_broken(std::int64_t group, std::size_t axis, std::span<const AxisImage> images) {
   for (std::size_t k = 0; k < images.size() && group != 0; ++k) {
     const auto& broken = images[k].tick.broken;
@@ -87,7 +88,8 @@ bool is_broken(std::int64_t group, std::size_t axis, std::span<const AxisImage> 
   return false;
 }
 
-/// After the tick before, the axes that are armed in the group have not all accepted a start for the same tick.
+/// True if, after the previous tick, not all axes armed in the group have a start for the same
+/// tick.
 bool is_incomplete(std::size_t axis, std::span<const AxisImage> images) {
   const GroupStart& own = images[axis].tick.next;
   for (std::size_t k = 0; k < images.size() && own.group != 0; ++k) {
@@ -109,7 +111,7 @@ Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
 
 void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters) {
   assert(images.size() == axes_.size() && masters.size() == masters_);
-  // Before the first axis is stepped: where one begins, all do.
+  // Before the first axis is stepped: if one begins, all begin.
   for (std::size_t i = 0; i < images.size(); ++i)
     images[i].inputs.peers = is_incomplete(i, images) ? Peers::missing : Peers::ready;
   for (const std::size_t i : order_) {
@@ -132,7 +134,7 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
       return masters[index];
     case Follow::What::setpoint: {
       const Tick& leader = images[index].tick;
-      // It leapt to rest, or is where its drive is: what is in step with it must not be.
+      // It froze, or has the position of its drive: its followers must not follow that jump.
       if (leader.frozen || leader.state == State::disabled) break;
       return {leader.position, leader.velocity, leader.acceleration, 0};
     }

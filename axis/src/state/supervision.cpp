@@ -54,11 +54,11 @@ Cause check_inputs(const Inputs& inputs) noexcept {
 Reaction reaction_to(Cause fault) noexcept {
   switch (fault) {
     case Cause::disabled_in_motion:
-    case Cause::following_error:  // all three controllers let go: Googol 9, HMPL 5.1.1, Agito 5.3
+    case Cause::following_error:  // all controllers disable it: Googol 9, HMPL 5.1.1, Agito 5.3
     case Cause::drive_fault:
     case Cause::drive_not_ready:
       return Reaction::power_off;
-    case Cause::stalled:  // the drive has stood, or run on, without us: no ramp can mend that
+    case Cause::stalled:  // the drive ran without setpoints: no ramp can correct that
       return Reaction::freeze;
     case Cause::underrun:
     case Cause::watchdog:

@@ -17,7 +17,7 @@ using Segments = std::vector<Segment>;
 constexpr int most_turns = 1000;
 constexpr double most_segments = 1e6;
 
-/// What counts as one place on the axes of these cams.
+/// Tolerance for equal positions on the axes of these cams.
 template <class... Places>
 double axis_rounding(Places... x) {
   return 1e-13 * std::max({std::abs(x)...});
@@ -39,7 +39,7 @@ std::pair<Segment, Segment> split(const Segment& f, double u) {
   return halves;
 }
 
-/// Appends as much of a segment, which lies over [a, b], as lies between from and to.
+/// Appends the part of a segment over [a, b] that lies between from and to.
 void append(Segments& out, Segment f, double a, double b, double from, double to, double apart) {
   const bool starts_within = a >= from - apart;
   const bool ends_within = b <= to + apart;
@@ -70,7 +70,7 @@ void append_rest(Segments& out, double from, double to, double apart, double sla
   if (to - from > apart) out.push_back(line(to - from, slave, slave));
 }
 
-/// f between from <= to, whatever it does outside its interval; nothing where that is rounding.
+/// f between from <= to, including its extrapolation; empty if that interval is rounding.
 Segments cut(const Cam& f, double from, double to) {
   const double apart = axis_rounding(f.start(), f.end(), from, to);
   Segments out;
@@ -113,7 +113,7 @@ Cam part(const Cam& f, double from, double to) {
   return Cam(std::move(segments), from);
 }
 
-// With phase = w + k L, 0 <= w < L: up to start + w the (k + 1)-th turn back, then the k-th.
+// Let phase = w + k L, 0 <= w < L: up to start + w the (k + 1)-th turn back, then the k-th.
 Cam phased(const Cam& f, double phase) {
   require_finite("phase", phase);
   if (!repeats(f.outside()))
@@ -159,11 +159,11 @@ Cam inserted(const Cam& f, double at, const Cam& g) {
   return Cam(std::move(segments), f.start(), f.outside());
 }
 
-// ---- superposed -------------------------------------------------------------------------------
+// ---- superposition ----------------------------------------------------------------------------
 
 namespace {
 
-/// How many turns of each make the common period.
+/// The number of turns of each in the common period.
 struct Turns {
   int f = 1;
   int g = 1;

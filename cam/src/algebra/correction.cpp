@@ -6,8 +6,8 @@
 
 #include "jounce/cam/coupling/followed.hpp"
 
-// Over the master, with u its way since the start and L the distance, the correction is the quintic
-// that has the difference's value and two derivatives at u = 0, and none at u = L:
+// Over the master, with u its travel since the start and L the distance, the correction is the
+// quintic with the difference's value and two derivatives at u = 0, and zeros at u = L:
 //
 //   (1)  c(u) = q(u; d0, d1, d2),         u >= 0
 //   (2)  c(u) = q(-u; d0, -d1, d2),       u < 0
@@ -34,7 +34,7 @@ Correction Correction::over_master(const Jet& d, double origin, double distance)
   return c;
 }
 
-/// Value and derivatives by master, u after the start.
+/// Value and derivatives by master, at u after the start.
 Jet Correction::by_master(double u) const {
   if (u >= 0) return evaluate(ahead_, u / distance_);
   const Jet c = evaluate(behind_, -u / distance_);
@@ -45,7 +45,7 @@ bool Correction::finite() const {
   const auto sound = [](const Segment& f) {
     return std::all_of(f.c.begin(), f.c.end(), [](double c) { return std::isfinite(c); });
   };
-  const double h = distance_ * distance_ * distance_;  // what the derivatives are divided by
+  const double h = distance_ * distance_ * distance_;  // divisor of the derivatives
   const bool divides = kind_ != Kind::master || (std::isfinite(h) && h > 0);
   return divides && sound(ahead_) && sound(behind_);
 }

@@ -12,25 +12,25 @@
 
 #include "cam/src/design/parts.hpp"
 
-// With x = g(y) for y = f(x), differentiating f(g(y)) = y three times gives the inverse function's
-// rule; with r2 = f''/f' and r3 = f'''/f' nothing overflows before g does:
+// Let x = g(y) for y = f(x). Differentiating f(g(y)) = y three times gives the inverse function's
+// rule. With r2 = f''/f' and r3 = f'''/f' nothing overflows before g does:
 //
 //   (1)  g'   = 1 / f'
 //   (2)  g''  = -f'' / f'^3                     = -r2 g'^2
 //   (3)  g''' = (3 f''^2 - f' f''') / f'^5      = (3 r2^2 - r3) g'^3
 //
-// At a point of rest y - y0 ~ +-|x - x0|^n, n > 1, so x - x0 ~ +-|y - y0|^(1/n): every derivative is
-// infinite. With d = +1 for a rise, -1 for a fall, the signs that (1) to (3) tend to are
+// At a point of rest y - y0 ~ +-|x - x0|^n, n > 1, so x - x0 ~ +-|y - y0|^(1/n): every derivative
+// is infinite. With d = +1 for a rise, -1 for a fall, the signs that (1) to (3) tend to are
 //
 //   (4)  g' -> d inf,   g'' -> -inf leaving the rest, +inf arriving at it,   g''' -> d inf
 //
-// f(s) = y is solved by Newton's method kept inside a bracket. Beside a rest at (sa, fa), where it
-// would crawl, it runs on log|f - fa| over log|s - sa|, whose slope is n near the rest: one step
+// Newton's method inside a bracket solves f(s) = y. Near a rest at (sa, fa) it would converge
+// slowly. There it runs on log|f - fa| over log|s - sa|, whose slope is n near the rest: one step
 // solves a power of any n,
 //
 //   (5)  s - sa  <-  (s - sa) ((y - fa) / (f - fa))^(1/n),   n = f' (s - sa) / (f - fa)
 //
-// n is kept within 1 to 11, since so near to the rest that f - fa is rounding it would be anything.
+// n is limited to 1 to 11: very near to the rest, f - fa is rounding and n would be arbitrary.
 
 namespace jounce {
 namespace {
@@ -45,14 +45,14 @@ bool rests(const Segment& f, double s) {
   return std::abs(evaluate(f, s)[1]) <= joint_rounding * magnitude(derivative(f));
 }
 
-/// The end of a piece that an iteration measures from: the nearer one, in the slave's position.
+/// The end of a piece from which an iteration measures: the nearer one, in the slave's position.
 struct Anchor {
   double s = 0;
   double value = 0;
   bool rests = false;
 };
 
-/// The next s after one with this f and slope f' by s: Newton's step, or beside a rest (5).
+/// The next s after an iterate with this f and slope f' by s: Newton's step, or (5) near a rest.
 double improved(double s, double f, double slope, double y, const Anchor& anchor) {
   if (!anchor.rests) return s - (f - y) / slope;
   const double reached = f - anchor.value;
@@ -61,16 +61,17 @@ double improved(double s, double f, double slope, double y, const Anchor& anchor
   return anchor.s + from * std::pow((y - anchor.value) / reached, 1 / n);
 }
 
-/// Where a straight line, or beside a rest the cube of a jump in the jerk, would take its `share`.
+/// The position at which a straight line, or near a rest the cube of a jump in the jerk, reaches
+/// its `share`.
 double guess(const Anchor& low, const Anchor& high, double share) {
   const double width = high.s - low.s;
   if (share < 0.5) return low.s + width * (low.rests ? std::cbrt(share) : share);
   return high.s - width * (high.rests ? std::cbrt(1 - share) : 1 - share);
 }
 
-/// s between low and high with f(s) = y, f monotone there. A step that leaves the bracket, or is
-/// longer than the one before, is replaced by the middle. The error after a step is about its square
-/// by the distance from the anchor, so that a short one is the last.
+/// Returns s between low and high with f(s) = y, f monotone there. The middle replaces a step that
+/// leaves the bracket, or is longer than the previous one. The error after a step is about its
+/// square divided by the distance from the anchor, so a short step is the last.
 double solved(const Segment& f, const Anchor& low, const Anchor& high, double y) {
   constexpr double short_step = 1e-9;
   const bool rises = high.value > low.value;
@@ -95,14 +96,14 @@ double solved(const Segment& f, const Anchor& low, const Anchor& high, double y)
   return s;
 }
 
-/// (4)
+/// Equation (4).
 Jet at_rest(double master, bool rises, bool leaving) {
   const double infinite = std::numeric_limits<double>::infinity();
   const double d = rises ? infinite : -infinite;
   return {master, d, leaving ? -infinite : infinite, d};
 }
 
-/// (1) to (3), each where it is finite and its direction is the branch's.
+/// Equations (1) to (3), each if it is finite and its direction is the branch's.
 Jet by_slave(const Jet& f, const Jet& infinite) {
   const double g1 = 1 / f[1];
   if (f[1] == 0 || (f[1] > 0) != (infinite[1] > 0)) return infinite;
@@ -174,7 +175,7 @@ std::string span_of(const CamRun& run) {
   return "from " + number(run.from) + " to " + number(run.to);
 }
 
-/// An obstacle: what the slave does from `value`'s run, where one inverse needs `limit`.
+/// An obstacle: the slave moves as in `value`'s run, but a single inverse requires `limit`.
 Finding obstacle(const char* rule, double where, double value, double limit, std::string advice) {
   Finding f;
   f.rule = rule;
@@ -188,7 +189,7 @@ Finding obstacle(const char* rule, double where, double value, double limit, std
   return f;
 }
 
-/// What keeps the cam from having one inverse, in the order of the master.
+/// Reasons why the cam has not exactly one inverse, in the order of the master.
 Report obstacles(std::span<const CamRun> runs, double scale) {
   Report report;
   std::optional<Kind> forwards;
@@ -224,7 +225,7 @@ Inversion inverted(const Cam& cam) {
       ++i;
       continue;
     }
-    std::size_t last = i;  // the last run that moves
+    std::size_t last = i;  // the last run with motion
     for (std::size_t k = i + 1; k < all.size() && !jumps(all[k - 1], all[k], scale); ++k) {
       if (all[k].kind == all[i].kind)
         last = k;

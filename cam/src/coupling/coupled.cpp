@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// The master, at rest after its end until the correction is over.
+/// The master, extended at rest after its end until the correction is complete.
 Trajectory lasting(const Trajectory& master, const Engaged& engaged) {
   const double end = engaged.time + engaged.correction.duration();
   if (!(end > master.end())) return with(master, Extrapolation::hold);
@@ -20,13 +20,13 @@ Trajectory lasting(const Trajectory& master, const Engaged& engaged) {
               Extrapolation::hold);
 }
 
-/// The cam goes on by itself as far as the placement says.
+/// True if the cam advances by the same distance as the placement.
 bool advances_alike(const Cam& cam, const Placement& p) {
   const double own = value(cam.segments().back(), 1) - value(cam.segments().front(), 0);
   return p.advance == p.slave_scaling * own;
 }
 
-/// As many periods as the master meets, each `advance` further: what wraps comes back instead.
+/// The periods that the master meets, each `advance` further; without an advance, a cam that wraps.
 Cam unrolled(const Cam& cam, const Placement& p, const Trajectory& master) {
   const Range travel = extrema(master, 0);
   const double first = spot(p.at(travel.min.value), cam.start(), cam.length(), true).period - 1;
@@ -39,7 +39,7 @@ Cam unrolled(const Cam& cam, const Placement& p, const Trajectory& master) {
   return Cam(std::move(segments), cam.start() + first * cam.length(), Extrapolation::hold);
 }
 
-/// The cam over the master's own position, with all that scales and moves it.
+/// The cam over the master's own position, with all scalings and offsets.
 Cam over_master(const Coupling& coupling, const Placement& p, const Trajectory& master) {
   const Cam& cam = coupling.cam();
   const auto in_place = [&] { return shifted(scaled(cam, p.slave_scaling), 0, p.slave_offset); };
@@ -52,7 +52,7 @@ Cam over_master(const Coupling& coupling, const Placement& p, const Trajectory& 
   return shifted(scaled(placed, 1, 1 / k), -p.master_offset / k);
 }
 
-/// When the master is first `distance` away from where the correction began.
+/// The time at which the master is first `distance` away from the start of the correction.
 std::optional<double> gone(const Cam& correction, const Trajectory& master) {
   std::optional<double> first;
   for (const double level : {correction.start(), correction.end()})

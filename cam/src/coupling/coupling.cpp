@@ -15,9 +15,9 @@
 //
 //   (1)  d = (y - Y, y' - Y', y'' - Y''),   Y by the chain rule from the master's jet
 //
-// and the set-point Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
-// zero. Of a rotary slave with period P the cam may as well lie k P further: then c goes from d to
-// (k P, 0, 0), the origin of the cam moves by k P, and c is counted from there:
+// and the setpoint Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
+// zero. For a rotary slave with period P, a cam shifted by k P is equivalent: c then goes from d to
+// (k P, 0, 0), the origin of the cam moves by k P, and c is relative to the new origin:
 //
 //   (2)  y = (Y + k P) + (c - k P)
 //
@@ -25,8 +25,8 @@
 //
 //   (3)  c_x = d1 / x',   c_xx = (d2 - c_x x'') / x'^2;   at x' = 0:  c_x = d2 / x'',  c_xx = 0
 //
-// where a master that stands leaves d1 = 0 (and one that does not accelerate either, d2 = 0) as the
-// only differences that it can take back.
+// A master at rest can only correct differences with d1 = 0; if its acceleration is 0 too, only
+// those with d2 = 0.
 
 namespace jounce {
 namespace {
@@ -45,7 +45,7 @@ bool finite(const MotionState& s) {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.acceleration);
 }
 
-/// Speeding up in the direction of the correction by acceleration, slowing down by deceleration.
+/// Speeds up in the direction of the correction by acceleration, slows down by deceleration.
 Bounds bounds_of(const CouplingSpec& spec, double direction) {
   Bounds bounds = within(*spec.velocity_diff, *spec.acceleration, spec.jerk.value_or(Bounds::none));
   const double deceleration = spec.deceleration.value_or(*spec.acceleration);
@@ -60,8 +60,8 @@ double whole_periods(double x, double period) {
   return period * std::nearbyint(x / period);
 }
 
-/// Where the correction of a rotary slave ends, a multiple of its period: (2). A target that lies
-/// behind by no more than `near` is still ahead.
+/// The end of the correction of a rotary slave, a multiple of its period: (2). A target behind by
+/// at most `near` still counts as ahead.
 double rotary_target(const MotionState& d, const CouplingSpec& spec, double near) {
   const double period = *spec.slave_period;
   const double nearest = whole_periods(d.position, period);
@@ -77,8 +77,8 @@ double rotary_target(const MotionState& d, const CouplingSpec& spec, double near
   return target.status == MoveStatus::ok ? whole_periods(target.position, period) : nearest;
 }
 
-/// Whether a correction from d to zero goes the way asked for, but for `near` and for the braking of a
-/// slave that goes the other way at first.
+/// True if a correction from d to zero moves in the requested direction, except for `near` and for
+/// the braking of a slave that moves the other way at first.
 bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& bounds,
                   double near) {
   if (spec.start == StartMode::ramp_in) return true;
@@ -87,7 +87,7 @@ bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& 
   return sign * (halt ? halt.profile.end().position : d.position) <= near;
 }
 
-/// Whether the slave is on its cam but for rounding: then it has no way to go in any direction.
+/// True if the slave is on its cam, to rounding: no motion in any direction is then necessary.
 bool is_there(const MotionState& d, const CouplingSpec& spec, const Jet& near) {
   const double off =
       spec.slave_period ? d.position - whole_periods(d.position, *spec.slave_period) : d.position;
@@ -166,7 +166,7 @@ Coupling::Coupling(Cam cam, const CouplingSpec& spec) : cam_(std::move(cam)), sp
   const double begin = cam_.jet(cam_.start())[0];
   const double end = cam_.jet(cam_.end(), Side::left)[0];
   const double stroke = spec_.slave_scaling * (end - begin);
-  // What wraps comes back to where it began, unless the slave takes it for a distance each time.
+  // A cam that wraps returns to its start, unless the slave advances in each period.
   if (slave_relative() || outside != Extrapolation::wrap)
     placement_.advance = stroke;
   else if (spec_.slave_period)

@@ -13,7 +13,7 @@
 namespace jounce {
 namespace {
 
-constexpr double near = 1e-9;  // of a cam's length: what counts as its end
+constexpr double near = 1e-9;  // relative to a cam's length: tolerance of its end
 
 MotionState state(const Jet& y) {
   return {y[0], y[1], y[2]};
@@ -23,7 +23,7 @@ bool ramps(StartMode mode) {
   return mode != StartMode::absolute && mode != StartMode::relative;
 }
 
-/// Levels X = origin + n * length between two cycles: how many, and the last of them in master
+/// Levels X = origin + n * length between two cycles: their number, and the last of them in master
 /// position.
 struct Ends {
   double count = 0;  ///< signed
@@ -42,9 +42,10 @@ int as_int(double count) {
   return static_cast<int>(std::clamp(count, -most, most));
 }
 
-/// Where a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1 at its
-/// start, 0 nowhere. It leaves where it arrives at an end; but for rounding, if it comes to rest there
-/// (one that still moves will be beyond it, or at rest, in the next cycle). It may begin there.
+/// The end at which a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1
+/// at its start, 0 none. A master leaves when it arrives at an end. If it comes to rest there,
+/// rounding is tolerated; if it still moves, it is beyond the end, or at rest, in the next cycle.
+/// It may begin at an end.
 int left_at(const Cam& cam, double X0, double X1, bool rests) {
   const double eps = near * cam.length();
   if (X0 < cam.start() - eps || X0 > cam.end() + eps) return 0;
@@ -55,7 +56,7 @@ int left_at(const Cam& cam, double X0, double X1, bool rests) {
   return leaves(X0 - cam.start(), X1 - cam.start()) ? -1 : 0;
 }
 
-/// The master where it would be if it had not jumped.
+/// The position of the master if it had not jumped.
 Sample expected(const Engaged& e, const Sample& now) {
   Sample calm = now;
   calm.master[0] = e.master[0] + (now.t - e.time) * (e.master[1] + now.master[1]) / 2;
@@ -80,13 +81,15 @@ void count_periods(const Coupling& coupling, const Sample& before, const Sample&
   out.periods = as_int(ends.count);
   if (out.periods == 0) return;
   const auto at = out.jumped ? std::nullopt : passing(before, now, ends.level);
-  // Not passed in between: on it in one of the samples, but for rounding; backwards, in the first.
+  // Without a passage in between, the level coincides with one of the samples, to rounding;
+  // backwards, with the first.
   const bool first = !out.jumped && std::abs(before.master[0] - ends.level) <=
                                         std::abs(now.master[0] - ends.level);
   out.end_time = at ? at->t : first ? before.t : now.t;
 }
 
-/// The slave at the time of `now` if its master had not jumped. One whose master was lost stands.
+/// The slave at the time of `now` if its master had not jumped. With a lost master, the slave is at
+/// rest.
 Jet carried_on(const Coupling& coupling, const Engaged& engaged, const Sample& now) {
   if (engaged.lost) return {point(coupling, engaged, engaged.master, engaged.time)[0], 0, 0, 0};
   return point(coupling, engaged, expected(engaged, now).master, now.t);
@@ -97,7 +100,7 @@ void let_go(const Coupling& coupling, const Jet& slave, double at, double now, S
   out.slave = point(*out.released, now);
 }
 
-/// Lets the slave go at the end of a cam that runs once.
+/// Releases the slave at the end of a cam that runs once.
 void leave(const Coupling& coupling, const Engaged& engaged, const Sample& before,
            const Sample& now, int end, Stepped& out) {
   const Placement& p = engaged.placement;
@@ -113,8 +116,9 @@ void leave(const Coupling& coupling, const Engaged& engaged, const Sample& befor
       at.t, now.t, out);
 }
 
-/// Takes a jump of the master up by a correction: as the coupling starts; where that cannot be, in
-/// either direction over time; where that cannot be either, the slave is let go. It never jumps.
+/// Absorbs a jump of the master by a correction: by the start mode of the coupling; if that is
+/// impossible, in either direction over time; if that is impossible too, it releases the slave. The
+/// slave never jumps.
 void take_up(const Coupling& coupling, const Engaged& engaged, const Sample& now, Stepped& out) {
   const CouplingSpec& spec = coupling.spec();
   const Jet y = carried_on(coupling, engaged, now);
@@ -176,7 +180,7 @@ Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now
   out.engaged.time = now.t;
   out.engaged.master = now.master;
   out.in_sync = !out.released && out.engaged.correction.done(now.t, now.master[0]);
-  // Gone is gone: a master that comes back does not bring a correction back.
+  // A finished correction stays finished: a master that returns does not restore it.
   if (out.in_sync) out.engaged.correction = {};
   return out;
 }
@@ -216,8 +220,9 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
 
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at) {
-  // A master on the seam has come there: the slave is where the period ends, not yet where the next
-  // one begins. One that stood there is where the last cycle put it.
+  // A master on the seam has just arrived there: the slave is at the end of the period, not yet at
+  // the start of the next. If the master was already at rest there, the last cycle has set the
+  // side.
   const bool arrives = at.t > engaged.time && at.master[0] != engaged.master[0];
   const Jet y = point(running, engaged, at.master, at.t, arrives ? Side::left : Side::right);
   return engage(next, state(y), at.master, at.t);

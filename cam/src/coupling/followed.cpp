@@ -32,7 +32,7 @@ std::vector<double> levels(const Cam& cam, double lo, double hi) {
 }  // namespace
 
 void require_few_periods(double first, double last, std::size_t breaks) {
-  constexpr double farthest = 1e15;  // where neighbouring periods are still told apart
+  constexpr double farthest = 1e15;  // limit at which neighboring periods are still distinct
   constexpr double most = 2e6;
   if (!(std::abs(first) < farthest && std::abs(last) < farthest))
     throw InputError("master", first,
@@ -65,8 +65,8 @@ Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(s
 
 Jet Followed::jet(double t, Side side) const {
   const Jet x = master_.jet(t, side);
-  // Time-backwards and master-backwards cancel: the cam's side is the right one if they agree. A
-  // master within rounding of a break is on it, so that the side asked for is the side that counts.
+  // Backwards time and a backwards master cancel: the cam's side is right if both agree. A master
+  // within rounding of a break is on it, so that the requested side applies.
   const Side cam_side = (side == Side::left) == backwards(x, side) ? Side::right : Side::left;
   const bool periodic = repeats(cam_.outside());
   const double at = periodic ? wrapped(x[0], cam_.start(), cam_.length()) : x[0];
@@ -78,7 +78,7 @@ Jet Followed::jet(double t, Side side) const {
   if (periodic && cam_side == Side::left && master == cam_.start()) master = cam_.end();
   Jet f = cam_.jet(master, cam_side);
   f[0] += std::round((x[0] - master) / cam_.length()) * cam_.advance();
-  // Beyond the ends of a cam that holds the slave stands: on that side of the ends, too.
+  // Beyond the ends of a cam that holds, the slave is at rest: on that side of the ends, too.
   const bool leaves = (master <= cam_.start() && cam_side == Side::left) ||
                       (master >= cam_.end() && cam_side == Side::right);
   if (cam_.outside() == Extrapolation::hold && leaves) f = {f[0], 0, 0, 0};

@@ -12,22 +12,22 @@
 #include "jounce/profiles/error.hpp"
 
 // Over all signs of the master's rates, the slave's greatest velocity, acceleration and jerk at a
-// place z are, by (1) of the header,
+// position z are, by (1) of the header,
 //
 //   (2)  |f'| w,   |f''| w^2 + |f'| a,   |f'''| w^3 + 3 |f''| w a + |f'| j
 //
-// each a sum of three terms, factor x^power |f^(k)|, in the unknown x (w or a), growing with x and
-// convex. Wanted is the greatest x with
+// Each is a sum of three terms, factor x^power |f^(k)|, in the unknown x (w or a), increasing and
+// convex in x. The result is the greatest x with
 //
 //   (3)  D(x) = max over z of the sum <= limit
 //
-// For one x, D is exact: with the signs of the three terms chosen, the sum is a linear combination of
-// f', f'', f''', which is a segment again, and its extrema are isolated. From an x that is too
-// large, with its worst place z,
+// For one x, D is exact: for a choice of signs of the three terms, the sum is a linear combination
+// of f', f'', f'''. That is a segment again, and its extrema are isolated. For an x that is too
+// large, with its worst position z,
 //
 //   (4)  x <- the x at which the sum at z is the limit
 //
-// is smaller and never below the answer, since (3) must hold at z, too. This is Dinkelbach's
+// is smaller and never below the result, since (3) must hold at z, too. This is Dinkelbach's
 // iteration: it converges faster than linearly, mostly in three to six steps.
 
 namespace jounce {
@@ -36,7 +36,7 @@ namespace {
 constexpr double rounding = 1e-9;
 constexpr int most_steps = 100;
 
-using Sizes = std::array<double, 3>;  // of |f'|, |f''|, |f'''|, or their weights
+using Sizes = std::array<double, 3>;  // values for |f'|, |f''|, |f'''|, or their weights
 
 struct Place {
   double where = 0;
@@ -62,7 +62,7 @@ double weighted(const Sizes& weights, const Sizes& sizes) {
   return weights[0] * sizes[0] + weights[1] * sizes[1] + weights[2] * sizes[2];
 }
 
-/// A cam's derivatives, and where a weighted sum of their magnitudes is greatest.
+/// A cam's derivatives, and the position of the greatest weighted sum of their magnitudes.
 class Transfers {
  public:
   explicit Transfers(const Cam& cam) : cam_(cam) {
@@ -119,7 +119,7 @@ class Transfers {
   Sizes most_{};
 };
 
-/// An x that is not too small: each term alone must keep the limit where it is greatest.
+/// An upper bound of x: each term alone must keep the limit at its greatest value.
 double upper_bound(const Constraint& c, const Sizes& most) {
   double x = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < most.size(); ++k)
@@ -128,7 +128,8 @@ double upper_bound(const Constraint& c, const Sizes& most) {
   return x;
 }
 
-/// (4): Newton's method from above, which a growing convex sum never lets below the answer.
+/// Equation (4): Newton's method from above; for an increasing convex sum it never falls below the
+/// result.
 double at_limit(const Constraint& c, const Sizes& size, double x) {
   if (weighted(c.weights(0), size) >= c.limit) return 0;
   for (int i = 0; i < most_steps; ++i) {
@@ -158,7 +159,7 @@ MasterLimit greatest(const Transfers& f, const Constraint& c) {
   return {x, c.quantity, f.worst(c.weights(x)).where};
 }
 
-/// Where the nth derivative steps, so that the next one is endless.
+/// A step of the nth derivative, so that the next one is infinite.
 std::optional<double> step_of(const Cam& cam, int n, double peak) {
   const Jump jump = largest_jump(cam, n);
   if (std::abs(jump.step) <= rounding * peak) return std::nullopt;
@@ -191,7 +192,7 @@ MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
   require_not_negative("acceleration", rates.acceleration);
   require_not_negative("jerk", rates.jerk);
   const double a = rates.acceleration;
-  std::vector<Constraint> all;  // (2), x = w
+  std::vector<Constraint> all;  // Equation (2), x = w
   if (slave.velocity) all.push_back({"velocity", *slave.velocity, {1, 0, 0}, {1, 0, 0}});
   if (slave.acceleration)
     all.push_back({"acceleration", *slave.acceleration, {a, 1, 0}, {0, 2, 0}});
@@ -205,7 +206,7 @@ MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, do
   require_not_negative("velocity", velocity);
   require_not_negative("jerk", jerk);
   const double w = velocity;
-  std::vector<Constraint> all;  // (2), x = a
+  std::vector<Constraint> all;  // Equation (2), x = a
   if (slave.velocity) all.push_back({"velocity", *slave.velocity, {w, 0, 0}, {0, 0, 0}});
   if (slave.acceleration)
     all.push_back({"acceleration", *slave.acceleration, {1, w * w, 0}, {1, 0, 0}});

@@ -5,17 +5,17 @@
 
 namespace jounce::detail {
 
-/// Brings the slave onto a cam that lies where `placement` says, by a start mode whose numbers the
-/// coupling has.
+/// Brings the slave onto a cam placed by `placement`, by a start mode for which the coupling has
+/// the parameters.
 Engagement settle(const Coupling& coupling, StartMode start, const Placement& placement,
                   const MotionState& slave, const Jet& master, double t);
 
-/// True if the coupling has what a start mode needs.
+/// True if the coupling has the parameters of a start mode.
 bool has_numbers(const CouplingSpec& spec, StartMode start);
 
-/// Differences in position, velocity and acceleration that are rounding: between a slave and its cam's
-/// y, behind a master that moves as x. 1e-9 of what they can reach; of a position far out, 1e-12 of
-/// itself.
+/// Differences in position, velocity and acceleration that count as rounding: between a slave and
+/// its cam's y, for a master x. 1e-9 of their range; for a distant position, 1e-12 of its
+/// magnitude.
 Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x);
 
 }  // namespace jounce::detail

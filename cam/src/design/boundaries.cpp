@@ -3,10 +3,10 @@
 
 #include "cam/src/design/least_energy.hpp"
 
-// A quintic segment is fixed by position, velocity and acceleration at both ends, and the other
-// segments do not change with what is free. So the integral of geo_jerk^2 over the quintics is a
-// quadratic function of the free derivatives; detail/least_energy.cpp finds its least value, run by
-// run: a run is what stands between two knots beside anything but a quintic.
+// A quintic segment is fixed by position, velocity and acceleration at both ends, and the free
+// derivatives do not affect the other segments. The integral of geo_jerk^2 over the quintics is
+// therefore a quadratic function of the free derivatives. detail/least_energy.cpp finds its
+// minimum, run by run: a run is the interval between two knots next to any other law.
 
 namespace jounce {
 namespace {
@@ -17,7 +17,7 @@ CamKnot& knot_of(CamSpec& spec, std::size_t i) {
   return i == 0 ? spec.start : spec.segments[i - 1].end;
 }
 
-/// Whether nothing but quintics meet at the knot.
+/// True if only quintics meet at the knot.
 bool among_quintics(const CamSpec& spec, std::size_t knot) {
   const std::size_t last = spec.segments.size();
   const auto quintic = [&](std::size_t segment) {
@@ -28,7 +28,7 @@ bool among_quintics(const CamSpec& spec, std::size_t knot) {
   return before && after;
 }
 
-/// Whether a law beside the knot brings an acceleration of its own, which may step there.
+/// True if an adjacent law defines an acceleration of its own, which may step there.
 bool bends_itself(const CamSpec& spec, std::size_t knot) {
   const auto own = [&](std::size_t segment) {
     const Ends ends = info(spec.segments[segment].law).ends;
@@ -37,7 +37,8 @@ bool bends_itself(const CamSpec& spec, std::size_t knot) {
   return (knot > 0 && own(knot - 1)) || (knot < spec.segments.size() && own(knot));
 }
 
-/// Start and last knot of a periodic cam: what one gives, or a law at one demands, is true of both.
+/// First and last knot of a periodic cam: a value that one gives, or that an adjacent law demands,
+/// holds for both.
 void close(CamSpec& spec, const std::vector<CamKnot>& resolved) {
   if (!spec.periodic) return;
   const std::size_t last = spec.segments.size();

@@ -28,19 +28,19 @@
 //
 //   (4)  P >= 9/4
 //
-// From rest, |f''| <= A and |f'''| <= J let the velocity reach V, there without acceleration, in no
-// less than the ramp of constant jerks J, 0, -J, which lasts
+// From rest, with |f''| <= A and |f'''| <= J, the fastest way to the velocity V with acceleration
+// zero is the ramp of constant jerks J, 0, -J. Its duration is
 //
-//   (5)  R = V/A + A/J,   or 2 sqrt(V/J) where A^2 > V J (no constant acceleration)
+//   (5)  R = V/A + A/J,   or 2 sqrt(V/J) if A^2 > V J (no constant acceleration)
 //
-// and no motion is ahead of that ramp at any moment: while its acceleration grows or stays, none
-// can have more; while it falls, a' >= -J and f' <= V leave f'' <= sqrt(2 J (V - f')), which the ramp
-// attains. The ramp is point symmetric: it loses V R / 2 of the distance V R. With one at each end, and
-// V = max f' reached between the two,
+// No motion is ahead of that ramp at any time: while its acceleration rises or is constant, no
+// motion can have more; while it falls, a' >= -J and f' <= V imply f'' <= sqrt(2 J (V - f')), which
+// the ramp attains. The ramp is point symmetric: it loses V R / 2 of the distance V R. With one at
+// each end, and V = max f' between the two,
 //
 //   (6)  1 <= V - V R,   that is   1/V + R <= 1
 //
-// With V free, the least A for a J has a motion without a plateau in V: V = 2, R = 1/2 in (5),
+// For a free V, the motion of least A for a given J has no plateau in V: V = 2, R = 1/2 in (5),
 //
 //   (7)  2/A + A/J = 1/2,   A = (J/4) (1 - sqrt(1 - 32/J))
 //
@@ -52,16 +52,16 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-7;  // ends that are zero to 1e-9 of the peak move a bound by that
+constexpr double rounding = 1e-7;  // ends that are zero to 1e-9 of the peak change a bound by that
 
 constexpr const char* impossible =
     "no motion can be below this bound: the data contradict each other";
 
-/// The integrals over z of a rise in its normalised form.
+/// The integrals over z of a rise in its normalized form.
 struct Integrals {
-  std::array<double, 5> square{};  ///< of f^(n)^2, by n from 1
-  double gain = 0;                 ///< of f''
-  double moment = 0;               ///< of (1/2 - z) f''
+  std::array<double, 5> square{};  ///< integral of f^(n)^2, by n from 1
+  double gain = 0;                 ///< integral of f''
+  double moment = 0;               ///< integral of (1/2 - z) f''
 };
 
 Integrals integrals_of(const Rise& rise) {
@@ -89,7 +89,7 @@ Integrals integrals_of(const Rise& rise) {
   return all;
 }
 
-/// Collects what is said of one rise.
+/// Collects the findings for one rise.
 class Certificate {
  public:
   explicit Certificate(const Rise& rise) : rise_(rise) {
@@ -109,7 +109,7 @@ class Certificate {
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, bound, 1 - value / bound,
         value > bound * (1 + rounding + blur_));
   }
-  /// `value` is `expected`, to 1e-9 of `scale`, and what rounding leaves of it.
+  /// `value` is `expected`, to 1e-9 of `scale` plus rounding.
   void equal(std::string rule, std::string quantity, double value, double expected, double scale) {
     const double room = (1e-9 + blur_) * scale - std::abs(value - expected);
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, expected,
@@ -135,7 +135,7 @@ class Certificate {
     report_.findings.push_back(std::move(f));
   }
 
-  double blur_ = 0;  // share that is rounding, far from 0 in slave or master
+  double blur_ = 0;  // relative rounding, far from 0 in slave or master
   const Rise& rise_;
   Report report_;
 };
@@ -164,7 +164,7 @@ void add_squares(Certificate& all, const Rise& rise, const Integrals& integrals)
                  {integrals.square[n], rise.cam.start()}, bounds[n]);
 }
 
-/// The shortest ramp from rest to velocity v, by (5); without a jerk limit v / a.
+/// The duration of the shortest ramp from rest to velocity v, by (5); without a jerk limit v / a.
 double ramp(double v, double a, double j, bool jerk_counts) {
   if (!jerk_counts) return v / a;
   return a * a > v * j ? 2 * std::sqrt(v / j) : v / a + a / j;
@@ -188,7 +188,7 @@ void add_trade_offs(Certificate& all, const Rise& rise, const Characteristics& c
 
 void add_identities(Certificate& all, const Rise& rise, const Characteristics& c,
                     const Integrals& integrals) {
-  if (rise.smooth < 1) return;  // a velocity that steps has an acceleration that is no function
+  if (rise.smooth < 1) return;  // the acceleration of a velocity step is not a function
   const double factor = rise.length() / rise.stroke;
   const double v0 = evaluate(rise.cam.segments().front(), 0)[1] * factor;
   const double v1 = evaluate(rise.cam.segments().back(), 1)[1] * factor;

@@ -8,19 +8,19 @@
 
 #include "jounce/cam/detail/quadrature.hpp"
 
-// With z = (x - x0) / b and f = (y - y0) / h, the nth derivative by z is h / b^n times smaller than
+// Let z = (x - x0) / b and f = (y - y0) / h. The nth derivative by z is h / b^n times smaller than
 // that by master position:
 //
 //   (1)  f^(n) = y^(n) b^n / h
 //
-// Cm is the peak of g = y' y'', with g' = y''^2 + y' y''' and g'' = 3 y'' y''' + y' y''''. On a piece
-// of half-width r about m,
+// Cm is the peak of g = y' y'', with g' = y''^2 + y' y''' and g'' = 3 y'' y''' + y' y''''. On a
+// piece of half-width r about m,
 //
 //   (2)  |g| <= |g(m)| + |g'(m)| r + K r^2 / 2,   K = 3 max|y''| max|y'''| + max|y'| max|y''''|
 //
-// with the exact peaks of the rise. A piece whose bound (2) is not above the best value found is
-// done with; any other is halved. Near a peak the bound shrinks with r^2, so that few pieces remain
-// at each size; a step of Newton's towards g' = 0 finds the peak itself early.
+// with the exact peaks of the rise. The search drops a piece whose bound (2) is not above the best
+// value so far, and halves any other. Near a peak the bound shrinks with r^2, so that few pieces
+// remain at each size; a Newton step towards g' = 0 finds the peak itself early.
 
 namespace jounce {
 namespace {
@@ -41,7 +41,7 @@ class PowerSearch {
         take(evaluate(slopes[i], s), rise.cam.breaks()[i] + s * pieces[i].length);
     }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const Ranges own = extrema(Curve<OverMaster>({slopes[i]}));  // of y' to y''''
+      const Ranges own = extrema(Curve<OverMaster>({slopes[i]}));  // ranges of y' to y''''
       const auto peak = [&](std::size_t k) { return std::abs(own[k].peak().value); };
       curvature_ = 3 * peak(1) * peak(2) + peak(0) * peak(3);
       search(slopes[i], rise.cam.breaks()[i], 0, 1);
@@ -77,7 +77,7 @@ class PowerSearch {
 
   Coefficient best_;
   double curvature_ = 0;
-  double noise_ = 0;  ///< the rounding of y' y''
+  double noise_ = 0;  ///< rounding of y' y''
 };
 
 double mean_square_acceleration(const Cam& cam) {

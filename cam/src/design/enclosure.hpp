@@ -10,7 +10,8 @@
 
 namespace jounce::detail {
 
-/// A stretch of a curve: a segment of it, from s0 to s1 in [0, 1]; a single place where they agree.
+/// An interval of a curve: a segment of it, from s0 to s1 in [0, 1]; a single point if they are
+/// equal.
 struct SegmentPart {
   std::size_t segment = 0;
   double s0 = 0;
@@ -25,21 +26,21 @@ struct SegmentPart {
 /// Position on the curve's axis of s on a segment, the segment's ends exactly.
 double position(const Cam& f, std::size_t segment, double s);
 
-/// f and four derivatives over a stretch, by x = angle * (position on the curve's axis).
+/// f and four derivatives over an interval, by x = angle * (position on the curve's axis).
 Taylor<4> enclosure(const Cam& f, const SegmentPart& over, double angle);
 
-/// A function of the curve: its value with two derivatives over a stretch, by x as above.
+/// A function of the curve: its value with two derivatives over an interval, by x as above.
 using Observed = std::function<Taylor<2>(const SegmentPart&)>;
 
-/// An upper bound's excess over the value beside it.
+/// A value, and the excess of its upper bound.
 struct Certified {
   Extremum extremum;
   double excess = 0;  ///< the true maximum is at most this much greater
 };
 
-/// The greatest value of `observed` over the curve, both sides of every break included; the first of
-/// equal ones. Branch and bound, to 1e-13 of the magnitude of the values (or of `scale`, where that
-/// is more): a value for which rounding is larger than that tells so by its excess.
+/// The greatest value of `observed` over the curve, both sides of every break included; the first
+/// of equal ones. Branch and bound, to 1e-13 of the magnitude of the values (or of `scale`, if that
+/// is more). If the rounding of a value exceeds that, `excess` includes it.
 Certified maximum(const Cam& f, double angle, const Observed& observed, double scale);
 
 }  // namespace jounce::detail

@@ -8,8 +8,8 @@
 
 namespace jounce::detail {
 
-/// Every number between lo and hi. What an operation answers holds each result of members of its
-/// arguments, to rounding (which is not directed: a few 1e-16 of the magnitudes involved).
+/// Every number between lo and hi. The result of an operation contains each result for members of
+/// its arguments, to rounding (which is not directed: a few 1e-16 of the magnitudes involved).
 struct Interval {
   double lo = 0;
   double hi = 0;
@@ -23,7 +23,7 @@ struct Interval {
   [[nodiscard]] bool has_zero() const { return !(lo > 0 || hi < 0); }
 };
 
-/// What is left where nothing can be said.
+/// The result without any bound.
 inline constexpr Interval everything{-std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity()};
 
@@ -62,7 +62,7 @@ inline Interval sqrt(Interval a) {
 inline Interval sin(Interval a) {
   constexpr double turn = 2 * std::numbers::pi;
   if (!(a.hi - a.lo < turn)) return {-1, 1};
-  // Is there a place within a where the sine is 1, or -1? `at` is one such place.
+  // True if a contains a point at which the sine is 1, or -1. `at` is one such point.
   const auto holds = [&](double at) { return std::ceil((a.lo - at) / turn) * turn + at <= a.hi; };
   const double l = std::sin(a.lo);
   const double h = std::sin(a.hi);

@@ -5,26 +5,26 @@
 
 #include <Eigen/Cholesky>
 
-// Between two knots at distance h the polynomial of degree 2m - 1 is fixed by the m states at both
-// ends, u = (p0, v0, a0, p1, v1, a1), and its energy, the integral of the square of the m-th
+// Between two knots at distance h, the m states at both ends define the polynomial of degree 2m -
+// 1, u = (p0, v0, a0, p1, v1, a1), and its energy, the integral of the square of the m-th
 // derivative, is a quadratic form in them. With S = diag(1, h, h^2, 1, h, h^2):
 //
 //   (1)  energy = u' S K S u / h^(2m - 1),   K the matrices below (h = 1)
 //
-// The sum over all intervals is least where its gradient by every free state vanishes:
+// The sum over all intervals is least if its gradient by every free state vanishes:
 //
-//   (2)  A x = -g    A: the sum of (1) without the rows and columns of what is fixed
-//                    g: the gradient where every free derivative is zero
+//   (2)  A x = -g    A: the sum of (1) without the rows and columns of fixed states
+//                    g: the gradient with every free derivative zero
 //
 // By partial integration the gradient by p_i is twice the jump of the (2m - 1)th derivative at knot
-// i, that by v_i twice the jump of the one below, ...: solving (2) joins the pieces as smoothly as a
-// spline is joined. A is positive definite and couples neighbours only: blocks of 3 x 3 along the
-// diagonal. In a periodic curve the first knot is also the last one's neighbour, so it is always
-// eliminated last, as a border to the chain of the others:
+// i, that by v_i twice the jump of the next lower one, and so on: the solution of (2) joins the
+// pieces as smoothly as a spline. A is positive definite and couples only neighbors: blocks of 3 x
+// 3 along the diagonal. In a periodic curve the first knot is also a neighbor of the last one, so
+// it is eliminated last, as a border to the chain of the others:
 //
 //   (3)  D_i x_i + O_i x_(i+1) + O_(i-1)' x_(i-1) + B_i x_0 = r_i,   i = 1 ...
 //
-// Cholesky's method needs no pivots here, and how the unknowns are scaled does not matter to it.
+// Cholesky's method needs no pivots here, and is independent of the scaling of the unknowns.
 
 namespace jounce::detail {
 namespace {
@@ -34,7 +34,7 @@ using Column = Eigen::Vector3d;
 using Element = Eigen::Matrix<double, 6, 6>;
 using States = Eigen::Matrix<double, 6, 1>;
 
-/// (1) for h = 1.
+/// Equation (1) for h = 1.
 Element unit_energy(Energy energy) {
   Element k;
   if (energy == Energy::jerk)
@@ -54,7 +54,7 @@ Element unit_energy(Energy energy) {
   return k;
 }
 
-/// The knots' system (2), in the order of (3); masters counted in mean intervals.
+/// The system (2) of the knots, in the order of (3); the unit of master is the mean interval.
 class System {
  public:
   System(const std::vector<EnergyKnot>& knots, Energy energy, bool periodic)
@@ -73,7 +73,7 @@ class System {
         if (fixed(i, k)) diagonal_[i](k, k) = 1;
   }
 
-  /// What is added to the states of each unknown knot.
+  /// Returns the increments of the states of each unknown knot.
   std::vector<std::array<double, 3>> solve() {
     for (std::size_t i = 1; i < unknowns_; ++i) eliminate(i);
     std::vector<Column> x(unknowns_, Column::Zero());
@@ -93,7 +93,7 @@ class System {
            (energy_ == Energy::acceleration && k == 2);
   }
 
-  /// One interval's share of (2).
+  /// Adds one interval's share of (2).
   void add(std::size_t i) {
     const std::size_t j = i + 1 < unknowns_ ? i + 1 : i + 1 - unknowns_;
     const double h = (knots_[i + 1].master - knots_[i].master) / unit_;
@@ -126,7 +126,7 @@ class System {
       next_[i] = k;
   }
 
-  /// The states of an interval's ends, values counted from its start, free derivatives zero.
+  /// The states of an interval's ends: values relative to its start, free derivatives zero.
   [[nodiscard]] States given(std::size_t i) const {
     States u = States::Zero();
     u[3] = knots_[i + 1].state[0] - knots_[i].state[0];
@@ -140,7 +140,7 @@ class System {
     return u;
   }
 
-  /// Takes x_i out of the equations of x_(i+1) and x_0; leaves what it is in terms of them.
+  /// Eliminates x_i from the equations of x_(i+1) and x_0; stores it as a function of them.
   void eliminate(std::size_t i) {
     const Eigen::LLT<Block> factor(diagonal_[i]);
     assert(factor.info() == Eigen::Success);
@@ -168,7 +168,7 @@ class System {
   std::vector<Column> right_;
 };
 
-/// First and last knot of a periodic curve: what is fixed in one is fixed in both.
+/// First and last knot of a periodic curve: a state fixed in one is fixed in both.
 void close(std::vector<EnergyKnot>& knots) {
   EnergyKnot& a = knots.front();
   EnergyKnot& b = knots.back();
@@ -178,7 +178,7 @@ void close(std::vector<EnergyKnot>& knots) {
   }
 }
 
-/// Two knots of which only the values are fixed: no parabola through them has jerk. Take the line.
+/// Two knots with only the values fixed: every parabola through them has jerk 0. Selects the line.
 void straighten(std::vector<EnergyKnot>& knots) {
   constexpr std::array values{true, false, false};
   if (knots.size() > 2 || knots[0].fixed != values || knots[1].fixed != values) return;
@@ -220,7 +220,8 @@ std::vector<Segment> segments_between(const std::vector<EnergyKnot>& knots, Ener
 double square_jerk(const std::vector<Segment>& segments) {
   double total = 0;
   for (const Segment& f : segments) {
-    // j0 + j1 s + j2 s^2 about the middle of the segment: q + p t + j2 t^2, t = s - 1/2
+    // Coefficients about the middle of the segment: j0 + j1 s + j2 s^2 = q + p t + j2 t^2, t = s -
+    // 1/2
     const double j0 = 6 * f.c[3], j1 = 24 * f.c[4], j2 = 60 * f.c[5];
     const double q = j0 + j1 / 2 + j2 / 4, p = j1 + j2;
     const double mean = q + j2 / 12;

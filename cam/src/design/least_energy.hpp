@@ -8,25 +8,25 @@
 
 namespace jounce::detail {
 
-/// A knot of a piecewise polynomial: where it is, its value with two derivatives (value, u/m, u/m^2),
-/// and which of them are fixed.
+/// A knot of a piecewise polynomial: its position, its value with two derivatives (value, u/m,
+/// u/m^2), and flags for the fixed ones.
 struct EnergyKnot {
   double master = 0;
   std::array<double, 3> state{};
   std::array<bool, 3> fixed{};
 };
 
-/// Which derivative's square is integrated, and so the degree between knots.
+/// The derivative in the energy integral; it sets the degree between knots.
 enum class Energy {
   acceleration,  ///< second derivative; cubics; state[2] is neither read nor set
   jerk,          ///< third derivative; quintics
 };
 
-/// Sets what is not fixed so that the energy is least. The given value of a free state[0] is where
-/// it is counted from: any value will do. Periodic: the first and the last knot are one, their values
-/// apart by as much as they are given. The free states must be determined: no polynomial below the
-/// order of the energy may vanish in all that is fixed. (But two knots with nothing fixed except the
-/// values get the straight line.)
+/// Sets the free states so that the energy is least. The given value of a free state[0] is its
+/// origin and may be arbitrary. Periodic: the first and the last knot are one, and the given
+/// difference of their values is kept. The fixed states must determine the free ones: no nonzero
+/// polynomial below the order of the energy may vanish in all fixed states. Exception: two knots
+/// with only the values fixed get the straight line.
 void minimise(std::vector<EnergyKnot>& knots, Energy energy, bool periodic);
 
 /// The segments between the knots.

@@ -6,29 +6,30 @@
 
 #include "jounce/cam/design/runs.hpp"
 
-// What the runs of a cam and its inverse are made of.
+// Parts for the runs of a cam and its inverse.
 
 namespace jounce::detail {
 
-/// A motion that is smaller than this share of a segment's magnitude is rounding.
+/// A motion below this share of a segment's magnitude is rounding.
 constexpr double motion_rounding = 1e-15;
-/// So is a jump that is smaller than this share of the greatest magnitude, or a velocity.
+/// A jump, or a velocity, below this share of the greatest magnitude is rounding.
 constexpr double joint_rounding = 1e-14;
 
-/// Part of a segment over which the slave moves one way.
+/// Part of a segment over which the slave moves in one direction.
 struct Part {
   double s0 = 0;
   double s1 = 1;
   CamRun::Kind kind = CamRun::Kind::dwell;
 };
 
-/// The segment cut where its velocity vanishes; what does not move joins the part before.
+/// Cuts the segment at the zeros of its velocity; an interval without motion joins the previous
+/// part.
 std::vector<Part> parts(const Segment& f);
 
 /// The master position at s of a segment, within the cam's breaks.
 double master_at(const Cam& cam, std::size_t segment, double s);
 
-/// For all segments.
+/// Greatest magnitude of all segments.
 double greatest_magnitude(const Cam& cam);
 
 /// True if the slave's position steps by more than rounding from one run to the next.

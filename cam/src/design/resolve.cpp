@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A spec -> its segments with every derivative filled in.
 //
-// Velocities first, as accelerations follow from them: what is given, what a line, a dwell or a
-// reversal demands, what a spline has at an end that is left open, zero. Then accelerations: given,
-// demanded; then the segments are built from left to right, and one that has an acceleration of its
-// own brings it to its knots.
+// Velocities first, since accelerations follow from them. Precedence: the given value; the demand
+// of a line, a dwell or a reversal; the value of a spline at an open end; zero. Then accelerations:
+// given, then demanded. The segments are then built from left to right; a segment that defines an
+// acceleration itself sets it at its knots.
 #include "cam/src/design/resolve.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace jounce::camming {
 namespace {
 
-constexpr double same = 1e-9;      // forgives rounded input
+constexpr double same = 1e-9;      // tolerates rounded input
 constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
 
 class Resolver {
@@ -62,14 +62,14 @@ class Resolver {
     return knot;
   }
 
-  /// The segment before (-1) or after (1): across the seam of a periodic cam, too.
+  /// The previous (-1) or next (1) segment, also across the seam of a periodic cam.
   [[nodiscard]] std::optional<std::size_t> beside(std::size_t segment, int step) const {
     const std::size_t count = spec_.segments.size();
     const bool outside = step < 0 ? segment == 0 : segment + 1 == count;
     if (outside && (!spec_.periodic || count == 1)) return std::nullopt;
     return (segment + count + static_cast<std::size_t>(step < 0 ? count - 1 : 1)) % count;
   }
-  /// Whether it has no acceleration at its ends.
+  /// True if the segment has acceleration 0 at its ends.
   [[nodiscard]] bool rests(std::size_t segment) const {
     const Ends ends = info(law(segment)).ends;
     return ends == Ends::straight || ends == Ends::standing || ends == Ends::moving;
@@ -155,7 +155,7 @@ void Resolver::require_form_and_points(std::size_t i) const {
   }
 }
 
-/// The law on one side of a knot demands a derivative there: take it, or check what was given.
+/// An adjacent law demands a derivative at a knot: sets it, or checks the given one.
 void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                          double demanded, std::size_t segment, double scale) {
   auto& value = knots_[knot].*field;
@@ -182,7 +182,7 @@ void Resolver::demand(std::size_t i) {
   }
 }
 
-/// Start and last knot of a periodic cam are one: what one of them has, the other takes.
+/// First and last knot of a periodic cam are one: each takes the values of the other.
 void Resolver::share_seam() {
   if (!spec_.periodic) return;
   for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
@@ -216,7 +216,7 @@ void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
                        "` beside it has no acceleration; a law from rest to rest would do");
 }
 
-/// Where the reversal's knot gives an acceleration that the inflection can meet.
+/// Finds the inflection if the knot of the reversal gives an acceleration that it can meet.
 void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const std::size_t knot = placed.reversed ? i : i + 1;
   const auto& wanted = given(knot).geo_acceleration;
@@ -250,8 +250,9 @@ Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
   return placed;
 }
 
-/// A knot's acceleration where a law has its own: taken if nothing else is there. What the spec
-/// gives must agree; what a neighbour demands may not, and is a step that a check finds.
+/// The acceleration of a knot at which a law defines its own: used if no other value is there. A
+/// value given by the spec must agree. A value demanded by a neighbor may differ: that is a step,
+/// which a check finds.
 void Resolver::take_own(std::size_t knot, double own, std::size_t segment, double scale) {
   if (given(knot).geo_acceleration)
     demand_at(knot, &CamKnot::geo_acceleration, "geo_acceleration", own, segment, scale);
@@ -259,14 +260,14 @@ void Resolver::take_own(std::size_t knot, double own, std::size_t segment, doubl
     knots_[knot].geo_acceleration = own;
 }
 
-/// A spline is natural where nothing is given, a hermite law has its own points at its ends: what it
-/// has there is then true of its neighbour.
+/// A spline is natural at an end without given derivatives; a hermite law has its own points at its
+/// ends. Their derivatives then hold for the neighbor too.
 void Resolver::take_open_ends(std::size_t i) {
   const bool alone = spec_.periodic && spec_.segments.size() == 1;
   const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});
   const auto& points = spec_.segments[i].points;
   const auto own_at = [&](const CamKnot& knot, const CamPoint& point, Jet jet) {
-    if (point.master != knot.master) return jet;  // a point there is so to the bit
+    if (point.master != knot.master) return jet;  // a point at the end coincides to the bit
     jet[1] = point.geo_velocity.value_or(jet[1]);
     jet[2] = point.geo_acceleration.value_or(jet[2]);
     return jet;

@@ -5,25 +5,25 @@
 
 #include "jounce/cam/design/design.hpp"
 
-/// From a spec to what each segment is made of.
+/// Resolves a spec into the data of each segment.
 namespace jounce::camming {
 
 /// A segment of the spec between its two knots, ready to be built.
 struct Placed {
-  std::size_t index = 0;  ///< in the spec
+  std::size_t index = 0;  ///< index in the spec
   const CamSegment* spec = nullptr;
-  LawForm form;           ///< with the inflection that follows from an acceleration
+  LawForm form;           ///< includes the inflection that follows from an acceleration
   bool reversed = false;  ///< an R-U law run backwards: U-R
   CamKnot from, to;
-  bool closed = false;  ///< a spline that is the whole of a periodic cam, with nothing given
+  bool closed = false;  ///< a spline over the whole of a periodic cam, with no derivative given
 
   [[nodiscard]] double length() const { return to.master - from.master; }
 };
 
-/// All segments, every derivative of their knots filled in. Throws as resolved_knots() does.
+/// All segments, with every derivative of their knots. Throws like resolved_knots().
 std::vector<Placed> resolve(const CamSpec& spec);
 
-/// The finished segments of one. What goes wrong is named by the segment: InputError.
+/// Builds the segments of one resolved segment. An InputError names the segment.
 std::vector<Segment> built(const Placed& segment);
 
 /// built() for the law hermite.
@@ -32,7 +32,7 @@ std::vector<Segment> through_hermite_points(const Placed& segment);
 /// The shapes that built() adds up, for a law of its own shape.
 std::vector<LawPiece> shapes(const Placed& segment);
 
-/// "start.slave", "segment[2].end.geo_velocity": what a knot's field is called.
+/// Key of a knot's field: "start.slave", "segment[2].end.geo_velocity".
 std::string key_of(std::size_t knot, const char* field);
 
 }  // namespace jounce::camming

@@ -10,7 +10,7 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a derivative's peak: rounded input, as check_continuity
+constexpr double rounding = 1e-9;  // share of a derivative's peak: tolerates rounded input
 
 using Jet5 = std::array<double, 5>;  // value and four derivatives
 
@@ -19,7 +19,7 @@ Jet5 jet5(const Segment& f, double s) {
   return {low[0], low[1], low[2], low[3], evaluate(derivative(f), s)[3]};
 }
 
-/// The segments of a cam as a row that may go on beyond its end.
+/// The segments of a cam as a row that may continue beyond its end.
 class Row {
  public:
   explicit Row(const Cam& cam)
@@ -33,8 +33,8 @@ class Row {
     return cam_.segments()[i % size()];
   }
 
-  /// Segments first to last - 1, which may pass the end, as a curve of its own. The wrap continues
-  /// the slave's position: a step there is no business of the rise.
+  /// Segments first to last - 1, which may pass the end, as a separate curve. The wrap continues
+  /// the slave's position: a step there does not belong to the rise.
   [[nodiscard]] Cam part(std::size_t first, std::size_t last) const {
     std::vector<Segment> segments;
     segments.reserve(last - first);
@@ -43,8 +43,8 @@ class Row {
     return Cam(std::move(segments), cam_.breaks()[first]);
   }
 
-  /// The derivatives just before the segment begins and just after the one before `last` ends, as
-  /// far as there is a neighbour.
+  /// The derivatives just before the first segment and just after the one before `last`, if there
+  /// is a neighbor.
   [[nodiscard]] const Segment* before(std::size_t first) const {
     if (first > 0) return &(*this)[first - 1];
     return cyclic_ ? &(*this)[size() - 1] : nullptr;
@@ -79,7 +79,7 @@ int highest(const Zero& zero) {
 void classify(Rise& rise, const Row& row, std::size_t last) {
   Jet5 inside{};  // the greatest step by order
   Jet5 ends{};    // the greatest value at an end
-  Jet5 edge{};    // the greatest step against a neighbour
+  Jet5 edge{};    // the greatest step against a neighbor
   const auto widen = [](Jet5& most, const Jet5& a, const Jet5& b) {
     for (std::size_t k = 1; k < most.size(); ++k)
       most[k] = std::max(most[k], std::abs(a[k] - b[k]));
@@ -115,7 +115,7 @@ Rise made(const Row& row, std::size_t first, std::size_t last) {
   return rise;
 }
 
-/// Whether the slave rests at the break before segment i: its velocity is zero on both sides.
+/// True if the slave rests at the break before segment i: its velocity is zero on both sides.
 bool rests(const Row& row, std::size_t i, double zero) {
   const Segment* before = row.before(i);
   const Segment* after = row.after(i);
@@ -123,8 +123,8 @@ bool rests(const Row& row, std::size_t i, double zero) {
          (after == nullptr || std::abs(evaluate(*after, 0)[1]) <= zero);
 }
 
-/// The breaks at which the slave rests, ascending, each by the segment that begins there; a row that
-/// wraps repeats the first at its end.
+/// The breaks at which the slave rests, ascending, each by the segment that begins there. A row
+/// that wraps repeats the first at its end.
 std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
   const double zero = rounding * std::abs(extrema(cam, 1).peak().value);
   std::vector<std::size_t> breaks;
@@ -139,7 +139,7 @@ std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
 std::vector<Rise> rises(const Cam& cam) {
   const Row row(cam);
   const Range travel = extrema(cam, 0);
-  // A stroke that is rounding is none.
+  // A stroke within rounding does not count.
   const double still =
       std::max(rounding * (travel.max.value - travel.min.value),
                1e-14 * std::max(std::abs(travel.max.value), std::abs(travel.min.value)));

@@ -10,11 +10,11 @@
 namespace jounce::detail {
 
 /// Throws InputError unless there are at least `least` points, all finite, masters ascending, and
-/// the tolerances zero or, where they are allowed, finite and >= 0.
+/// the tolerances zero or, if allowed, finite and >= 0.
 void require_points(const std::vector<SplinePoint>& points, std::size_t least, bool tolerances);
 
-/// Throws InputError for derivatives given at ends that are not SplineEnds::natural, and for any
-/// that is not finite.
+/// Throws InputError for a derivative at an end other than SplineEnds::natural, and for one that is
+/// not finite.
 void require_ends(const SplineSpec& spec);
 
 /// Fixes the derivatives that the end gives and frees the others.

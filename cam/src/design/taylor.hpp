@@ -6,11 +6,11 @@
 
 #include "cam/src/design/interval.hpp"
 
-// Truncated Taylor series whose coefficients are intervals: if each c[k] holds f^(k)(x)/k! for all x
-// of a stretch, so do those of what is computed from it. At a single x they are the value and its
-// derivatives, to rounding: one formula serves evaluation and enclosure (R. Moore, "Methods and
-// Applications of Interval Analysis", 1979, ch. 3; the recurrences are those of automatic
-// differentiation).
+// Truncated Taylor series whose coefficients are intervals. If each c[k] contains f^(k)(x)/k! for
+// all x of an interval, so do the coefficients of computed results. At a single x they are the
+// value and its derivatives, to rounding: one formula serves evaluation and enclosure (R. Moore,
+// "Methods and Applications of Interval Analysis", 1979, ch. 3; the recurrences are those of
+// automatic differentiation).
 namespace jounce::detail {
 
 /// The value and N derivatives, each divided by its factorial.

@@ -18,9 +18,9 @@
 //   (2)  f' b/h = z^2 [(30 - 12 rho) + (28 rho - 60) z + (30 - 15 rho) z^2]
 //   (3)  f'' b^2/h = 12 z (1 - z) [(5 - 2 rho) - 5 (2 - rho) z]
 //
-// The bracket in (3) is 5 - 2 rho at z = 0 and 3 rho - 5 at z = 1, and linear between. Below 0 at the
-// start, the slave first goes backwards; below 0 at the end, the velocity comes down to k from
-// above; else the velocity only grows.
+// The bracket in (3) is 5 - 2 rho at z = 0 and 3 rho - 5 at z = 1, and linear between. If it is
+// below 0 at the start, the slave first moves backwards. If it is below 0 at the end, the velocity
+// falls to k from above. Otherwise the velocity only rises.
 //
 //   (4)  no reversal: rho <= 5/2;   no velocity overshoot: rho >= 5/3
 
@@ -32,7 +32,7 @@ constexpr double ripple = 1e-3;
 constexpr double rho_least = 5.0 / 3;
 constexpr double rho_most = 5.0 / 2;
 
-/// A segment of the design: the cam's segments first to last, and what they reach.
+/// A segment of the design: the cam's segments first to last, and their extreme values.
 struct Group {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -47,7 +47,7 @@ int sign(double x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
 }
 
-/// For people: six digits.
+/// Rounds to six digits, for messages.
 std::string rounded(double x) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", x);
@@ -94,7 +94,7 @@ class Inspection {
               "make velocities and accelerations the derivatives of the positions");
   }
 
-  /// Beyond the end value `edge` on the side `s` (1: above, -1: below).
+  /// Reports a position beyond the end value `edge` on the side `s` (1: above, -1: below).
   void overshoot(const Group& g, const Extremum& reached, double edge, int s) {
     const double beyond = s * (reached.value - edge);
     if (beyond <= rounding * scale_[0]) return;
@@ -116,7 +116,7 @@ class Inspection {
             inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
 
-  /// Derivative k against the way `way` by more than `share` of its peak.
+  /// Reports derivative k against the direction `way` by more than `share` of its peak.
   void against(const char* rule, const Group& g, std::size_t k, int way, double share,
                Severity severity, std::string advice) {
     const Extremum& worst = way > 0 ? g.range[k].min : g.range[k].max;
@@ -126,7 +126,7 @@ class Inspection {
     report_.findings.back().has_limit = false;
   }
 
-  /// The velocity at the end that moves, of a group between rest and constant velocity.
+  /// The end velocity of a group between rest and constant velocity.
   static std::optional<double> slope(const Group& g) {
     if (g.begin[2] != 0 || g.end[2] != 0 || (g.begin[1] == 0) == (g.end[1] == 0))
       return std::nullopt;
@@ -143,7 +143,7 @@ class Inspection {
           window(g));
   }
 
-  /// (4) in the numbers of the group, where it is such a quintic.
+  /// The window (4) in the numbers of the group, if it is such a quintic.
   static std::string window(const Group& g) {
     const auto k = slope(g);
     const double h = g.end[0] - g.begin[0];

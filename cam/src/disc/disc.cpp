@@ -10,11 +10,11 @@
 
 #include "cam/src/disc/pitch.hpp"
 
-// The geometry is derived in detail/pitch.hpp; here is where it stands at lift 0, with prime radius
-// R = base radius + roller radius:
+// The geometry is derived in detail/pitch.hpp. The position at lift 0, with prime radius R = base
+// radius + roller radius, is:
 //
 //   (1)  d = sqrt(R^2 - e^2)                            height of a translating roller
-//   (2)  cos psi0 = (l^2 + c^2 - R^2) / (2 l c)         angle of the arm to the line of centres
+//   (2)  cos psi0 = (l^2 + c^2 - R^2) / (2 l c)         angle of the arm to the line of centers
 
 namespace jounce {
 namespace {
@@ -31,7 +31,7 @@ void require_lengths(const DiscSpec& spec) {
   if (spec.arm_angle) require_positive("arm_angle", *spec.arm_angle);
 }
 
-/// (1)
+/// Equation (1).
 double start_height(const DiscSpec& spec) {
   const double prime = spec.base_radius + spec.roller_radius;
   if (!(std::abs(spec.offset) < prime))
@@ -40,7 +40,7 @@ double start_height(const DiscSpec& spec) {
   return std::sqrt((prime - spec.offset) * (prime + spec.offset));
 }
 
-/// (2)
+/// Equation (2).
 double start_angle(const DiscSpec& spec, double travel) {
   const double prime = spec.base_radius + spec.roller_radius;
   const double l = spec.arm_length;
@@ -50,7 +50,8 @@ double start_angle(const DiscSpec& spec, double travel) {
                      "does not reach the base circle: base_radius + roller_radius = " +
                          number(prime) + " must lie between " + number(std::abs(c - l)) + " and " +
                          number(c + l) + ", the difference and sum of arm and centre distance");
-  // From the half angle: an arc cosine loses half the digits near a stretched or folded arm.
+  // Computed from the half angle: an arc cosine loses half the digits near a stretched or folded
+  // arm.
   const double start = 2 * std::atan2(std::sqrt((prime - (c - l)) * (prime + (c - l))),
                                       std::sqrt(((c + l) - prime) * ((c + l) + prime)));
   const double swing = detail::arm_angle(spec) * travel;
@@ -83,7 +84,7 @@ Cam whole_turn(const Cam& cam, double angle) {
   return repeated(lift, static_cast<int>(whole));
 }
 
-/// What a Range holds twice: the greatest of g and of -g.
+/// Both magnitudes of a Range: the greatest of g and of -g.
 struct Both {
   Range range;
   double error;

@@ -7,13 +7,14 @@
 #include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
-// With (1) of disc.cpp and (7) of detail/pitch.hpp, a translating roller keeps |pressure angle| <= A
-// where its height at lift 0 is at least
+// By (1) of disc.cpp and (7) of detail/pitch.hpp, a translating roller keeps |pressure angle| <= A
+// if its height at lift 0 is at least
 //
 //   (1)  d >= max over t of (+-(L' - sigma e) / tan A - L)
 //
-// a maximum of exact curves. The curvature, and all that concerns an arm, have no such form: there
-// the extrema themselves are asked, going up from the least radius that (1) or the arm permits.
+// This is a maximum of exact curves. The curvature, and all conditions on an arm, have no such
+// form: the search evaluates the extrema themselves, upwards from the least radius that (1) or the
+// arm permits.
 
 namespace jounce {
 namespace {
@@ -31,12 +32,12 @@ void require_valid(const DiscLimits& limits) {
   if (limits.cutter_radius) require_not_negative("cutter_radius", *limits.cutter_radius);
 }
 
-/// Radius of curvature of the profile at the most convex place of the pitch curve.
+/// Radius of curvature of the profile at the sharpest convex point of the pitch curve.
 double convex_radius(const DiscExtremes& worst, const DiscSpec& spec) {
   return 1 / worst.pitch_curvature.max.value - spec.roller_radius;
 }
 
-/// Whether base radius `base` keeps the limits.
+/// True if base radius `base` keeps the limits.
 bool keeps(const Cam& cam, DiscSpec spec, double base, const DiscLimits& limits) {
   spec.base_radius = base;
   try {
@@ -51,7 +52,7 @@ bool keeps(const Cam& cam, DiscSpec spec, double base, const DiscLimits& limits)
   }
 }
 
-/// (1), as a base radius; 0 if there is no limit.
+/// Equation (1), as a base radius; 0 if there is no limit.
 double least_by_pressure(const Cam& cam, const DiscSpec& spec, const DiscLimits& limits) {
   if (!limits.pressure_angle) return 0;
   const double cot = 1 / std::tan(*limits.pressure_angle);
@@ -65,7 +66,8 @@ double least_by_pressure(const Cam& cam, const DiscSpec& spec, const DiscLimits&
   return std::hypot(d, e) - spec.roller_radius;
 }
 
-/// From a radius that does not do to one that does, to rounding: the one that does.
+/// Bisects between an insufficient radius and a sufficient one, to rounding; returns the sufficient
+/// one.
 double boundary(const Cam& cam, const DiscSpec& spec, const DiscLimits& limits, double bad,
                 double good) {
   while (good - bad > 2e-10 * good) {
@@ -100,7 +102,7 @@ Finding finding(std::string rule, std::string quantity, const Extremum& at, doub
   return f;
 }
 
-/// "base_radius = 41.7 is sufficient", rounded up so that it does.
+/// "base_radius = 41.7 is sufficient", rounded up.
 std::string advice_of(const Disc& disc, const DiscLimits& limits, const std::string& otherwise) {
   const auto base = least_base_radius(disc.lift(), disc.spec(), limits);
   if (!base) return otherwise;
@@ -141,8 +143,8 @@ void add_radius(Report& report, const Disc& disc, const DiscExtremes& worst,
   report.findings.push_back(std::move(f));
 }
 
-/// The hollow profile: the cutter must get in. Its radius there is that of the pitch curve and the
-/// roller's; the roller therefore always does.
+/// The hollow profile: the cutter must fit. The radius of the profile there is that of the pitch
+/// curve plus the roller's, so the roller always fits.
 void add_cutter(Report& report, const Disc& disc, const DiscExtremes& worst,
                 const DiscLimits& limits) {
   const Extremum& at = worst.pitch_curvature.min;
@@ -153,7 +155,7 @@ void add_cutter(Report& report, const Disc& disc, const DiscExtremes& worst,
   report.findings.push_back(std::move(f));
 }
 
-/// Distant stretches; only where the curvature permits the question.
+/// Checks distant intervals, if the curvature permits the check.
 void add_interference(Report& report, const Disc& disc, const char* what, double radius) {
   const auto found = interference(disc, radius);
   if (!found) return;

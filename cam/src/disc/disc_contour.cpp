@@ -7,7 +7,7 @@
 
 #include "cam/src/disc/pitch.hpp"
 
-// A stretch of the curve p over the angle w = 2k, from a over the middle m to b:
+// An interval of the curve p over the angle w = 2k, from a through the midpoint m to b:
 //
 //   (1)  a line from p(a) to p(b) is nowhere further from p than  max|p''| w^2 / 8
 //
@@ -15,8 +15,8 @@
 //            |g| <= max|g'''|/6  max|x (x^2 - k^2)| = max|g'''|/6  2 k^3 / (3 sqrt 3)
 //        and | |p - c| - R | <= tol where |g| <= tol (2R - tol), R > tol
 //
-// An arc is taken only where p' has a positive part along the chord throughout: then p nowhere runs
-// beyond the arc's ends. g is enclosed in the standing frame, in which a dwell is one point.
+// An arc is permitted only if p' has a positive component along the chord throughout: p then never
+// passes the arc's ends. g is enclosed in the fixed frame, in which a dwell is one point.
 
 namespace jounce {
 namespace {
@@ -32,7 +32,7 @@ struct Circle {
   double bulge = 0;
 };
 
-/// Through a, m and b; nothing where they are as good as straight.
+/// The circle through a, m and b; nullopt if they are nearly straight.
 std::optional<Circle> through(const Vertex& a, const Vertex& m, const Vertex& b) {
   const Place u{m.x - a.x, m.y - a.y};
   const Place v{b.x - a.x, b.y - a.y};
@@ -88,14 +88,14 @@ class Flattening {
     }
   }
 
-  /// (1)
+  /// Equation (1).
   [[nodiscard]] bool is_line(const SegmentPart& over, const Plane<3>& p) const {
     const double k = half_width(over);
     const double second = 2 * std::hypot(p.x.c[2].magnitude(), p.y.c[2].magnitude());
     return second * k * k / 2 <= tolerance_;
   }
 
-  /// (2)
+  /// Equation (2).
   [[nodiscard]] std::optional<double> arc(const SegmentPart& over, const Vertex& a, const Vertex& b,
                                           const Plane<3>& p) const {
     if (pieces_ == Pieces::lines) return std::nullopt;

@@ -9,15 +9,16 @@
 
 #include "cam/src/disc/pitch.hpp"
 
-// A circle of radius R touches the profile p at t2 from outside; its centre is q(t2). It cuts into
+// A circle of radius R touches the profile p at t2 from outside; its center is q(t2). It cuts into
 // the profile at t1 if
 //
 //   (1)  |q(t2) - p(t1)| < R
 //
-// Between t1 and t2 where the tangent turns by at most pi/2 this cannot be, if the profile is regular
-// and nowhere more hollow than the circle: with the tangent at t2 as the x axis, the profile is a
-// graph whose slope angle f obeys d(sin f)/dx = curvature <= 1/R towards the circle, so that it stays
-// on the far side of the circle, for which there is equality. All other pairs are enclosed:
+// If the tangent turns by at most pi/2 between t1 and t2, this is impossible for a regular profile
+// that is nowhere more hollow than the circle. Proof: with the tangent at t2 as the x axis, the
+// profile is a graph whose slope angle f obeys d(sin f)/dx = curvature <= 1/R towards the circle.
+// Equality holds for the circle, so the profile stays on its far side. All other pairs are
+// enclosed:
 //
 //   (2)  |q(t2) - p(t1)| >= |q(m2) - p(m1)| - r2 max|q'| - r1 max|p'|     m middles, r half-widths
 
@@ -27,17 +28,17 @@ namespace {
 using detail::Interval;
 using detail::SegmentPart;
 
-constexpr double touching = 1e-5;   // of the radius: a clearance that counts as none
-constexpr double precision = 1e-3;  // of the radius: to which the depth is found
+constexpr double touching = 1e-5;   // relative to the radius: a clearance that counts as none
+constexpr double precision = 1e-3;  // relative to the radius: precision of the depth
 
-/// A stretch of the turn with a circle around all its contacts, and one around all centres of the
+/// An interval of the turn with a circle around all its contacts, and one around all centers of the
 /// rolled circle.
 struct Arc {
   SegmentPart over;
   Place contact, centre;
   double contact_radius = 0;
   double centre_radius = 0;
-  double turning = 0;  ///< rad, by how much the tangent turns at most
+  double turning = 0;  ///< rad, upper bound of the tangent's rotation
 };
 
 class Search {
@@ -65,7 +66,7 @@ class Search {
       return Place{p.x.c[0].middle(), p.y.c[0].middle()};
     };
     const double half = (over.s1 - over.s0) / 2 * length(over) * disc_.spec().angle;
-    const auto speed = [&](double distance) {  // of the parallel curve: |T| (1 + distance kappa)
+    const auto speed = [&](double distance) {  // parallel curve: |T| (1 + distance kappa)
       const Interval v =
           whole.speed().c[0] * (Interval(1) + Interval(distance) * whole.curvature().c[0]);
       return v.magnitude();
@@ -84,7 +85,7 @@ class Search {
     return disc_.lift().segments()[over.segment].length;
   }
 
-  /// Into arcs that turn by a twentieth of a turn at the most.
+  /// Divides into arcs of at most a twentieth of a turn.
   void divide(const SegmentPart& over) {
     const Arc whole = arc(over);
     if (whole.turning <= std::numbers::pi / 10 || over.s1 - over.s0 < 1e-9) {
@@ -95,7 +96,7 @@ class Search {
     divide(over.right());
   }
 
-  /// Whether the tangent turns by at most a quarter turn from arc i to arc k, either way round.
+  /// True if the tangent turns by at most a quarter turn from arc i to arc k, in either direction.
   [[nodiscard]] bool near(std::size_t i, std::size_t k) const {
     return turning(i, k) <= std::numbers::pi / 2 || turning(k, i) <= std::numbers::pi / 2;
   }
@@ -106,7 +107,7 @@ class Search {
     return sum;
   }
 
-  /// The least distance (1) of the two, if it is less than what was found before.
+  /// The least distance (1) of the two, if it is less than the best so far.
   void search(const Arc& circle, const Arc& covered) {
     const double apart =
         std::hypot(circle.centre.x - covered.contact.x, circle.centre.y - covered.contact.y);
@@ -132,7 +133,7 @@ class Search {
 
   const Disc& disc_;
   double radius_;
-  double least_;  ///< distance found, or that is looked for
+  double least_;  ///< least distance so far, or the initial bound
   std::vector<Arc> arcs_;
   std::optional<Interference> found_;
 };

@@ -7,25 +7,25 @@
 
 #include "cam/src/design/enclosure.hpp"
 
-// The roller's centre in the frame in which the follower stands, as a complex number x + i y, with
-// lift L over the cam's angle t, sigma = 1 for a cam that turns counterclockwise and -1 otherwise:
+// The roller's center in the fixed frame of the follower, as a complex number x + i y, with lift L
+// over the cam's angle t, sigma = 1 for a cam that turns counterclockwise and -1 otherwise:
 //
 //   (1)  P = e + i (d + L)             translating: offset e, height d
-//   (2)  P = c - l exp(-i psi)         oscillating: psi = psi0 + L / l, arm l, centre distance c
+//   (2)  P = c - l exp(-i psi)         oscillating: psi = psi0 + L / l, arm l, center distance c
 //
-// Seen from the cam it is C = P exp(-i sigma t), the pitch curve. So are its derivatives:
+// In the frame of the cam it is C = P exp(-i sigma t), the pitch curve. Its derivatives are:
 //
 //   (3)  C' = T exp(-i sigma t),       T  = P' - i sigma P
 //   (4)  C'' = T2 exp(-i sigma t),     T2 = T' - i sigma T
 //   (5)  n = i sigma T / |T|           outwards; the profile is C - (roller radius) n
 //   (6)  kappa = -sigma (T x T2) / |T|^3
 //
-// and with D = dP/dL / |dP/dL|, the way the follower goes as it lifts:
+// and with D = dP/dL / |dP/dL|, the direction of the follower's lift:
 //
 //   (7)  tan(pressure angle) = (T . D) / (sigma T x D)
 //
-// which for (1) is (L' - sigma e) / (d + L). See R. Norton, "Cam Design and Manufacturing Handbook",
-// ch. 7; the complex form makes one code of both followers and both rotations.
+// For (1) this is (L' - sigma e) / (d + L). See R. Norton, "Cam Design and Manufacturing Handbook",
+// ch. 7; the complex form covers both followers and both rotations in one implementation.
 namespace jounce::detail {
 
 /// A point, or a direction, with its derivatives by t.
@@ -64,7 +64,7 @@ Plane<N - 1> derivative(const Plane<N>& a) {
   return {derivative(a.x), derivative(a.y)};
 }
 
-/// (3): the derivative of a vector that turns with the cam, in the standing frame.
+/// Equation (3): the derivative of a vector that turns with the cam, in the fixed frame.
 template <std::size_t N>
 Plane<N - 1> turning(const Plane<N>& a, double sigma) {
   const Plane<N - 1> d = derivative(a);
@@ -72,7 +72,7 @@ Plane<N - 1> turning(const Plane<N>& a, double sigma) {
   return {d.x + sigma * b.y, d.y - sigma * b.x};
 }
 
-/// The pitch curve over a stretch, in the standing frame.
+/// The pitch curve over an interval, in the fixed frame.
 struct Pitch {
   double sigma = 1;
   Plane<4> centre;     ///< P
@@ -80,12 +80,12 @@ struct Pitch {
   Plane<3> tangent;    ///< T
 
   [[nodiscard]] Taylor<3> speed() const { return sqrt(square(tangent.x) + square(tangent.y)); }
-  /// (5)
+  /// Equation (5).
   [[nodiscard]] Plane<3> normal() const {
     const Taylor<3> v = speed();
     return {(-sigma * tangent.y) / v, (sigma * tangent.x) / v};
   }
-  /// (6)
+  /// Equation (6).
   [[nodiscard]] Taylor<2> curvature() const {
     const Taylor<2> v = speed().to<2>();
     return (-sigma * cross(tangent.to<2>(), turning(tangent, sigma))) / (v * v * v);
@@ -110,7 +110,7 @@ inline double arm_angle(const DiscSpec& spec) {
   return spec.arm_angle.value_or(1 / spec.arm_length);
 }
 
-/// (1), (2); lift in the slave's unit.
+/// Equations (1), (2); lift in the slave's unit.
 inline Pitch pitch(const DiscSpec& spec, double start, const Taylor<4>& lift) {
   Pitch p;
   p.sigma = sigma(spec);
@@ -127,19 +127,19 @@ inline Pitch pitch(const DiscSpec& spec, double start, const Taylor<4>& lift) {
   return p;
 }
 
-/// The same over a stretch of the disc's cam.
+/// The same over an interval of the disc's cam.
 inline Pitch pitch(const Disc& disc, const SegmentPart& over) {
   return pitch(disc.spec(), disc.start(), enclosure(disc.lift(), over, disc.spec().angle));
 }
 
-/// A vector of the standing frame as seen from the cam: times exp(-i sigma t).
+/// A vector of the fixed frame in the frame of the cam: times exp(-i sigma t).
 template <std::size_t N>
 Plane<N> seen_from_cam(const Plane<N>& a, const Taylor<N>& t, double sigma) {
   const auto [sn, cs] = sincos(sigma * t);
   return {a.x * cs + a.y * sn, a.y * cs - a.x * sn};
 }
 
-/// t over a stretch.
+/// t over an interval.
 template <std::size_t N>
 Taylor<N> turned(const Disc& disc, const SegmentPart& over) {
   Taylor<N> t(disc.spec().angle * Interval{position(disc.lift(), over.segment, over.s0),

@@ -12,8 +12,8 @@
 
 // Between two different knots t_j < t_(j+1) a B-spline of degree p is a polynomial f with a blossom
 // F(u1, ..., up): symmetric, affine in each argument, and f(x) = F(x, ..., x) (Ramshaw 1989). Its
-// values at consecutive knots are the control values, d_i = F(t_(i+1), ..., t_(i+p)), and replacing a
-// knot by u is de Boor's step
+// values at consecutive knots are the control values, d_i = F(t_(i+1), ..., t_(i+p)). De Boor's
+// step replaces a knot by u:
 //
 //   (1)  d_i <- (1 - w) d_(i-1) + w d_i,   w = (u - t_i) / (t_(i+p+1-r) - t_i)   in round r
 //
@@ -21,13 +21,13 @@
 //
 //   (2)  b_k = F(t_j (p - k times), t_(j+1) (k times)),   k = 0 ... p
 //
-// all of them convex combinations: nothing cancels. With s in [0, 1] along the interval
+// All are convex combinations: nothing cancels. With s in [0, 1] along the interval
 //
 //   (3)  f = sum_k C(p, k) (k-th forward difference of b at 0) s^k
 //
-// Interpolation: sum_i d_i B_i(x_k) = y_k. Each B_i has p + 1 intervals, so the matrix is banded; it
-// is totally positive and, with t_i < x_i < t_(i+p+1) for all i, invertible (Schoenberg, Whitney), so
-// that elimination without pivots is stable (de Boor, Pinkus 1977).
+// Interpolation: sum_i d_i B_i(x_k) = y_k. Each B_i has p + 1 intervals, so the matrix is banded;
+// it is totally positive and, with t_i < x_i < t_(i+p+1) for all i, invertible (Schoenberg,
+// Whitney), so that elimination without pivots is stable (de Boor, Pinkus 1977).
 
 namespace jounce {
 namespace {
@@ -79,7 +79,7 @@ void require_valid(const BSplineSpec& spec) {
         "must be less than " + counted("knots", spec.control.size()) + ", where the curve ends");
 }
 
-/// (2): one Bezier value of the interval [t_j, t_(j+1)].
+/// Equation (2): one Bezier value of the interval [t_j, t_(j+1)].
 double blossom(const BSplineSpec& spec, std::size_t j, int at_end) {
   const std::vector<double>& t = spec.knots;
   const auto p = static_cast<std::size_t>(spec.degree);
@@ -96,7 +96,8 @@ double blossom(const BSplineSpec& spec, std::size_t j, int at_end) {
   return d[p];
 }
 
-/// The values at x, in (t_j, t_(j+1)] or at t_j, of the B-splines j - p ... j: de Boor's recurrence.
+/// The values at x, in (t_j, t_(j+1)] or at t_j, of the B-splines j - p ... j: de Boor's
+/// recurrence.
 Values basis(const std::vector<double>& t, std::size_t p, std::size_t j, double x) {
   Values b{};
   b[0] = 1;
@@ -141,7 +142,7 @@ void eliminate(Banded& a, std::vector<double>& y, std::size_t width) {
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = k + 1; i < n && a.first[i] <= k; ++i) {
       const double factor = entry(i, k) / entry(k, k);
-      // The row above ends no later: first ascends.
+      // The previous row ends no later: first ascends.
       for (std::size_t c = k + 1; c < a.first[k] + width; ++c) entry(i, c) -= factor * entry(k, c);
       y[i] -= factor * y[k];
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The law `hermite` of a placed segment: its points, and what its knots are at its ends.
+// The law `hermite` of a placed segment: its points, and the knots at its ends.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -27,8 +27,8 @@ HermitePoint hermite_point(const CamPoint& point, const std::string& key) {
           required(point.geo_acceleration, key + "geo_acceleration"), point.geo_jerk};
 }
 
-/// A point at the end of its segment: the knot's derivatives where it has them, the point's own else.
-/// Both must agree, for what was given may not be dropped in silence.
+/// A point at the end of its segment: the knot's derivatives if given, otherwise the point's own.
+/// Both must agree: a given value must not be ignored silently.
 HermitePoint hermite_end(const Placed& at, const CamKnot& knot, const CamPoint* point,
                          const std::string& key) {
   HermitePoint end{knot.master,

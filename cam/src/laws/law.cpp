@@ -10,37 +10,40 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Every law is made of one of three kinds of rise, and one way of adding end velocities.
+// Every law uses one of three kinds of rise, and one method for end velocities.
 //
-// **Ramps.** The acceleration grows as a quarter sine, stays, falls as a quarter cosine: a ramp.
-// From rest over the length L it ends at the velocity v and the place y, in proportion to its peak.
-// A rise is a ramp up over L1, a straight stretch of length s, and a ramp down over L2, which is the
-// point reflection of a ramp up. The velocity V between them follows from the stroke of 1:
+// **Ramps.** In a ramp the acceleration rises as a quarter sine, is constant, and falls as a
+// quarter cosine. From rest over the length L it ends at the velocity v and the position y, in
+// proportion to its peak. A rise is a ramp up over L1, a straight part of length s, and a ramp down
+// over L2, which is the point reflection of a ramp up. The velocity V between them follows from the
+// stroke of 1:
 //
 //     (1)  V (m1 + s + m2) = 1,   m = y / v of each ramp
 //
 // **Polynomials** of degree 2n - 1 whose derivatives up to the (n-1)th are given at both ends. The
-// shape whose kth derivative at 0 is 1, and all others 0 (Hermite; from the binomial series of
-// (1 - z)^-n):
+// shape whose kth derivative at 0 is 1, and all others 0 (Hermite; from the binomial series of (1 -
+// z)^-n):
 //
 //     (2)  H_k(z) = z^k / k! (1 - z)^n sum over i < n - k of C(n - 1 + i, i) z^i
 //
 // and at the other end (-1)^k H_k(1 - z). All coefficients times k! are integers.
 //
-// **Inflection.** A rise f that is point-symmetric about its middle is moved to lambda by
+// **Inflection.** The inflection of a rise f that is point-symmetric about its middle moves to
+// lambda by
 //
 //     (3)  F(z) = 2 lambda f(z / 2 lambda)                              for z <= lambda
 //     (4)  F(z) = 1 - 2 (1 - lambda) (1 - f(1 - (1 - z) / 2 (1 - lambda)))  above:
 //
-// the velocity peak stays, and the two meet in it with acceleration 0.
+// The velocity peak stays, and both parts meet there with acceleration 0.
 //
-// **End velocities.** With R(z) the integral of the rise F from 0, itself a smooth ramp of velocity,
+// **End velocities.** With R(z) the integral of the rise F from 0, itself a smooth ramp of
+// velocity,
 //
 //     (5)  enter = z - R - (1 - R(1)) F:   value 0 at both ends, slope 1 at 0 and 0 at 1
 //     (6)  leave = R - R(1) F:             value 0 at both ends, slope 0 at 0 and 1 at 1
 //
-// have no acceleration at the ends if F has none: so any such law joins any two velocities. With
-// both velocities equal this is a rise on a slope, as a rotary knife's recovery.
+// have no acceleration at the ends if F has none. Any such law therefore joins any two velocities.
+// With both velocities equal this is a rise on a slope, like a rotary knife's recovery.
 
 namespace jounce {
 namespace {
@@ -48,7 +51,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 struct Ramp {
-  double rise = 0, constant = 0, fall = 0;  // shares of its length
+  double rise = 0, constant = 0, fall = 0;  // shares of the ramp's length
 };
 
 /// sin over [from, to] rad, as a segment of the given length.
@@ -69,7 +72,7 @@ Cam ramp_up(const Ramp& ramp, double length) {
   return integral(integral(Cam(std::move(acceleration))));
 }
 
-/// The rise of (1). `down` is seen from the far end.
+/// The rise of (1). `down` is described from the far end.
 std::vector<Segment> ramped(const Ramp& up, double up_length, double straight, const Ramp& down,
                             double down_length) {
   const Cam a = ramp_up(up, up_length);
@@ -92,7 +95,7 @@ double binomial(int n, int k) {
   return b;
 }
 
-/// H_k of (2).
+/// H_k of equation (2).
 Segment hermite_shape(int n, int k) {
   Segment f;
   f.degree = 2 * n - 1;
@@ -104,7 +107,8 @@ Segment hermite_shape(int n, int k) {
   return f;
 }
 
-/// The polynomial law of degree 2n - 1, with what its end velocities and accelerations add.
+/// The polynomial law of degree 2n - 1, with the contributions of its end velocities and
+/// accelerations.
 LawPiece hermite(int n, bool bends) {
   const Segment none;
   const auto mirrored = [](const Segment& f, double sign) { return scaled(reversed(f), sign); };
@@ -158,7 +162,7 @@ std::vector<Segment> perfect_spline() {
   return {rise.segments().begin(), rise.segments().end()};
 }
 
-/// The ramps of an R-U law; `down` seen from the reversal.
+/// The ramps of an R-U law; `down` is described from the reversal.
 struct Reversal {
   Ramp up, down;
 };
@@ -169,7 +173,7 @@ std::optional<Reversal> reversal(Law law) {
   return std::nullopt;
 }
 
-/// (3) and (4).
+/// Equations (3) and (4).
 std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) {
   if (lambda == 0.5) return rise;
   const Cam whole(rise);
@@ -257,7 +261,7 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
   return {};
 }
 
-/// The degree's n where the law is a polynomial that takes its end values by (2); 0 otherwise.
+/// The n of a polynomial law that takes its end values by (2); 0 otherwise.
 int hermite_order(Law law) {
   switch (law) {
     case Law::cubic:
@@ -282,7 +286,7 @@ Segment added(const Segment& f, const Segment& g) {
   return *total;
 }
 
-/// (5) and (6).
+/// Equations (5) and (6).
 std::vector<LawPiece> with_end_velocities(const std::vector<Segment>& rise) {
   const Cam ramp = integral(Cam(rise));
   const double whole = ramp.jet(ramp.end(), Side::left)[0];
@@ -356,7 +360,8 @@ std::vector<LawPiece> pieces(Law law, const LawForm& form) {
 
 namespace {
 
-/// Of a ramp of length 1 and peak 1: its velocity k, and its place by velocity m.
+/// The end of a ramp of length 1 and peak 1: its velocity k, and its position divided by the
+/// velocity, m.
 struct RampEnd {
   explicit RampEnd(const Ramp& ramp) {
     const Cam up = ramp_up(ramp, 1);
@@ -369,7 +374,7 @@ struct RampEnd {
 
 }  // namespace
 
-// With V of (1) and the ramps over lambda and x = 1 - lambda, the deceleration is D = V / (x k2):
+// The deceleration is D = V / (x k2), with V of (1) and the ramps over lambda and x = 1 - lambda:
 //
 //     (7)  D k2 (m2 - m1) x^2 + D k2 m1 x - 1 = 0,   least at x = 1: D = 1 / (k2 m2)
 double inflection_for(Law law, double deceleration) {
@@ -379,7 +384,7 @@ double inflection_for(Law law, double deceleration) {
   const RampEnd down(shape.down);
   const double p = deceleration * down.k * up.m;
   const double q = deceleration * down.k * (down.m - up.m);
-  return 1 - 2 / (p + std::sqrt(p * p + 4 * q));  // (7), the root that loses no digits
+  return 1 - 2 / (p + std::sqrt(p * p + 4 * q));  // Equation (7), the root without cancellation
 }
 
 double least_deceleration(Law law) {

@@ -9,33 +9,33 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. Wanting x = y at every place gives
+// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. The requirement x = y everywhere gives
 //
 //   (1)  f = y + (2 D / w) y' + y'' / w^2
 //
-// and x = y it is, if both begin alike. f^(k) is continuous where y^(k), y^(k+1) and y^(k+2) are.
+// and x = y holds if both begin alike. f^(k) is continuous wherever y^(k), y^(k+1) and y^(k+2) are.
 
 namespace jounce {
 namespace {
 
 constexpr double two_pi = 6.28318530717958647692;
-constexpr double rounding = 1e-9;  ///< of a derivative's peak: no step
+constexpr double rounding = 1e-9;  ///< relative to a derivative's peak: not a step
 
-/// (1) on one segment. A derivative has no sines or powers that its function has not.
+/// Equation (1) on one segment. A derivative has no sines or powers that its function lacks.
 Segment driving(const Segment& y, double by_velocity, double by_acceleration) {
   const Segment velocity = derivative(y);
   const Segment with_velocity = sum(y, scaled(velocity, by_velocity)).value();
   return sum(with_velocity, scaled(derivative(velocity), by_acceleration)).value();
 }
 
-/// The step of a derivative, or 0 where it is only rounding.
+/// The step of a derivative, or 0 if it is only rounding.
 Jump step_of(const Cam& f, int order) {
   const Jump step = largest_jump(f, order);
   const double peak = std::abs(extrema(f, order).peak().value);
   return std::abs(step.step) > rounding * peak ? step : Jump{};
 }
 
-/// What keeps the cam itself or its geo_velocity from being continuous.
+/// Throws if the cam itself or its geo_velocity is not continuous.
 void require_smooth(const Cam& f, const char* whose, int order) {
   const Jump step = step_of(f, order);
   if (step.step == 0) return;

@@ -7,13 +7,13 @@
 #include "jounce/cam/detail/pivoted_qr.hpp"
 #include "jounce/profiles/error.hpp"
 
-// With t = 2 u / L - 1 in [-1, 1] and T_n the Chebyshev polynomials, f = sum of b_n T_n(t) and
+// Let t = 2 u / L - 1 in [-1, 1] and T_n the Chebyshev polynomials: f = sum of b_n T_n(t) and
 //
 //     (1)  T_0 = 1, T_1 = t, T_(n+1) = 2 t T_n - T_(n-1)
 //     (2)  T_(n+1)^(k) = 2 t T_n^(k) + 2 k T_n^(k-1) - T_(n-1)^(k)
 //
-// A condition of order k is a row: sum of b_n T_n^(k)(t) = value (L / 2)^k. Rows are divided by their
-// largest entry, so that the rank tells contradictions, not units.
+// A condition of order k is a row: sum of b_n T_n^(k)(t) = value (L / 2)^k. Rows are divided by
+// their largest entry, so that the rank shows contradictions and does not depend on units.
 
 namespace jounce {
 namespace {

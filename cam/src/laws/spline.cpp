@@ -10,10 +10,11 @@
 #include "cam/src/design/table.hpp"
 
 // The cubic spline has the least integral of the square of the second derivative of all functions
-// through the points, the quintic spline that of the third (Schoenberg 1964; de Boor, ch. V): they
-// are found as such (detail/least_energy.cpp). What is left out at an end makes the boundary terms of
-// the partial integration vanish there: the natural end. With not-a-knot ends the number of knots is
-// that of the conditions, and the spline is a B-spline through the points (b_spline.cpp).
+// through the points, the quintic spline that of the third (Schoenberg 1964; de Boor, ch. V).
+// detail/least_energy.cpp computes them as such. An omitted derivative at an end makes the boundary
+// terms of the partial integration vanish there: the natural end. With not-a-knot ends the number
+// of knots equals that of the conditions, and the spline is a B-spline through the points
+// (b_spline.cpp).
 
 namespace jounce {
 namespace {

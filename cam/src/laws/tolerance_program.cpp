@@ -7,39 +7,40 @@
 
 #include "cam/src/design/table.hpp"
 
-// Minimise E(y), the least integral of geo_jerk^2 of all curves through (x_i, y_i), where
-// |y_i - given_i| <= tolerance_i. E is a convex quadratic function of y. With some points pinned to a
-// bound and the others left free, its least value belongs to the quintic spline through the pinned
-// points alone: a free point leaves no joint, so that the system stays small and well conditioned
-// however dense the table is. At a pinned point (detail/least_energy.cpp)
+// Minimizes E(y), the least integral of geo_jerk^2 of all curves through (x_i, y_i) with |y_i -
+// given_i| <= tolerance_i. E is a convex quadratic function of y. With some points pinned to a
+// bound and the others free, the quintic spline through the pinned points alone has the least
+// value: a free point leaves no joint, so the system stays small and well conditioned for any
+// density of the table. At a pinned point (detail/least_energy.cpp)
 //
 //   (1)  dE/dy_i = 2 (f^(5)(x_i-) - f^(5)(x_i+)),   f^(5) = 0 beyond a natural end
 //
-// and everywhere else it is zero. The curve is optimal if every free point is within its tolerance and
+// and everywhere else it is zero. The curve is optimal if every free point is within its tolerance
+// and
 //
-//   (2)  dE/dy_i >= 0 where y_i is at its lower bound, <= 0 where it is at its upper one.
+//   (2)  dE/dy_i >= 0 if y_i is at its lower bound, <= 0 if it is at its upper one.
 //
 // E is convex, so for every z within the tolerances
 //
 //   (3)  E(z) >= E(y) + sum dE/dy_i (z_i - y_i) >= E(y) - gap,
-//        gap = sum of |dE/dy_i| 2 tolerance_i over the pins that break (2)
+//        gap = sum of |dE/dy_i| 2 tolerance_i over the pins that violate (2)
 //
-// Parabolas (periodic: constants) have no jerk. If fewer points are pinned than determine one, a few
-// others are held where they are: then E = 0, whatever their values.
+// Parabolas (periodic: constants) have no jerk. If too few points are pinned to determine one, a
+// few others are held at their present values: then E = 0 for any values.
 //
 // Descent: y moves straight towards the minimum of its face (the pinned points stay), and E falls
-// all the way. A bound in the way pins its point, and the rest of the face is tried; after at most as
-// many steps as there are points the minimum of a face is reached. There all pins that break (2) are
-// released: the next step lowers E. So E is lower at every such minimum than at the one before; no
-// face comes twice, and there are finitely many. (Released together, some may be pinned again at
-// once, but not the last of them: alone it moves inwards.)
+// all the way. A bound on the way pins its point, and the search continues in the rest of the face.
+// After at most as many steps as there are points it reaches the minimum of a face. There it
+// releases all pins that violate (2): the next step lowers E. E is therefore lower at every such
+// minimum than at the previous one; no face recurs, and there are finitely many. (Of the pins
+// released together, some may be pinned again at once, but not the last: alone it moves inwards.)
 
 namespace jounce::detail {
 namespace {
 
-constexpr double slack = 1e-9;  ///< of a tolerance, that is no violation
+constexpr double slack = 1e-9;  ///< relative to a tolerance: not a violation
 
-/// Points without which a curve with these ends and no jerk is not determined.
+/// The number of points that determine a curve with these ends and no jerk.
 std::size_t determining(const SplineSpec& spec) {
   if (spec.ends == SplineEnds::periodic) return 1;
   const auto slopes = (spec.start.geo_velocity ? 1U : 0U) + (spec.end.geo_velocity ? 1U : 0U);
@@ -67,7 +68,7 @@ ToleranceProgram::Solution ToleranceProgram::solve() const {
   Solution s = start();
   std::vector<double> now;
   for (const SplinePoint& p : spec_.points) now.push_back(p.slave);
-  const int most = 1000 + 20 * static_cast<int>(now.size());  // against rounding: (3) stays true
+  const int most = 1000 + 20 * static_cast<int>(now.size());  // against rounding: (3) remains true
   while (s.solutions < most && !s.optimal) {
     minimum_of_face(s, now);
     if (advance(s, now)) s.optimal = !release_wrong(s);
@@ -89,7 +90,7 @@ ToleranceProgram::Solution ToleranceProgram::start() const {
   return s;
 }
 
-/// The minimum of the face; `now` says where the points are that have to be held.
+/// The minimum of the face; `now` gives the values of the points to hold.
 void ToleranceProgram::minimum_of_face(Solution& s, const std::vector<double>& now) const {
   hold(s.pins);
   s.joints.clear();
@@ -135,7 +136,7 @@ std::vector<EnergyKnot> ToleranceProgram::knots_of(const Solution& s,
   return knots;
 }
 
-/// Values between the joints, and (1) at them.
+/// Computes the values between the joints, and (1) at them.
 void ToleranceProgram::evaluate(Solution& s) const {
   s.gradient.assign(s.pins.size(), 0);
   for (std::size_t k = 0; k < s.segments.size(); ++k) {
@@ -150,7 +151,7 @@ void ToleranceProgram::evaluate(Solution& s) const {
   if (periodic_) s.gradient.front() = s.gradient.back() += s.gradient.front();
 }
 
-/// (2).
+/// True if a pin violates (2).
 bool ToleranceProgram::wrong(const Solution& s, std::size_t i) const {
   return (s.pins[i] == Pin::lower && s.gradient[i] < 0) ||
          (s.pins[i] == Pin::upper && s.gradient[i] > 0);
@@ -166,7 +167,7 @@ bool ToleranceProgram::release_wrong(Solution& s) const {
   return any;
 }
 
-/// How far outside its tolerance a point would be, signed; 0: inside.
+/// Signed excess of a value over the tolerance of a point; 0: inside.
 double ToleranceProgram::excess(std::size_t i, double value) const {
   const SplinePoint& p = spec_.points[i];
   const double off = value - p.slave;
@@ -187,7 +188,8 @@ void ToleranceProgram::set(Solution& s, std::size_t i, Pin pin) const {
   if (periodic_ && i == last) s.pins[0] = pin;
 }
 
-/// A step towards the solution; whether it was reached. What stops it is pinned.
+/// Steps towards the solution and returns true if it was reached. Pins the point that stops the
+/// step.
 bool ToleranceProgram::advance(Solution& s, std::vector<double>& now) const {
   double step = 1;
   std::size_t stopped = s.pins.size();

@@ -9,13 +9,13 @@
 
 namespace jounce::detail {
 
-/// What holds a point of a table in place.
+/// Constraint that fixes a point of a table.
 enum class Pin {
   none,
-  lower,  ///< the least the tolerance allows
-  upper,  ///< the most
+  lower,  ///< lower bound of the tolerance
+  upper,  ///< upper bound of the tolerance
   exact,  ///< no tolerance
-  held,   ///< for the moment, where it is: there are not enough others to determine the curve
+  held,   ///< held at its present value: too few others determine the curve
 };
 
 /// Least integral of geo_jerk^2 of all curves within the tolerances of a table.
@@ -30,15 +30,15 @@ class ToleranceProgram {
     std::vector<double>
         gradient;          ///< gradient of the integral by every pinned point's value, or zero
     int solutions = 0;     ///< linear systems solved on the way
-    bool optimal = false;  ///< within all tolerances, and no pin holds the wrong way
+    bool optimal = false;  ///< within all tolerances, and every pin satisfies (2)
   };
 
   explicit ToleranceProgram(const SplineSpec& spec);
 
-  /// Downhill from the table itself, never outside a tolerance. Always ends.
+  /// Descends from the table itself, never outside a tolerance. Always terminates.
   [[nodiscard]] Solution solve() const;
 
-  /// By how much the integral can at most exceed the least possible.
+  /// Upper bound of the excess of the integral over the minimum.
   [[nodiscard]] double gap(const Solution& s) const;
 
  private:

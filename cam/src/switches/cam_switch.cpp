@@ -45,7 +45,7 @@ void require_track(const CamSwitchSpec& spec, std::size_t i) {
     at.fail("track", t.track, "has options, but no switch");
 }
 
-/// How wide the range is, and the gap that a rotary axis leaves.
+/// Checks the width of the range, and the gap that a rotary axis leaves.
 void require_range(const CamSwitch& s, const Entry& at, double hysteresis, double period) {
   if (!s.last_on_position)
     at.fail("last_on_position", s.first_on_position,

@@ -12,11 +12,11 @@
 namespace jounce {
 namespace {
 
-/// The way from `from` to `to` on an axis of this period, nearest to what is expected.
+/// The distance from `from` to `to` on an axis of this period, nearest to the expected one.
 double way(double from, double to, double expected, double period) {
   const double d = to - from;
   if (period == 0) return d;
-  if (!(std::abs(expected) < 1e6 * period)) expected = 0;  // no velocity of an axis
+  if (!(std::abs(expected) < 1e6 * period)) expected = 0;  // not a velocity of an axis
   return d - period * std::round((d - expected) / period);
 }
 
@@ -61,7 +61,7 @@ void CamSwitches::place_at(double position, double velocity) {
 }
 
 /// The piece runs in a frame whose origin is less than a period away, so that a long run loses no
-/// digits; the end of one piece, reduced anew from what was given, is the start of the next.
+/// digits. The end of one piece, reduced again from the given position, is the start of the next.
 void CamSwitches::move(double position, double velocity) {
   const double d = way(position_, position, (velocity_ + velocity) / 2 * elapsed_, period_);
   machine_->begin(cycle_motion(local_, velocity_, local_ + d, velocity, elapsed_));

@@ -16,10 +16,10 @@ constexpr std::uint32_t bit(int track) {
 
 // ---- a boundary --------------------------------------------------------------------------------
 //
-// The boundaries p_k = p + k P cut the axis into intervals; `passed` = k says that the axis counts
-// as between p_k and p_k+1. Without a lock that is so:      p_k <= y <= p_k+1.                  (1)
-// With a lock at p_m, |y - p_m| <= h and k is m or m - 1, whatever the side.                    (2)
-// To touch a boundary is not to pass it: both ends of (1) are closed.
+// The boundaries p_k = p + k P divide the axis into intervals; `passed` = k means that the axis is
+// between p_k and p_k+1. Without a lock, p_k <= y <= p_k+1. (1)
+// With a lock at p_m, |y - p_m| <= h and k is m or m - 1, for either side. (2)
+// Touching a boundary does not pass it: both ends of (1) are closed.
 
 void Boundary::place(double y) {
   locked = false;
@@ -36,7 +36,7 @@ double Boundary::target(bool up) const {
 
 int Boundary::pass(bool up) {
   const std::int64_t before = passed;
-  if (locked) {  // (2) to (1): the edge is made good if the axis leaves on the other side
+  if (locked) {  // from (2) to (1): adds the missing edge if the axis leaves on the other side
     passed = up ? lock : lock - 1;
     locked = false;
   } else {
@@ -69,7 +69,7 @@ void Heading::turn(bool up) {
   sign = up ? 1 : -1;
 }
 
-// ---- set up ------------------------------------------------------------------------------------
+// ---- setup -------------------------------------------------------------------------------------
 
 SwitchMachine::SwitchMachine(const CamSwitchSpec& spec) : period_(spec.period.value_or(0)) {
   path(0, 0);
@@ -96,7 +96,7 @@ std::size_t SwitchMachine::track(const SwitchTrack& options) {
   return tracks_.size() - 1;
 }
 
-/// The range is widened by `near`, so that an axis at rest on a boundary is within it.
+/// Extends the range by `near`, so that an axis at rest on a boundary is within it.
 void SwitchMachine::add(const CamSwitch& s, const CamSwitchSpec& spec) {
   const SwitchTrack options = spec.options(s.track);
   const double on = options.on_compensation;
@@ -117,7 +117,7 @@ void SwitchMachine::add(const CamSwitch& s, const CamSwitchSpec& spec) {
     made.pulse = *s.duration + off - on;
     made.lower.path = path(on, on);
   } else {
-    made.lower.path = path(on, off);  // forwards it switches on, backwards off
+    made.lower.path = path(on, off);  // switches on forwards, off backwards
     made.upper.path = path(off, on);
   }
   switches_.push_back(made);
@@ -172,8 +172,8 @@ void SwitchMachine::wait(double length) {
   for (Switch& s : switches_) s.lower.next = s.upper.next = never;
 }
 
-/// The event's next time: where its path goes beyond the target. Stretches in which it does not are
-/// done with.
+/// The event's next time, at which its path passes the target. Skips intervals that do not reach
+/// it.
 template <class Source>
 void SwitchMachine::seek(Source& source) const {
   const SwitchPath& p = paths_[source.path];
@@ -197,7 +197,7 @@ double SwitchMachine::earliest() const {
   return time;
 }
 
-/// Everything up to now_.
+/// Processes all events up to now_.
 void SwitchMachine::happen() {
   for (Track& t : tracks_)
     while (t.heading.next <= now_) {
@@ -234,7 +234,7 @@ std::optional<SwitchEdge> SwitchMachine::next() {
   return std::nullopt;
 }
 
-/// What the outputs should be now.
+/// The required outputs now.
 std::uint32_t SwitchMachine::wanted() const {
   std::uint32_t on = 0;
   std::uint32_t unknown = 0;

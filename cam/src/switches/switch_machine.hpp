@@ -15,35 +15,35 @@ namespace jounce::detail {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// When something happens next along a path: where it is looked for, and what was found.
+/// The next event along a path: the state of the search, and its result.
 struct Event {
   std::size_t path = 0;
-  std::size_t stretch = 0;  ///< stretch of the path: the first one not done with
+  std::size_t stretch = 0;  ///< interval of the path: the first one not yet finished
   double next = never;      ///< s since the piece's start
-  bool rising = true;       ///< the compensated position goes up there
+  bool rising = true;       ///< the compensated position rises there
 };
 
-/// One boundary of a switch, repeated each period. It counts how many of it lie behind the axis.
+/// One boundary of a switch, repeated in each period. It counts the repetitions behind the axis.
 struct Boundary : Event {
   double position = 0;
-  double period = 0;  ///< 0: there is one
+  double period = 0;  ///< 0: a single boundary
   double hysteresis = 0;
-  std::int64_t passed = 0;  ///< the highest index behind the axis; of a single one 0, or -1
-  bool locked = false;      ///< the axis is still near `lock`, where it made an edge
+  std::int64_t passed = 0;  ///< the highest index behind the axis; for a single one 0, or -1
+  bool locked = false;      ///< the axis is still near `lock`, the position of its last edge
   std::int64_t lock = 0;
 
   [[nodiscard]] double at(std::int64_t index) const {
     return position + static_cast<double>(index) * period;
   }
   void place(double y);
-  /// What y has to pass next, upwards or downwards, to change anything.
+  /// The next level of y, upwards or downwards, that changes the state.
   [[nodiscard]] double target(bool up) const;
   void follow(const MonotonePart& /*stretch*/) {}
-  /// y has passed the target: the change of `passed`, 1, 0 or -1.
+  /// Passes the target with y; returns the change of `passed`, 1, 0 or -1.
   int pass(bool up);
 };
 
-/// Which way the axis moves, with hysteresis: 1, -1, or 0 before it has moved.
+/// Direction of the axis, with hysteresis: 1, -1, or 0 before the first motion.
 struct Heading : Event {
   double hysteresis = 0;
   int sign = 0;
@@ -55,31 +55,33 @@ struct Heading : Event {
   void turn(bool up);
 };
 
-/// Both faces of the cam switches: fed a motion piece by piece, it answers the edges in order.
+/// The simulation behind both forms of the cam switches: it takes a motion piece by piece and
+/// returns the edges in order.
 ///
 ///     machine.place(x0, v0);
 ///     machine.begin(motion);                          // a Segment over s, which begins at x0
 ///     while (const auto edge = machine.next()) ...    // edge->time: s since the piece's start
 ///
-/// It is a simulation of discrete events: each boundary, heading and running duration knows when
-/// its next event comes, and the earliest happens. What switches at one instant is one change.
-/// begin() and next() do not allocate for a piece of degree 3 at the most.
+/// It simulates discrete events: each boundary, heading and running duration has a time for its
+/// next event, and the earliest occurs first. All changes at one instant are one change. begin()
+/// and next() do not allocate for a piece of degree at most 3.
 class SwitchMachine {
  public:
   explicit SwitchMachine(const CamSwitchSpec& spec);
 
-  /// The axis is at x; nothing has been passed on the way there.
+  /// Sets the position x without passing anything.
   void place(double x, double velocity);
   void begin(const Segment& motion);
-  /// Instead of begin(): time passes, and nothing is said of a motion.
+  /// Instead of begin(): time passes without a motion.
   void wait(double length);
   std::optional<SwitchEdge> next();
-  /// Positions count from so many periods further on: those of the next piece are less by that.
+  /// Shifts the origin of positions by so many periods: positions of the next piece are less by
+  /// that.
   void shift(std::int64_t periods);
   void enable(std::uint32_t mask) { enabled_ = mask; }
 
   [[nodiscard]] std::uint32_t outputs() const { return outputs_; }
-  /// The outputs become what they should be, without an edge.
+  /// Sets the outputs to their required state, without an edge.
   std::uint32_t settle() { return outputs_ = wanted(); }
 
  private:
@@ -88,7 +90,7 @@ class SwitchMachine {
     AxisDirection direction = AxisDirection::both;
     Boundary lower = {}, upper = {};  // time mode has a lower one only
     double pulse = 0;                 // s; 0: position mode
-    double off = never;               // when a running duration ends; never: none runs
+    double off = never;               // end of a running duration; never: none runs
   };
   struct Track {
     SwitchTrack options;

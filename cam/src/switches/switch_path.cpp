@@ -10,10 +10,10 @@
 namespace jounce::detail {
 namespace {
 
-/// More than a piece of degree 3 has: 2 turns, and 2 of y between any two of them.
+/// Above the maximum for a piece of degree 3: 2 reversals, and 2 of y between any two of them.
 constexpr std::size_t room = 32;
 
-/// y = x - c x'.                                                                             (1)
+/// Equation (1): y = x - c x'.
 Segment compensated(const TurningPiece& piece, double c) {
   if (c == 0) return piece.x;
   const auto y = sum(piece.x, scaled(piece.velocity, -c));
@@ -21,22 +21,22 @@ Segment compensated(const TurningPiece& piece, double c) {
   return *y;
 }
 
-/// Where a parabola changes sign within (0, 1), ascending. Without cancellation: one root by the
-/// larger numerator, the other by their product c / a.                                       (2)
+/// Finds the sign changes of a parabola within (0, 1), ascending. To avoid cancellation, one root
+/// comes from the larger numerator, the other from their product c / a. (2)
 void find_changes(const Segment& parabola, std::vector<double>& out) {
   const double a = parabola.c[2];
   const double b = parabola.c[1];
   const double c = parabola.c[0];
   const double d = b * b - 4 * a * c;
-  if (!(d > 0)) return;  // a touch is no change
+  if (!(d > 0)) return;  // a double root is not a sign change
   const double q = -(b + std::copysign(std::sqrt(d), b)) / 2;
   for (const double s : {q / a, c / q})
     if (s > 0 && s < 1) out.push_back(s);
   std::sort(out.begin(), out.end());
 }
 
-/// Where f turns round within (0, 1). A parabola in closed form, for the cycle's sake: roots() may
-/// answer many points where a derivative is about as large as its rounding.
+/// Finds the reversals of f within (0, 1). Solves a parabola in closed form, for a bounded cycle
+/// time: roots() may return many points if a derivative is about as large as its rounding.
 void find_turns(const Segment& f, const Segment& derivative, std::vector<double>& out) {
   out.clear();
   if (derivative.sines == 0 && derivative.degree <= 2) return find_changes(derivative, out);
@@ -80,14 +80,14 @@ void SwitchPath::begin(const TurningPiece& piece) {
   last_ = stretches_.back().to;
 }
 
-/// The stretches of one way, whose y may itself turn round: a lead under hard braking.
+/// Adds the intervals of one direction. Their y may itself reverse: a lead under hard braking.
 void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
   const bool forwards = value(piece.velocity, (begin + end) / 2) >= 0;
   const Segment& y = forwards ? ahead_ : back_;
   turns_.clear();
   if ((forwards ? forwards_ : backwards_) != 0) find_turns(y, derivative(y), turns_);
   const double from = value(y, begin);
-  // Where the velocity jumps, y does: the boundaries in between are passed at that instant.
+  // A jump of the velocity is a jump of y: it passes the boundaries in between at that instant.
   if (from != last_) stretches_.push_back({begin, begin, last_, from, forwards});
   MonotonePart next{begin, begin, from, from, forwards};
   const auto close = [&](double s) {
@@ -100,7 +100,7 @@ void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
   last_ = next.to;
 }
 
-/// Newton's method, kept within a bracket: y - target changes sign once over the stretch.
+/// Newton's method inside a bracket: y - target changes sign once over the interval.
 double SwitchPath::time(const MonotonePart& stretch, double target) const {
   const Segment& y = stretch.forwards ? ahead_ : back_;
   double a = stretch.begin;

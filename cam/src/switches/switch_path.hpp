@@ -8,25 +8,25 @@
 
 namespace jounce::detail {
 
-/// One piece of an axis' motion x(s), and where within it the axis turns round.
+/// One piece of an axis's motion x(s), with its reversals.
 struct TurningPiece {
   Segment x, velocity;
   std::vector<double> turns = {};  ///< s in [0, 1], 0 and 1 included
 
   TurningPiece();
-  /// Allocates nothing while `turns` has room, which it has for a degree of 3.
+  /// Allocates nothing within the capacity of `turns`, which suffices for degree 3.
   void set(const Segment& motion);
 };
 
-/// A stretch of a piece over which the compensated position is monotone.
+/// An interval of a piece over which the compensated position is monotone.
 struct MonotonePart {
   double begin = 0, end = 0;  ///< s in [0, 1]; equal: a jump
   double from = 0, to = 0;    ///< positions
-  bool forwards = true;       ///< the axis; the compensated position may go the other way
+  bool forwards = true;       ///< direction of the axis; that of y may differ
 };
 
-/// The compensated position y = x - c v of one boundary over a piece, in monotone stretches: c is
-/// one time for an axis that moves forwards, and another for one that moves backwards.
+/// The compensated position y = x - c v of one boundary over a piece, in monotone intervals. c has
+/// one value for an axis that moves forwards, and another backwards.
 class SwitchPath {
  public:
   SwitchPath(double forwards, double backwards);
@@ -39,9 +39,10 @@ class SwitchPath {
   void shift(double distance) { last_ -= distance; }
 
   [[nodiscard]] std::span<const MonotonePart> stretches() const { return stretches_; }
-  /// When y takes the target, which lies within the stretch: s from the piece's start.
+  /// The time at which y reaches the target, which lies within the interval: s from the piece's
+  /// start.
   [[nodiscard]] double time(const MonotonePart& stretch, double target) const;
-  /// y at the end of the piece before.
+  /// y at the end of the previous piece.
   [[nodiscard]] double last() const { return last_; }
 
  private:

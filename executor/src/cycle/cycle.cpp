@@ -78,7 +78,7 @@ void Cycle::read() {
   }
 }
 
-/// After the drives have spoken: some masters are encoders on them.
+/// After the drives were read: some masters are encoders on them.
 void Cycle::look(std::int64_t tick) {
   const double time = static_cast<double>(tick * machine_.period()) * 1e-9;
   for (std::size_t m = 0; m < sights_.size(); ++m) {

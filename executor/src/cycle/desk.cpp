@@ -22,12 +22,12 @@ bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
 }
 
-/// The numbers of both are the same (docs/stream-protocol.md).
+/// The numbers of both enumerations are equal (docs/stream-protocol.md).
 wire::AxisState on_wire(State state) {
   return static_cast<wire::AxisState>(state);
 }
 
-/// Whether a command sets the axis in motion for whoever gives it.
+/// True if a command sets the axis in motion for the session that sends it.
 bool moves(Kind kind) {
   return kind == Kind::move_absolute || kind == Kind::move_relative ||
          kind == Kind::move_additive || kind == Kind::move_superimposed ||
@@ -57,7 +57,7 @@ void Desk::turn() {
     std::visit([&](const auto& e) { handle(e); }, *event);
   take_built();
   take_answers();
-  take_ticks();  // the later: the tick of every answer is there to be taken
+  take_ticks();  // later than the answers: the tick of every answer is then available
   queues_.report(last_, receiver_);
   outbox_.flush();
 }
@@ -95,7 +95,7 @@ std::optional<Refusal> Desk::unfit(const ArmRequested& arm) const {
   return std::nullopt;
 }
 
-/// Where the axis will stand when what it plays now is over.
+/// The position of the axis at the end of its present motion.
 double Desk::next_rest() const {
   const auto playing = movements_.find(last_.job);
   return playing == movements_.end() ? last_.position
@@ -107,12 +107,13 @@ void Desk::handle(const ArmRequested& arm) {
   if (const auto refusal = unfit(arm))
     return answer({arm.session, arm.command, Kind::arm}, refusal);
   if (building_)
-    next_arm_ = arm;  // one that waited is void: the receiver answers the newest command only
+    next_arm_ = arm;  // replaces a waiting one: the receiver answers only the newest command
   else
     build(arm);
 }
 
-/// On a modulo axis positions a turn apart are one: a coupling lies whole turns further where need be.
+/// On a modulo axis, positions a turn apart are equal: a coupling shifts by whole turns if
+/// necessary.
 ArmRequested Desk::on_axis(ArmRequested arm) const {
   const double turn = options_.axis.modulo;
   if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
@@ -149,7 +150,7 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, st
   const bool stands = last_.state == State::standstill || resets;
   const bool adopts = options_.adopt_start && made.first.has_value() && stands && !moving();
   if (resets || adopts) {
-    // Only what will be armed may clear a fault, or give the position another name.
+    // Only a movement that will be armed may clear a fault, or change the coordinate.
     if (options_.axis.require_home && !last_.homed && made.movement->absolute())
       return answer(request, Refusal{.cause = Cause::not_homed});
     const MotionState at{.position = adopts ? *made.first : last_.position};
@@ -159,7 +160,7 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, st
   if (resets) {
     outbox_.order({.kind = Kind::reset});
     if (last_.job != 0)
-      outbox_.order({.kind = Kind::stop});  // what an underrun has left is not gone on with
+      outbox_.order({.kind = Kind::stop});  // the remainder of an underrun is not continued
   }
   if (adopts) outbox_.order({.kind = Kind::set_position, .position = *made.first});
   if (options_.recorder != nullptr && made.source) record(*made.source);
@@ -168,7 +169,7 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, st
   movements_[armed_] = {std::move(made), hash};
 }
 
-/// Before the axis is told of it.
+/// Called before the arm is sent to the axis.
 void Desk::record(const MadeFrom& source) {
   RecordedJob job = source.job;
   job.axis = axis_;
@@ -198,15 +199,17 @@ void Desk::handle(const SessionEnded& ended) {
   if (silent) notify("the session timed out: no heartbeat from its streamer");
   drop_builds();
   queues_.close();
-  // The motion may be that of an owner before, who released it to run on.
+  // The motion may belong to a previous owner, who released it while running.
   const bool its_motion = ended.session == motion_session_;
-  // Also after later orders of the session. An operator's stop is on its way to the axis, and owes an answer.
+  // Applies also after later orders of the session. An operator's stop is already in transit to the
+  // axis, and requires an answer.
   if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
     clear_outbox();
     return outbox_.order({.kind = Kind::release});
   }
   const bool stops = silent && its_motion && options_.stop_when_silent;
-  // What was armed begins no more; a move that waits for the one before, or for its tick, does.
+  // An armed motion no longer begins; a move that waits for the previous one, or for its tick,
+  // does.
   const bool armed = last_.armed != 0 || busy();
   if (!stops && !armed) return;
   const Kind kind = stops ? Kind::stop : Kind::disarm;
@@ -214,7 +217,7 @@ void Desk::handle(const SessionEnded& ended) {
 }
 
 void Desk::handle(const OrderRequested& requested) {
-  if (requested.kind == wire::OrderKind::disable) clear_outbox();  // more than a stop
+  if (requested.kind == wire::OrderKind::disable) clear_outbox();  // ends more than a stop
   if (crowded(requested.session, requested.command)) return;
   const auto command = command_of(requested);
   const Request request{requested.session, requested.command,
@@ -239,7 +242,8 @@ void Desk::handle(const OrderRequested& requested) {
   }
 }
 
-/// The axis's own table, armed and started. It is accepted when it is armed: then nothing is in its way.
+/// Arms and starts the axis's own table. It is accepted when it is armed: nothing can prevent the
+/// start then.
 void Desk::start_own(const OrderRequested& requested) {
   if (!options_.table) return decline(requested, "the axis has no table of its own: stream one");
   const Request request{requested.session, requested.command, Kind::arm};
@@ -251,7 +255,7 @@ void Desk::start_own(const OrderRequested& requested) {
                          .master = {}};
   motion_session_ = requested.session;
   outbox_.order(
-      {.kind = Kind::disarm});  // what is not armed in its place is not started in its place
+      {.kind = Kind::disarm});  // if the arm fails, the start then starts nothing else
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash, no_group);
   outbox_.order({.kind = Kind::start, .at = requested.at});
@@ -266,7 +270,7 @@ void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {
                                        .position = last_.position});
 }
 
-/// Where a queue's rows are recorded, if they are.
+/// Returns the function that records a queue's rows; empty: no record.
 Queues::Record Desk::recorded_rows() const {
   if (options_.recorder == nullptr) return {};
   return [recorder = options_.recorder, axis = axis_](const HandedOver& what) {
@@ -288,7 +292,7 @@ void Desk::handle_queue_order(const OrderRequested& requested) {
   answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
 }
 
-/// Refused where more waits than any streamer needs: the axis takes one command a tick.
+/// Rejects a command if more wait than any streamer needs: the axis takes one command a tick.
 bool Desk::crowded(std::int64_t session, std::int32_t command) {
   if (!outbox_.full()) return false;
   receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
@@ -296,7 +300,7 @@ bool Desk::crowded(std::int64_t session, std::int32_t command) {
   return true;
 }
 
-/// What the protocol has and this executor does not do.
+/// Rejects an order that the protocol permits and this executor does not support.
 void Desk::decline(const OrderRequested& requested, const std::string& reason) {
   receiver_.refuse(requested.session, requested.command, reason,
                    static_cast<std::int32_t>(Cause::no_value));
@@ -351,7 +355,7 @@ void Desk::take_answers() {
 void Desk::answer(const Request& request, const std::optional<Refusal>& refused) {
   if (start_.is(request) && start_.outcome == wire::StartOutcome::none)
     start_.outcome = refused ? wire::StartOutcome::none : wire::StartOutcome::waiting;
-  // A stop that an axis in a fault does not obey is a stop all the same: it does not move.
+  // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
   receiver_.refuse(request.session, request.command, refused->text(),
@@ -373,7 +377,7 @@ void Desk::take_ticks() {
   }
 }
 
-/// What becomes of the start that was accepted last: it begins, or what was armed for it is gone.
+/// Updates the outcome of the last accepted start: it begins, or its armed movement is gone.
 void Desk::follow_start(const Tick& tick) {
   if (start_.outcome != wire::StartOutcome::waiting) return;
   const bool ended = tick.finished > last_.finished && tick.armed != start_.movement;
@@ -394,7 +398,7 @@ void Desk::write(const Tick& tick) {
          "); the axis goes on");
 }
 
-/// Tells what has become of the axis since the tick before.
+/// Reports the changes of the axis since the previous tick.
 void Desk::compare(const Tick& tick) {
   const std::string at = " at tick " + std::to_string(tick.tick);
   if (tick.job != 0 && tick.job != last_.job) notify("started" + at);

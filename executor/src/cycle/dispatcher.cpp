@@ -48,7 +48,7 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     desks_.emplace_back(axes[i], pump_.receiver(i), post, i, worker_);
-    // Spread over the period: the statuses of 64 axes do not come in one burst.
+    // Distributed over the period: the statuses of 64 axes do not come in one burst.
     const auto share = static_cast<std::int64_t>(i) * axes[i].status_period.count() /
                        static_cast<std::int64_t>(axes.size());
     published_.push_back(now - axes[i].status_period + Nanos(share));
@@ -66,7 +66,7 @@ void Dispatcher::turn(Nanos timeout) {
   }
   if (claim_)
     for (const wire::Message& said : claim_->poll(clock_())) pump_.send(said);
-  pump_.answer();  // what the axes have just said: who waits for it loses no turn
+  pump_.answer();  // the answers of the axes, without the delay of another iteration
   if (recorder_ != nullptr) recorder_->turn();
 }
 
@@ -101,7 +101,7 @@ bool Dispatcher::busy() const {
   return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.busy(); });
 }
 
-/// At once, and again with the next status: one of the two may be lost on its way.
+/// Sent at once, and again with the next status: one of the two may be lost.
 void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
   pump_.announce(event, axis);
   again_.emplace_back(axis, event);

@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// One end of a step: position and velocity of what the switches are of.
+/// One end of a step: position and velocity of the signal of the switches.
 struct End {
   double position = 0;
   double velocity = 0;
@@ -21,8 +21,8 @@ End end_of(const Tick& tick, SwitchesOf of) {
   return {tick.position, tick.velocity};
 }
 
-/// The cubic through both ends, t seconds after the first of dt; a straight line where the velocities
-/// are not known.
+/// The cubic through both ends, t seconds after the first of dt; a straight line if the velocities
+/// are not available.
 double between(const End& a, const End& b, double t, double dt) {
   const double s = t / dt;
   const double way = b.position - a.position;

@@ -14,7 +14,7 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
   const double tick = static_cast<double>(period) * 1e-9;
   try {
     if (arm.mode == wire::ArmMode::follow_input) {
-      const auto end = static_cast<CamEnd>(arm.end);  // the numbers of both are the same
+      const auto end = static_cast<CamEnd>(arm.end);  // the numbers of both are equal
       const RecordedJob job{
           .id = id, .live = true, .tick = tick, .coupling = arm.coupling, .end = end};
       return {.movement = std::make_shared<LiveCam>(id, arm.slave.table, arm.coupling, end),

@@ -20,7 +20,7 @@ MasterDesk::MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock cl
   }
 }
 
-/// Samples go straight on to the cycle, with the time at which they came by its clock.
+/// Samples go directly to the cycle, with their time of arrival by its clock.
 void MasterDesk::hear(One& one, ExternalMaster& master) {
   one.intake.emplace(MasterIntakeOptions{.unit = one.master.unit, .keyed = options_.keyed});
   pump_.hear(one.master.name, [this, &one, &master](const wire::Master& said) {
@@ -29,7 +29,7 @@ void MasterDesk::hear(One& one, ExternalMaster& master) {
     if (!one.intake->take(said, now)) return refused(one, said);
     one.epoch = said.clock;
     if (start == Vitals::not_started) return;
-    // One that finds no room is as good as lost: 64 came within a cycle.
+    // A sample without space counts as lost: 64 came within a cycle.
     master.receive({.stamp_ns = said.stamp_ns,
                     .clock = said.clock,
                     .received = static_cast<double>(now.count() - start) * 1e-9,
@@ -38,8 +38,8 @@ void MasterDesk::hear(One& one, ExternalMaster& master) {
   });
 }
 
-/// Who counts epochs of its own, after one who took them from the clock, is never heard again: it has to
-/// be told, once for each epoch that is heard.
+/// A sender that counts its own epochs, after one that took them from the clock, is never accepted
+/// again. Reports this, once for each received epoch.
 void MasterDesk::refused(One& one, const wire::Master& said) {
   const bool over = one.epoch && said.unit == one.master.unit && said.clock < *one.epoch;
   if (!over || one.told_epoch == one.epoch) return;
@@ -80,7 +80,7 @@ wire::MasterStatus MasterDesk::status(std::size_t master) const {
     status.position = one.last.at[0];
     status.velocity = one.last.at[1];
   }
-  // A sample may be of a little after the cycle's instant.
+  // A sample may be slightly later than the cycle's instant.
   status.age_s = one.last.age < 0 ? 0 : one.last.age;
   if (one.intake) {
     status.taken = one.intake->taken();

@@ -56,7 +56,7 @@ Command move_velocity(const std::array<double, 8>& value) {
 
 namespace {
 
-/// All but when.
+/// The command without its time.
 std::optional<Command> untimed(const OrderRequested& order) {
   const auto& value = order.value;
   switch (order.kind) {

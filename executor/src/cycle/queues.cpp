@@ -39,11 +39,12 @@ FifoSpec spec_of(const wire::Queue& queue, const AxisConfig& config) {
   FifoSpec spec{.each = queue.capacity,
                 .stream = queue.mode == wire::QueueMode::dynamic,
                 .loops = queue.loops};
-  // Over a master the rates are by its position: what they are by time is seen when they are played.
+  // Over a master, the rates of rows are by its position: the axis checks those by time during the
+  // motion.
   if (queue.axis == Domain::time) spec.limits = row_limits(config);
   if (!queue.relative) spec.origin = queue.origin;
   spec.range = {queue.lowest, queue.highest};
-  if (spec.stream) {  // the passes of tables add up: they are compared when they begin
+  if (spec.stream) {  // the passes of tables add up: each is checked when it begins
     spec.limits.position_min = queue.lowest;
     spec.limits.position_max = queue.highest;
   }
@@ -130,7 +131,7 @@ bool Queues::open(const QueueOpened& opened, std::uint64_t id, const AxisConfig&
   return false;
 }
 
-/// What is done with the FIFOs under the next number is there for the axis from here on.
+/// Makes the changes of the FIFOs under the next number available to the axis.
 void Queues::hand_over(HandedOver what) {
   what.number = ++number_;
   if (record_) record_(what);
@@ -228,7 +229,7 @@ const Queues::Open* Queues::find(std::uint32_t queue) const {
   return found == open_.end() ? nullptr : &found->second;
 }
 
-/// The FIFOs know how it ended: then the axis no longer plays it.
+/// The state of the FIFOs shows the end: the axis then no longer plays it.
 wire::Progress Queues::progress(const Open& open, const Tick& last) {
   switch (open.made.fifos().state()) {
     case SegmentFifos::State::idle:
@@ -249,7 +250,7 @@ wire::Progress Queues::progress(const Open& open, const Tick& last) {
   return last.job == open.made.movement()->id() ? on_wire(last.progress) : wire::Progress::running;
 }
 
-/// Rows of a bank that still take up room: a stream gives it back in blocks of a FIFO.
+/// Rows of a bank that still occupy space: a stream frees it in blocks of a FIFO.
 std::uint64_t Queues::held(const Open& open, int bank) {
   if (open.queue.mode == wire::QueueMode::static_) return open.made.fifos().size(bank);
   return bank == 0 ? wire::room(open.queue) - open.made.fifos().space(0) : 0;

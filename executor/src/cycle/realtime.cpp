@@ -27,7 +27,7 @@ std::string ask_for_fifo(int priority) {
 }
 
 std::string lock_memory() {
-  // With a bound on locked memory, locking what is yet to come would make allocations fail.
+  // Under a limit on locked memory, locking future pages would make allocations fail.
   rlimit bound{};
   const bool unbounded = getrlimit(RLIMIT_MEMLOCK, &bound) == 0 && bound.rlim_cur == RLIM_INFINITY;
   if (mlockall(unbounded ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) == 0) return "memory locked";

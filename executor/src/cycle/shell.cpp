@@ -18,9 +18,9 @@ namespace {
 std::atomic<int> signals_seen{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait");
 
-/// Counts SIGINT, SIGTERM and SIGHUP while it lives, and ignores SIGPIPE: neither a closed terminal
-/// nor a closed pipe may end the process under a moving axis. SA_RESTART, because LCM's memq does
-/// not survive a call that a signal has interrupted.
+/// Counts SIGINT, SIGTERM and SIGHUP during its lifetime, and ignores SIGPIPE: neither a closed
+/// terminal nor a closed pipe may end the process under a moving axis. SA_RESTART, because LCM's
+/// memq does not survive a call interrupted by a signal.
 class SignalWatch {
  public:
   SignalWatch() {
@@ -51,7 +51,7 @@ class SignalWatch {
   struct sigaction pipe_ {};
 };
 
-/// The cyclic thread. Joined by its destructor at the latest.
+/// The cyclic thread. Its destructor joins it at the latest.
 class CyclicThread {
  public:
   CyclicThread(Machine& machine, CycleOptions options, Post& post, const RunOptions& run)
@@ -62,7 +62,7 @@ class CyclicThread {
   CyclicThread(const CyclicThread&) = delete;
   CyclicThread& operator=(const CyclicThread&) = delete;
 
-  /// What make_realtime() said; waits for it.
+  /// The result of make_realtime(); waits for it.
   std::string realtime() { return realtime_.get_future().get(); }
 
   CycleCounts join() {
@@ -90,7 +90,7 @@ class CyclicThread {
   std::thread thread_;  // last: it uses the others
 };
 
-/// When it is time to leave.
+/// Decides when to leave.
 class Deadline {
  public:
   explicit Deadline(const RunOptions& run) : run_(run), begin_(steady_now()) {
@@ -124,7 +124,7 @@ void turn_while(Dispatcher& dispatcher, Nanos most, const std::function<bool()>&
   while (needed() && signals_seen < 2 && steady_now() - begin < most) dispatcher.turn(turn_time);
 }
 
-/// Brings the axis to rest, then lets an owner hear the answers that it waits for.
+/// Brings the axis to rest, then sends an owner its pending answers.
 void leave(Dispatcher& dispatcher) {
   using namespace std::chrono_literals;
   dispatcher.retire();
@@ -133,7 +133,7 @@ void leave(Dispatcher& dispatcher) {
   turn_while(dispatcher, 100ms, [] { return signals_seen == 0; });
 }
 
-/// Communication has failed: without it nobody can stop the axes any more, so they are stopped here.
+/// Communication has failed: no client can stop the axes any more, so this function stops them.
 void stop_alone(Post& post) {
   using namespace std::chrono_literals;
   const Nanos begin = steady_now();
@@ -168,7 +168,7 @@ AxisSummary summary_of(const Desk& desk) {
           .log_truncated = desk.log_truncated()};
 }
 
-/// The names of the axes, claimed over the link.
+/// Claims the names of the axes over the link.
 Claim claimed(Transport& link, const std::vector<ExecutorOptions>& axes) {
   std::vector<std::string> names;
   for (const auto& axis : axes) names.push_back(axis.receiver.executor);

@@ -44,7 +44,7 @@ void append(std::string& bytes, std::int64_t number, std::int64_t microseconds,
 
 LcmLogReader::LcmLogReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
 
-/// False at the file's end; cut() if that came in between.
+/// Returns false at the end of the file; cut() if the end is within the bytes.
 bool LcmLogReader::take(std::string& bytes, std::size_t count) {
   bytes.resize(count);
   in_.read(bytes.data(), static_cast<std::streamsize>(count));

@@ -21,18 +21,18 @@ struct LcmEvent {
   std::string data = {};
 };
 
-/// Its bytes, behind those that are there.
+/// Appends the bytes of an event.
 void append(std::string& bytes, std::int64_t number, std::int64_t microseconds,
             std::string_view channel, std::string_view data);
 
-/// Reads one event after another, never more than one into memory.
+/// Reads one event after another, with at most one in memory.
 class LcmLogReader {
  public:
   /// `in` must outlive it; `name` is for errors.
   LcmLogReader(std::istream& in, std::string name);
 
-  /// Nothing at the end, and where the file ends within an event: then cut(). Throws InputError where
-  /// no event begins, or one has impossible lengths.
+  /// Returns nullopt at the end, and if the file ends within an event: then cut(). Throws
+  /// InputError if no event begins there, or its lengths are impossible.
   std::optional<LcmEvent> next();
 
   [[nodiscard]] bool cut() const { return cut_; }

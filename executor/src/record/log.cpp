@@ -28,7 +28,8 @@ void append(std::string& line, Number value) {
   line.append(text.data(), end);
 }
 
-/// "+1@0.000412 -3@0.00077": track 1 went on, 3 off, so many s after the tick before.
+/// "+1@0.000412 -3@0.00077": track 1 switched on, 3 off, at these times (s) after the previous
+/// tick.
 void append(std::string& line, const SwitchStep& switches) {
   append(line, switches.outputs);
   line += ',';
@@ -106,7 +107,7 @@ void TickLog::look() {
     truncated_ = errno != 0 ? std::generic_category().message(errno) : "it cannot be written";
 }
 
-/// What was buffered when the disk was full may have come through in part.
+/// The buffer at the time of the full disk may have been written in part.
 void TickLog::keep_whole_lines() {
   constexpr std::uintmax_t most = 8192;  // bytes, more than a line has
   const std::uintmax_t size = std::filesystem::file_size(temporary_);

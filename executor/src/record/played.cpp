@@ -41,7 +41,7 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
   return static_cast<std::size_t>(it - header.begin());
 }
 
-/// Where a position differs most from what was commanded.
+/// The greatest deviation of a position from the commanded one.
 template <class Position>
 Deviation farthest(const std::vector<PlayedTick>& ticks, const Position& position) {
   Deviation most;
@@ -81,7 +81,7 @@ void add(Report& report, const char* rule, const Deviation& deviation, const cha
                              .advice = broken ? advice : ""});
 }
 
-/// What the log leaves out: in the middle, and at its end.
+/// Reports the gaps of the log: in the middle, and at its end.
 void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designed& designed) {
   const auto add = [&](const char* rule, const char* quantity, double where, double value,
                        double bound, bool broken, const char* advice, const char* unit) {
@@ -145,7 +145,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     }
     const bool has_ended = row_cells[job] == "0" && current != "0";
     current = row_cells[job];
-    // A late cycle may leave out the end: the first tick at rest is then what shows it.
+    // A late cycle may skip the end: the first tick at rest then shows it.
     const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
     if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now});
   }

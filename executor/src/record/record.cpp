@@ -27,8 +27,9 @@ std::string bytes_of(const Wire& w) {
   return bytes;
 }
 
-/// Fixed-size types only: their decoder cannot be led beyond the bytes. The first eight of them are LCM's
-/// fingerprint of the type's fields, so that a record of other fields (another version's) is refused.
+/// Fixed-size types only: their decoder cannot read past the bytes. The first eight bytes are LCM's
+/// fingerprint of the type's fields, so that a record with other fields (another version's) is
+/// rejected.
 template <class Wire>
 RecordEvent event_of(std::string_view channel, std::string_view bytes) {
   Wire w{};

@@ -11,7 +11,7 @@
 #include "jounce/profiles/error.hpp"
 
 /// The common fields of the record types in executor/lcm and ours, one list for each type, for both
-/// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a function of one's own compares.
+/// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a custom function compares.
 namespace jounce::record_fields {
 
 template <class Ours, class Theirs, class F>
@@ -62,7 +62,8 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("rows", c.inputs.rows, w.rows);
 }
 
-/// Why the command of a tick was not obeyed, and why what waited did not begin; cause none: neither.
+/// Reasons why the command of a tick was rejected, and why the waiting motion did not begin; cause
+/// none: neither.
 struct Refusals {
   Refusal refused = {};
   Refusal dropped = {};
@@ -188,7 +189,7 @@ void each_coupling(Ours& c, Theirs& w, F f) {
   f("master_jump", c.master_jump, w.master_jump);
 }
 
-/// The enumerators that a record may hold.
+/// The number of enumerators that a record may contain.
 template <class Enum>
 constexpr int count_of = 0;
 template <>
@@ -251,7 +252,7 @@ struct Put {
   }
 };
 
-/// Theirs to ours. Throws InputError(field, value, rule) for what no enumerator is.
+/// Theirs to ours. Throws InputError(field, value, rule) for a number without an enumerator.
 struct Get {
   template <class Ours, class Theirs>
   void operator()(const char* name, Ours& ours, const Theirs& theirs) const {

@@ -5,7 +5,7 @@
 
 #include "executor/src/record/record_wire.hpp"
 
-// What a machine is and what it did: axes with their outputs, masters, and every cycle.
+// The configuration and the cycles of a machine: axes with their outputs, masters, and every cycle.
 
 namespace jounce::record_wire {
 

@@ -6,13 +6,13 @@
 
 #include "executor/src/record/record_wire.hpp"
 
-// What movements are made from: tables, jobs, gears, queues and their rows.
+// The sources of movements: tables, jobs, gears, queues and their rows.
 
 namespace jounce::record_wire {
 
 namespace {
 
-/// The columns that there are: x, p, v, a.
+/// The existing columns: x, p, v, a.
 template <class C>
 auto columns_of(C& c) {
   return std::array{&c.x, &c.p, &c.v, &c.a};

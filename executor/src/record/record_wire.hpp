@@ -22,8 +22,8 @@
 #include "jounce_record/sight_t.hpp"
 #include "jounce_record/table_t.hpp"
 
-/// Every event of a record as its type of executor/lcm, and back. ours() throws InputError(field, value, rule) for
-/// what no event has.
+/// Converts every event of a record to its type of executor/lcm, and back. ours() throws
+/// InputError(field, value, rule) for values that no event has.
 namespace jounce::record_wire {
 
 using namespace jounce_record;

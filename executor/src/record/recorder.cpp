@@ -24,7 +24,7 @@ bool regular_or_new(const std::filesystem::path& path) {
   return !std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none);
 }
 
-/// A black box is written when a fault comes: what is wrong with its path is found before.
+/// A black box is written at a fault: finds a bad path in advance.
 void require_writable(const std::filesystem::path& path) {
   if (!regular_or_new(path)) return;
   const std::filesystem::path probe = path.string() + "." + std::to_string(getpid()) + ".probe";
@@ -45,7 +45,7 @@ std::vector<double> part(const std::vector<double>& column, std::size_t first, s
 void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
                const Tick& tick) noexcept {
   Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick}};
-  // By its number: the movement may be gone when the other thread looks.
+  // Stores its id: the movement may no longer exist when the other thread reads the item.
   if (command.movement != nullptr) item.cycle.movement = command.movement->id();
   item.cycle.command.movement = nullptr;
   item.cycle.tick.handed_back = {};
@@ -107,7 +107,7 @@ void Recorder::job(const RecordedJob& job, const StoredTable& time, const Stored
   write(with_hashes, now_);
 }
 
-/// In parts, where it is not there yet.
+/// Writes a table in parts, unless it is already there.
 void Recorder::write(const StoredTable& stored) {
   if (!tables_.insert(stored.hash).second) return;
   const Table& table = *stored.table;
@@ -140,7 +140,7 @@ void Recorder::turn() {
   }
 }
 
-/// us; a sample goes with the sight that follows it, at the latest with what came before.
+/// Time in us. A sample precedes the sight that uses it, and gets the time of the previous item.
 std::int64_t Recorder::instant_of(const Tape::Item& item) const {
   using What = Tape::Item::What;
   if (item.what == What::sample) return now_;
@@ -203,7 +203,7 @@ void Recorder::fail(wire::Unwritten which, const std::string& what) {
   if (options_.notify) options_.notify(what);
 }
 
-// ---- black box ------------------------------------------------------------------------------------
+// ---- black box ----------------------------------------------------------------------------------
 
 void Recorder::keep(Box& box, const std::string& data, std::int64_t microseconds) {
   if (box.kept.size() < options_.black_box_cycles) {

@@ -11,7 +11,7 @@
 namespace jounce::detail {
 namespace {
 
-/// To the last bit; but that one is lost has many bit patterns.
+/// Equal to the last bit; a lost master (NaN) has many bit patterns.
 bool same(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) ||
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -42,7 +42,7 @@ void RemadeMasters::take(const RecordedSample& sample) {
   if (sample.master >= masters_.size())
     throw InputError("master", std::to_string(sample.master + 1),
                      "is missing from the start of the record");
-  constexpr std::int64_t latest = std::int64_t{1} << 62U;  // their differences are numbers, too
+  constexpr std::int64_t latest = std::int64_t{1} << 62U;  // their differences stay in range
   if (sample.sample.stamp_ns < 0 || sample.sample.stamp_ns > latest)
     throw InputError("stamp_ns", std::to_string(sample.sample.stamp_ns), "must be from 0 to 2^62");
   One& one = masters_[sample.master];

@@ -11,18 +11,18 @@
 
 namespace jounce::detail {
 
-/// The masters of a record, made again from what came in of them.
+/// The masters of a record, reconstructed from their recorded inputs.
 ///
-///     masters.add(recorded);                            // in order, before all else
-///     masters.take(sample);                             // of the cycle that follows
-///     if (const auto what = masters.compare(sight, time)) ...   // what it sees otherwise than the cycle did
+///     masters.add(recorded);                            // in order, before everything else
+///     masters.take(sample);                             // for the next cycle
+///     if (const auto what = masters.compare(sight, time)) ...   // difference from the cycle
 ///
-/// Throws InputError for a filter that cannot be, and for more samples than a cycle takes.
+/// Throws InputError for an invalid filter, and for more samples than a cycle takes.
 class RemadeMasters {
  public:
   void add(const RecordedMaster& master);
   void take(const RecordedSample& sample);
-  /// `time`: s, of the sight's tick. Nothing of a master that was made elsewhere.
+  /// `time`: s, of the sight's tick. Returns nullopt for a master from elsewhere.
   [[nodiscard]] std::optional<TickDifference> compare(const RecordedSight& seen, double time);
 
  private:

@@ -19,7 +19,7 @@
 namespace jounce {
 namespace {
 
-/// Whether nanoseconds can count to this tick, and on from it.
+/// True if nanoseconds can count to this tick, and beyond it.
 bool on_clock(std::int64_t tick, std::int64_t period) {
   return tick >= 0 && tick <= std::numeric_limits<std::int64_t>::max() / 2 / period;
 }
@@ -32,7 +32,7 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// A table whose parts come one after another.
+/// A table whose parts arrive one after another.
 struct Growing {
   Units units;
   RecordedTable head;
@@ -53,7 +53,7 @@ class Replayer {
     if (!axis.whole) end("the file is a black box: its record begins in the middle of a run");
   }
 
-  /// The axis is made again with what its outputs are made from so far.
+  /// Reconstructs the axis with the parts of its outputs so far.
   void take(const RecordedOutput& part) {
     static_cast<void>(config(part.axis));
     RecordedAxis& axis = result_.axes[part.axis];
@@ -151,7 +151,7 @@ class Replayer {
     if (!ended_) execute(cycle);
   }
 
-  /// The execution ends here: the first reason counts.
+  /// Ends the execution: the first reason counts.
   void end(const std::string& why) {
     if (!ended_) result_.shorter = why;
     ended_ = true;
@@ -193,7 +193,7 @@ class Replayer {
     ended_ = true;
   }
 
-  /// Where a follower saw its master otherwise than the cycle did.
+  /// A difference between the master in a follower and in the cycle.
   [[nodiscard]] std::optional<TickDifference> other_master(const RecordedCycle& cycle) const {
     for (std::size_t m = 0; m < sights_.size(); ++m) {
       if ((result_.masters[m].followers >> cycle.axis & 1U) == 0) continue;
@@ -205,20 +205,20 @@ class Replayer {
     return std::nullopt;
   }
 
-  using Key = std::pair<std::size_t, std::uint64_t>;  // axis, and the movement's number
+  using Key = std::pair<std::size_t, std::uint64_t>;  // axis, and the movement's id
 
   void keep(std::size_t axis, std::shared_ptr<Movement> movement) {
     const std::uint64_t id = movement->id();
     movements_[{axis, id}] = std::move(movement);
   }
 
-  /// The axis no longer looks at it.
+  /// The axis no longer reads it.
   void drop(const Key& key) {
     movements_.erase(key);
     if (const auto queue = queues_.find(key); queue != queues_.end()) queue->second.fifos().leave();
   }
 
-  /// A queue's can be armed again and again.
+  /// The movement of a queue can be armed again and again.
   [[nodiscard]] Movement* movement(const Key& key) const {
     if (const auto it = movements_.find(key); it != movements_.end()) return it->second.get();
     const auto queue = queues_.find(key);
@@ -231,7 +231,8 @@ class Replayer {
     return result_.axes[axis].config;
   }
 
-  /// What the axis sees of its queues from this cycle on. False: it cannot be executed.
+  /// Applies the changes of its queues that the axis sees from this cycle on. Returns false if it
+  /// cannot be executed.
   bool hand_over(const RecordedCycle& cycle) {
     auto& waiting = handed_over_[cycle.axis];
     for (; !waiting.empty() && waiting.front().number <= cycle.inputs.rows; waiting.pop_front()) {
@@ -264,7 +265,7 @@ class Replayer {
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;
   std::map<Key, QueueMovement> queues_;
-  std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // and not yet seen, by axis
+  std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // not yet seen, by axis
   bool ended_ = false;
 };
 

@@ -8,16 +8,16 @@
 
 namespace jounce::detail {
 
-/// The record of a run, and the tape to it; both null where nothing is to be recorded.
+/// The record of a run, and the tape to it; both null without a record.
 struct RunRecord {
   std::unique_ptr<Tape> tape = {};
   std::unique_ptr<Recorder> recorder = {};
 };
 
-/// Makes the recorder of the options of a run. Throws like Recorder.
+/// Creates the recorder for the options of a run. Throws like Recorder.
 RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& axes);
 
-/// The masters of a run, who follows them, and what a replay makes them from again.
+/// The masters of a run, their followers, and the data to reconstruct them in a replay.
 std::vector<RecordedMaster> recorded_masters(const std::vector<MachineMaster>& masters,
                                              const std::vector<ExecutorOptions>& axes);
 

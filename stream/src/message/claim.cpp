@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-constexpr std::size_t most_answers = 256;  // between two polls: without a key anybody may ask
+constexpr std::size_t most_answers = 256;  // between two polls: without a key any sender may ask
 
 }  // namespace
 
@@ -51,8 +51,8 @@ bool claim_names(Transport& link, Claim& claim, const std::optional<wire::Key>& 
   for (const std::string& name : claim.names())
     link.subscribe(wire::channel(name, wire::Lane::claim), queue_capacity);
   Rejects rejects;
-  // What arrived before the instant that is judged has been received: a process that was held up does
-  // not take unread answers for silence.
+  // All messages that arrived before the judged instant have been received: a delayed process does
+  // not mistake unread answers for silence.
   for (Nanos now = clock(); !claim.up() && !claim.lost();) {
     for (const auto& message : claim.poll(now)) send_message(link, message, key);
     now = clock();

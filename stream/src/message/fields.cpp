@@ -9,7 +9,7 @@
 namespace jounce::wire {
 namespace {
 
-/// As much of the text as fits, without half a UTF-8 character at the end.
+/// The longest part of the text that fits, without a partial UTF-8 character at the end.
 std::string_view shortened(std::string_view text, std::size_t size) {
   if (text.size() < size) return text;
   std::size_t end = size - 1;
@@ -26,7 +26,7 @@ std::int32_t put_count(const char* key, std::uint32_t count) {
 }
 
 void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size) {
-  const std::string clean = printable(text);  // else get_text() refuses the whole message
+  const std::string clean = printable(text);  // otherwise get_text() rejects the whole message
   const std::string_view fits = shortened(clean, size);
   std::fill_n(bytes, size, std::uint8_t{0});
   std::copy(fits.begin(), fits.end(), bytes);

@@ -10,7 +10,7 @@
 
 #include "jounce/stream/message/message.hpp"
 
-/// The kinds of fields that messages have, to and from the generated types.
+/// Conversions between the field types of messages and the generated types.
 namespace jounce::wire {
 
 // The numbers on the wire are those of the enumerations.
@@ -111,7 +111,7 @@ inline bool get_bank(std::int8_t number, std::uint8_t& bank) {
   return number == 0 || number == 1;
 }
 
-/// +0 and nothing else: a message has one encoding.
+/// True for +0 only: a message has one encoding.
 inline bool is_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) == 0;
 }
@@ -119,10 +119,10 @@ inline bool is_zero(double value) {
 /// A count of 31 bits; throws InputError for a greater one.
 std::int32_t put_count(const char* key, std::uint32_t count);
 
-/// Text that fits `size` bytes with a final zero, as zero-padded bytes.
+/// Writes text that fits `size` bytes with a final zero, as zero-padded bytes.
 void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size);
 
-/// The reverse; false unless zeros and nothing else follow a first zero, or for a control
+/// The reverse; returns false if a byte other than zero follows the first zero, or for a control
 /// character.
 bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text);
 

@@ -37,7 +37,7 @@ void put(const CouplingSpec& from, jounce_lcm::coupling_t& to) {
   to.slave_period = put_magnitude(from.slave_period);
 }
 
-/// Whole, and such that a coupling can be made of it.
+/// True if the coupling is complete and valid.
 bool get(const jounce_lcm::coupling_t& from, CouplingSpec& to) {
   to.master_scaling = from.master_scaling;
   to.master_offset = from.master_offset;
@@ -85,7 +85,7 @@ bool get(const jounce_lcm::header_t& from, Header& to) {
          get_count(from.per_chunk, to.per_chunk) && get_count(from.chunks, to.chunks);
 }
 
-/// All but the values, which go straight onto the wire: see chunk_bytes.hpp.
+/// All fields except the values, which go directly onto the wire: see chunk_bytes.hpp.
 void put(const Chunk& from, jounce_lcm::chunk_t& to) {
   if (from.values.size() > chunk_values) {
     throw InputError("values", std::to_string(from.values.size()),
@@ -117,7 +117,7 @@ void put(const Arm& from, jounce_lcm::arm_t& to) {
   to.end = number_of(from.end);
 }
 
-/// A queue is named where the mode wants one, and nowhere else.
+/// True if the message names a queue exactly if its mode needs one.
 bool names_queue(const Arm& arm) {
   if (arm.mode != ArmMode::queue) return arm.queue == 0 && arm.bank == 0;
   return arm.queue >= first_queue && arm.queue <= last_queue && arm.bank <= 1;

@@ -24,8 +24,8 @@
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
 
-/// Each message's own fields, to and from the generated type; the envelope and the checksum are
-/// wire.cpp's.
+/// The fields of each message, to and from the generated type; wire.cpp handles the envelope and
+/// the checksum.
 namespace jounce::wire {
 
 // Throws InputError for a value that does not fit the wire.
@@ -47,7 +47,7 @@ void put(const Event& from, jounce_lcm::event_t& to);
 void put(const MasterStatus& from, jounce_lcm::master_status_t& to);
 void put(const Claim& from, jounce_lcm::claim_t& to);
 
-// False where a field is out of its range.
+// Returns false if a field is out of its range.
 bool get(const jounce_lcm::header_t& from, Header& to);
 bool get(const jounce_lcm::chunk_t& from, Chunk& to);
 bool get(const jounce_lcm::arm_t& from, Arm& to);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What executors and masters say of themselves: Status, Event, Master; and Order.
+// The reports of executors and masters (Status, Event, Master), and Order.
 #include <cmath>
 
 #include "stream/src/message/fields.hpp"
@@ -127,7 +127,7 @@ bool get(const jounce_lcm::master_t& from, Master& to) {
   to.clock = from.clock;
   to.position = from.position;
   to.velocity = from.velocity;
-  constexpr std::int64_t latest = std::int64_t{1} << 62;  // 146 years: differences are numbers
+  constexpr std::int64_t latest = std::int64_t{1} << 62;  // 146 years: differences stay in range
   return to.seq >= 0 && to.stamp_ns >= 0 && to.stamp_ns <= latest && to.clock >= 0 &&
          get_flag(from.valid, to.valid) && std::isfinite(to.position) && !std::isinf(to.velocity) &&
          get_text(from.unit, unit_bytes, to.unit) && !to.unit.empty();
@@ -180,7 +180,7 @@ void put(const Order& from, jounce_lcm::order_t& to) {
   std::copy(from.value.begin(), from.value.end(), to.value);
 }
 
-// Values out of range are the receiver's to refuse: with words, as the sender can do something.
+// The receiver rejects values out of range, with a reason that the sender can use.
 bool get(const jounce_lcm::order_t& from, Order& to) {
   to.at = from.at;
   std::copy(from.value, from.value + to.value.size(), to.value.begin());

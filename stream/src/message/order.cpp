@@ -11,9 +11,10 @@
 namespace jounce::wire {
 namespace {
 
-/// What a value is, as a letter: any number (n), a place (p: any number, or NaN: not given), a magnitude (m: > 0, or NaN: not given), a flag (f), a direction (d),
-/// a factor 0 to 2 (o), a whole number (w), one that is not 0 (z), a count (c: whole, >= 0), a
-/// bank (f), a buffer mode (b: whole, 0 to 5).
+/// Type of a value, as a letter: any number (n), a position (p: any number, or NaN: not given), a
+/// magnitude (m: > 0, or NaN: not given), a flag (f), a direction (d), a factor 0 to 2 (o), an
+/// integer (w), a nonzero integer (z), a count (c: integer, >= 0), a bank (f), a buffer mode (b:
+/// integer, 0 to 5).
 struct Meaning {
   const char* name;
   const char* values;
@@ -61,7 +62,7 @@ const Meaning& meaning(OrderKind kind) {
   return meanings[static_cast<std::size_t>(kind)];
 }
 
-/// The rule that the value breaks; empty: none.
+/// The rule that the value violates; empty: none.
 const char* broken(char letter, double value) {
   const bool whole = std::abs(value) <= 2147483647 && value == std::trunc(value);
   if ((letter == 'm' || letter == 'p') && std::isnan(value)) return "";

@@ -79,7 +79,7 @@ Bytes encode_as(const Message& message, const Body& body, const std::optional<Ke
 template <class Body, class... Others>
 constexpr bool is_one_of = (std::is_same_v<Body, Others> || ...);
 
-/// Session 0 belongs to a free axis's status, to an operator, and to what no session is about.
+/// Session 0: the status of a free axis, an operator, and messages without a session.
 template <class Body>
 bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   if (envelope.challenge < 0) return false;
@@ -89,7 +89,7 @@ bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   return envelope.session > 0 || (may_have_none && envelope.session == 0);
 }
 
-/// A type has one length; a chunk that of its count.
+/// A type has one length; a chunk has the length of its count.
 template <class Body>
 bool has_length(std::span<const std::byte> bytes) {
   if constexpr (std::is_same_v<Body, Chunk>) return has_chunk_length(bytes);
@@ -102,8 +102,8 @@ bool decoded(std::span<const std::byte> bytes, Lcm& lcm, Body& body) {
   return lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())) >= 0;
 }
 
-/// Length, checksum, mac, then the fields, of bytes whose type is known. The generated decoder sees
-/// nothing that is not whole and authentic.
+/// Checks length, checksum and mac, then decodes the fields, of bytes of this type. The generated
+/// decoder only gets complete and authentic bytes.
 template <class Body>
 std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes,
                                         const std::optional<Key>& key) {

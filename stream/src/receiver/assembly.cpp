@@ -46,8 +46,8 @@ bool Assembly::add(const wire::Chunk& chunk) {
   return true;
 }
 
-/// The memory is there, but its pages are not: they are touched when they are needed, and where
-/// chunks come in order, once.
+/// The memory is allocated, but its pages are not: each is touched on first use, and only once if
+/// chunks arrive in order.
 void Assembly::put(const wire::Chunk& chunk) {
   const std::size_t end = std::size_t{chunk.first_knot} + chunk.knots;
   for (std::uint32_t i = 0; i < cut_.columns; ++i) {
@@ -62,8 +62,8 @@ void Assembly::put(const wire::Chunk& chunk) {
   }
 }
 
-/// Hashes what has become whole: from its place in the table, so that nothing else can be stored,
-/// and while it is still in the processor's caches.
+/// Hashes the newly completed part: from its final location in the table, so that the stored and
+/// the hashed data are the same, and while it is still in the processor's caches.
 void Assembly::advance() {
   const std::size_t from = std::size_t{next_} * cut_.per_chunk;
   while (next_ < cut_.chunks && arrived_[next_]) ++next_;

@@ -13,9 +13,9 @@ namespace jounce {
 namespace {
 
 constexpr std::size_t remembered_sessions = 16;
-constexpr std::size_t most_answers = 64;  // between two polls, for messages of strangers
+constexpr std::size_t most_answers = 64;  // between two polls, for messages of unknown senders
 
-/// The number of a command; 0: it is none.
+/// The number of a command; 0: not a command.
 std::int32_t number_of(const wire::Body& body) {
   return std::visit(
       [](const auto& each) -> std::int32_t {
@@ -28,13 +28,13 @@ std::int32_t number_of(const wire::Body& body) {
       body);
 }
 
-/// Whether it is for an executor; what executors and masters send is not.
+/// True if it is addressed to an executor; messages from executors and masters are not.
 bool is_command(const wire::Body& body) {
   const wire::Lane lane = wire::lane(body);
   return lane == wire::Lane::table || lane == wire::Lane::command;
 }
 
-/// Whether a session may begin with it.
+/// True if it can open a session.
 bool opens(const wire::Body& body) {
   const auto* const heartbeat = std::get_if<wire::Heartbeat>(&body);
   return (heartbeat != nullptr && !heartbeat->release) ||
@@ -60,8 +60,9 @@ Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
   assert(boot > 0);
 }
 
-/// Another one each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It need not
-/// be a secret: with a key nobody else can sign for it, and without one anybody may.
+/// Draws another number each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It
+/// need not be secret: with a key, only its holders can sign for it; without a key, any sender may
+/// command.
 std::int64_t Receiver::draw_challenge() {
   std::int64_t drawn = 0;
   while (drawn <= 0) {
@@ -90,26 +91,26 @@ void Receiver::receive(const wire::Message& message, Nanos now) {
   if (message.session == session_ && (fresh || rows_taken_ != before)) heard_ = now;
 }
 
-/// Whether it proves that its streamer lives. Once there are commands, only what was never said
-/// before does: a repeated message may be anybody's, or the network's.
+/// True if the message proves that its streamer is alive. After the first command, only a new
+/// number counts: a repeated message may come from any sender, or from the network.
 bool Receiver::is_fresh(std::int32_t number) const {
   const wire::Reply& last = command_.reply;
   const bool waits = number == last.command && last.outcome == wire::Outcome::pending;
   return last.command == 0 || number > last.command || waits;
 }
 
-/// A command whose outcome is recorded, of the last session: it is answered once more.
+/// True for a command of the last session with a recorded outcome: it gets that answer again.
 bool Receiver::repeats(const wire::Message& message, const Record& record) const {
   return session_ == 0 && number_of(message.body) == record.reply.command &&
          number_of(message.body) != 0 && message.session == record.session &&
          message.challenge == record.challenge;
 }
 
-/// Why this message may not do anything.
+/// Reason why this message must have no effect.
 Refused Receiver::barred(const wire::Message& message) const {
   const std::int64_t session = message.session;
   if (session == session_ && message.challenge == challenge_) return {};
-  // The last owner may stop its motion even after its session, until there is another one.
+  // The last owner may stop its motion even after its session, until there is another owner.
   if (session_ == 0 && session == command_.session && message.challenge == command_.challenge &&
       std::holds_alternative<wire::Stop>(message.body))
     return {};
@@ -135,8 +136,8 @@ void Receiver::answer_barred(const wire::Message& message, Refused refused) {
   std::visit(answer, message.body);
 }
 
-/// Each of an operator's commands uses up the challenge that it carries. Without a key, a stop that
-/// does not know it is obeyed all the same: it is on the safe side, and sooner.
+/// Each operator command invalidates the challenge that it carries. Without a key, a stop with a
+/// wrong challenge is executed nevertheless: this is safe, and faster.
 void Receiver::receive_operators(const wire::Message& message) {
   const std::int32_t number = number_of(message.body);
   const auto* const stop = std::get_if<wire::Stop>(&message.body);
@@ -195,7 +196,7 @@ void Receiver::send(std::int64_t session, wire::Body body) {
   outgoing_.push_back({options_.executor, session, std::move(body), challenge});
 }
 
-/// Whoever asks is answered, but not without bounds.
+/// Answers any sender, up to a bound.
 void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
   if (outgoing_.size() < most_answers) send(session, std::move(body));
 }
@@ -215,7 +216,7 @@ void Receiver::end(SessionEnded::Why why) {
   queues_.clear();
   armed_queue_.reset();
   challenge_ = draw_challenge();
-  // A stop is still owed its answer; nothing else may take effect any longer.
+  // The answer to a stop is still due; nothing else may take effect any more.
   const bool undecided =
       command_.reply.command != 0 && command_.reply.outcome == wire::Outcome::pending;
   if (undecided && command_.kind != Record::Kind::stop)

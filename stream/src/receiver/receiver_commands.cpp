@@ -26,8 +26,8 @@ void Receiver::refuse_command(std::int64_t session, std::int32_t command, Refuse
                                        .reason = std::move(refused.reason)});
 }
 
-/// Whether this command is newer than the recorded one, which it then replaces, pending. A repeated
-/// one is answered again, an older one is not.
+/// True if this command is newer than the recorded one; it then replaces it, pending. A repeated
+/// command gets its answer again, an older one does not.
 bool Receiver::is_new(Record& record, Record::Kind kind, std::int32_t command) const {
   if (command < record.reply.command) return false;
   record.due = true;
@@ -114,7 +114,7 @@ void Receiver::take(const wire::Order& order) {
   events_.emplace_back(OrderRequested{session_, order.command, order.kind, order.at, order.value});
 }
 
-/// What an order lacks to be handed to the axis.
+/// Reason why an order cannot be passed to the axis.
 Refused Receiver::misses(const wire::Order& order) {
   if (std::string rule = wire::contradiction(order); !rule.empty())
     return {wire::Refusal::bad_order, std::move(rule)};
@@ -137,7 +137,7 @@ void Receiver::accept(std::int64_t session, std::int32_t command) {
   done(*record);
 }
 
-/// What an accepted command changes here.
+/// Applies the effects of an accepted command.
 void Receiver::done(const Record& record) {
   if (record.kind == Record::Kind::arm) armed_ = true;
   if (record.kind == Record::Kind::start) armed_ = false;
@@ -198,7 +198,7 @@ void Receiver::take(const wire::Queue& queue) {
 
 void Receiver::take(const wire::Rows& rows) {
   OpenQueue* const queue = open_queue(rows.queue);
-  if (queue == nullptr) return;  // they have overtaken it
+  if (queue == nullptr) return;  // they have overtaken their queue
   queue->ack_due = true;
   queue->intake.add(rows);
   for (wire::Rows& ready : queue->intake.take()) {

@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// Whether both announce one table, as far as they tell.
+/// True if both headers announce one table, as far as their fields show.
 bool agree(const wire::Header& a, const wire::Header& b) {
   if (a.has_hash() && b.has_hash()) return a.hash == b.hash;
   return a.axis == b.axis && a.rule == b.rule && a.outside == b.outside && a.units.x == b.units.x &&
@@ -65,7 +65,7 @@ Receiver::Slot Receiver::announced(const wire::Header& header) {
 
 void Receiver::take(const wire::Chunk& chunk) {
   const auto it = slots_.find(chunk.table);
-  if (it == slots_.end()) return;  // it has overtaken its header
+  if (it == slots_.end()) return;  // the chunk has overtaken its header
   Slot& slot = it->second;
   slot.ack_due = true;
   if (!slot.assembly) return;
@@ -78,10 +78,10 @@ void Receiver::take(const wire::Chunk& chunk) {
   }
 }
 
-/// The hash that the first header did not tell: of a table that is here, or complete, or under way.
+/// Sets the hash that the first header lacked: of a table that is stored, complete, or in transit.
 void Receiver::learn(Slot& slot, const Sha256& hash) {
   slot.header.hash = hash;
-  if (slot.refused.refusal == wire::Refusal::out_of_memory) {  // what needs no room may be here
+  if (slot.refused.refusal == wire::Refusal::out_of_memory) {  // the table may need no space
     Slot again = announced(slot.header);
     slot = std::move(again);
     return;
@@ -104,7 +104,7 @@ void Receiver::finish(Slot& slot) {
     return;
   }
   slot.stored = store_.find(slot.header.hash);
-  if (slot.stored) {  // announced twice, under two indices
+  if (slot.stored) {  // announced twice, with two indices
     store_.release(bytes_of(slot.header));
   } else {
     slot.stored = std::get<StoredTable>(std::move(result));

@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// Of what its order reads, each is a number; only a quadratic row may leave a v open.
+/// True if each value that its order uses is finite; only a quadratic row may omit a v.
 bool is_finite(const wire::Row& row) {
   const auto finite = [](double a, double b) { return std::isfinite(a) && std::isfinite(b); };
   const auto given = [](double v) { return std::isfinite(v) || std::isnan(v); };
@@ -46,7 +46,7 @@ void RowIntake::advance(Bank& bank) {
     wire::Rows& rows = first->second;
     if (std::exchange(bank.resumes, false)) bank.begin = bank.freed = bank.rows = rows.first_row;
     if (!is_sound(bank, rows)) return;
-    // More than it was told: not taken, as if lost.
+    // Exceeds the available space: dropped, as if lost.
     if (rows.rows.size() > space(bank)) {
       bank.held.erase(first);
       return;
@@ -60,7 +60,7 @@ void RowIntake::advance(Bank& bank) {
   }
 }
 
-/// Refuses the queue where a message does not go on where the one before it ended.
+/// Rejects the queue if a message does not continue at the end of the previous one.
 bool RowIntake::is_sound(const Bank& bank, const wire::Rows& rows) {
   if (rows.first_row != bank.rows) {
     refuse({wire::Refusal::bad_rows, "message " + std::to_string(rows.seq) + " states that " +

@@ -39,7 +39,7 @@ StaticQueue::StaticQueue(Client& client, wire::Queue queue)
       queue_(checked(std::move(queue))),
       banks_{RowWindow(queue_, 0), RowWindow(queue_, 1)} {}
 
-/// The next answer to this queue's messages.
+/// Returns the next answer to this queue's messages.
 std::optional<wire::QueueAck> StaticQueue::hear(Nanos until) {
   for (Nanos now = client_.clock_(); now <= until; now = client_.clock_()) {
     const auto message = client_.hear(until - now);
@@ -75,9 +75,9 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
   assert(bank < banks_.size());
   RowWindow& window = banks_[bank];
   std::size_t next = 0;
-  bool heard = false;  // since rows were taken last
+  bool heard = false;  // an answer has arrived since rows were last taken
   Nanos moved = client_.clock_();
-  client_.send(queue_);  // asks how much room there is
+  client_.send(queue_);  // requests the available space
   for (Nanos asked = moved; client_.clock_() - moved <= client_.options_.patience;) {
     const auto ack = hear(client_.clock_() + client_.options_.repeat / 4);
     if (ack) {
@@ -128,7 +128,7 @@ CallOutcome StaticQueue::switch_over() {
   return order(wire::OrderKind::queue_switch, 0);
 }
 
-/// Messages that are still on their way count no more: the next one has this number.
+/// Messages still in transit are void: the next one has this number.
 CallOutcome StaticQueue::clear(std::uint8_t bank) {
   assert(bank < banks_.size());
   return order(wire::OrderKind::queue_clear, bank, static_cast<double>(banks_[bank].sent()));

@@ -17,9 +17,9 @@ namespace jounce {
 namespace {
 
 constexpr std::size_t digits = 64;
-constexpr std::size_t most_bytes = 256;  // with white space: more is no key file
+constexpr std::size_t most_bytes = 256;  // including white space: a key file has no more
 
-/// A descriptor that is closed at the end.
+/// A file descriptor; the destructor closes it.
 class File {
  public:
   File(const std::filesystem::path& path, int flags) : fd_(open(path.c_str(), flags, 0600)) {}
@@ -38,7 +38,7 @@ class File {
   throw InputError("key", path.string(), rule);
 }
 
-/// The whole file, once it is known that nobody else can have read it.
+/// Reads the whole file, after checking that no other user can have read it.
 std::string private_text(const std::filesystem::path& path) {
   const File file(path, O_RDONLY | O_CLOEXEC);
   struct stat about {};
@@ -61,11 +61,11 @@ wire::Key read_key(const std::filesystem::path& path) {
   wire::Key key{};
   std::size_t length = 0;
   const char* end = nullptr;
-  // It would pass over zeros as it does over white space.
+  // sodium_hex2bin() would skip zeros like white space.
   const bool hex =
       text.find('\0') == text.npos && sodium_hex2bin(key.data(), key.size(), text.data(),
                                                      text.size(), " \t\r\n", &length, &end) == 0;
-  // A longer file was not read whole.
+  // A longer file was not read completely.
   const bool whole =
       text.size() <= most_bytes && hex && length == key.size() && end == text.data() + text.size();
   sodium_memzero(text.data(), text.size());

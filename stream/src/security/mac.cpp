@@ -13,7 +13,7 @@ namespace {
 static_assert(mac_bytes >= crypto_generichash_BYTES_MIN);
 static_assert(std::tuple_size_v<Key> == crypto_generichash_KEYBYTES);
 
-/// Chooses the fastest code for this processor; once, and from any thread.
+/// Selects the fastest code for this processor; once, from any thread.
 bool ready() {
   static const bool chosen = sodium_init() >= 0;
   return chosen;

@@ -14,7 +14,7 @@ inline constexpr std::size_t mac_bytes = 16;
 /// Writes the keyed BLAKE2b-128 of `bytes` to `mac`, mac_bytes long; zeros without a key.
 void write_mac(std::span<const std::byte> bytes, const std::optional<Key>& key, std::byte* mac);
 
-/// True if `mac` is what write_mac() would write, in a time that does not depend on their difference.
+/// True if `mac` equals the result of write_mac(); takes the same time for any difference.
 bool is_mac(std::span<const std::byte> bytes, const std::optional<Key>& key, const std::byte* mac);
 
 }  // namespace jounce::wire

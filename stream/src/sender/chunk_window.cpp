@@ -25,7 +25,8 @@ bool ChunkWindow::mark(std::uint32_t seq, Nanos now) {
   if (chunk.arrived) return false;
   chunk.arrived = true;
   ++arrived_;
-  // Of a chunk sent twice nobody knows which one was answered; the last one hardly at once.
+  // For a chunk sent twice, the ack does not show which transmission arrived; an ack soon after the
+  // last one is hardly for that.
   if (chunk.times == 1) measure(now - chunk.sent);
   if (chunk.times == 1 || now - chunk.sent >= round_trip_ / 2)
     newest_ = std::max(newest_, chunk.order);

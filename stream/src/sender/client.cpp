@@ -11,7 +11,7 @@ namespace {
 using wire::OrderKind;
 using wire::Refusal;
 
-/// Whether the executor knows this session no more, and so has done nothing.
+/// True if the executor no longer has this session, and has therefore done nothing.
 bool is_over(Refusal refusal) {
   return refusal == Refusal::unknown_session || refusal == Refusal::session_ended ||
          refusal == Refusal::stale_challenge;
@@ -34,7 +34,7 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
   link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
 }
 
-/// One command under the next number, repeated until it is decided.
+/// Sends one command under the next number, repeated until its outcome.
 CallOutcome Client::ask(const wire::Body& body) {
   wire::Message message{executor_, session_, {}, challenge_};
   slot_.issue(body);
@@ -62,7 +62,7 @@ void Client::send(wire::Body body) {
   send_message(link_, {executor_, session_, std::move(body), challenge_}, options_.key);
 }
 
-/// What comes next for this session.
+/// Returns the next message for this session.
 std::optional<wire::Message> Client::hear(Nanos timeout) {
   auto message = next_message(link_, timeout, rejects_, options_.key);
   const bool ours = message && message->executor == executor_ && message->session == session_;
@@ -78,7 +78,7 @@ CallOutcome Client::open() {
   return outcome;
 }
 
-/// In the session that is there, or else in a new one.
+/// Uses the present session, or a new one.
 CallOutcome Client::tell(wire::Body body) {
   if (session_ != 0) {
     CallOutcome outcome = ask(body);

@@ -40,7 +40,7 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options, const Clock& clock,
                        std::int64_t session) {
   const std::string executor = plan.executor;
-  // A source that fails stops the axis before what it threw goes on to the caller.
+  // A source that throws stops the axis before its exception reaches the caller.
   std::exception_ptr failure;
   plan.rows = [&, source = std::move(plan.rows)](std::size_t most) -> std::vector<wire::Row> {
     if (failure) return {};
@@ -127,7 +127,7 @@ void ReceiverPump::answer() {
   }
 }
 
-/// Half a window is answered at once, so that the streamer sends the next half meanwhile.
+/// Answers after half a window, so that the streamer sends the next half meanwhile.
 void ReceiverPump::take(const wire::Message& message) {
   if (const auto* const master = std::get_if<wire::Master>(&message.body)) {
     for (const auto& [name, take] : masters_)
@@ -140,7 +140,7 @@ void ReceiverPump::take(const wire::Message& message) {
                        [](const Named& each, const std::string& name) { return each.name < name; });
   if (found == by_name_.end() || found->name != message.executor) return;
   found->receiver->receive(message, clock_());
-  // A stranger waits until the turn ends: what he is answered in one is bounded.
+  // Other sessions wait until the end of the iteration: the number of answers to them is bounded.
   if (message.session == 0 || message.session != found->receiver->session()) return;
   const auto* const chunk = std::get_if<wire::Chunk>(&message.body);
   found->unanswered += chunk != nullptr ? chunk->values.size() : wire::message_values;

@@ -10,7 +10,8 @@
 namespace jounce {
 namespace {
 
-// Why a motion ended, in the axis's numbers (docs/executor/axis.md): it was not the table's own end.
+// Causes of the end of a motion, in the axis's numbers (docs/executor/axis.md), other than the end
+// of the table.
 constexpr std::int32_t stopped = 80;
 constexpr std::int32_t halted = 81;
 constexpr std::int32_t group_stopped = 85;
@@ -35,7 +36,7 @@ bool at_rest(const wire::Status& status) {
          status.state == wire::AxisState::error_stop;
 }
 
-/// Whether the motion of an axis at rest ended otherwise than by its table.
+/// True if the motion of an axis at rest did not end by its table.
 bool broken(const wire::Status& status) {
   return status.state != wire::AxisState::standstill || status.last_error != 0 ||
          status.reason == stopped || status.reason == halted || status.reason == group_stopped;
@@ -91,7 +92,7 @@ void Group::go_on() {
     return;
   }
   const Axis* const bad = failed();
-  // While they are armed, the others may have reasons of their own.
+  // While they are armed, the others may have separate reasons.
   const bool settled = std::all_of(axes_.begin(), axes_.end(), [](const Axis& axis) {
     return axis.sender.at_goal() || axis.sender.ended();
   });
@@ -105,7 +106,7 @@ void Group::go_on() {
   }
 }
 
-/// One tick for all, which only axes of one machine count alike.
+/// One start tick for all: only axes of one machine have a common tick.
 void Group::start() {
   const auto known = [](const Axis& axis) { return axis.status.has_value(); };
   if (!std::all_of(axes_.begin(), axes_.end(), known)) return;
@@ -122,8 +123,8 @@ void Group::start() {
   for (Axis& axis : axes_) axis.sender.start_at(tick_);
 }
 
-/// All play: one that ends by anything but its table ends the others. The first reason is that of the axis which the
-/// executor did not stop for another one.
+/// During the motions: one that ends by anything but its table ends the others. The first reason is
+/// that of an axis that the executor did not stop on behalf of another.
 void Group::watch() {
   const auto swept = [](const Axis& axis) { return axis.status->reason == group_stopped; };
   for (Axis& axis : axes_) {
@@ -147,7 +148,7 @@ void Group::leave_broken(Axis& axis) {
   leave(axis);
 }
 
-/// One has failed: the others are released where nothing can move yet, or else stopped.
+/// One has failed: releases the others if nothing can move yet, otherwise stops them.
 void Group::leave(const Axis& because) {
   const bool moves = phase_ != Phase::arming;
   phase_ = Phase::leaving;

@@ -21,7 +21,7 @@ void require_valid(const RowPlan& plan, std::int64_t session) {
   if (plan.start_tick < -1)
     throw InputError("start_tick", std::to_string(plan.start_tick), "must be -1 or more");
   if (!plan.rows) throw InputError("rows", "", "must have a source");
-  static_cast<void>(wire::encode({plan.executor, session, plan.queue}));  // throws if it must
+  static_cast<void>(wire::encode({plan.executor, session, plan.queue}));  // throws if invalid
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ RowSender::RowSender(RowPlan plan, std::int64_t session, SenderOptions options)
   require_valid(plan_, session);
 }
 
-// ---- what to send -------------------------------------------------------------------------------
+// ---- output ------------------------------------------------------------------------------------
 
 std::vector<wire::Message> RowSender::poll(Nanos now) {
   if (!std::exchange(begun_, true)) heard_ = progressed_ = now, asked_ = now - options_.repeat;
@@ -46,7 +46,7 @@ std::vector<wire::Message> RowSender::poll(Nanos now) {
   }
   fill(now);
   go_on();
-  // Repeated, a queue asks for an ack, and until it is armed keeps the session alive.
+  // A repeated queue message requests an ack, and keeps the session alive until it is armed.
   const Nanos pause = stage_ == Stage::opening ? options_.repeat : options_.heartbeat;
   if (stage_ < Stage::stopping && now - asked_ >= pause) {
     asked_ = now;
@@ -63,7 +63,7 @@ void RowSender::send(wire::Body body, Nanos /*now*/) {
   outgoing_.push_back({plan_.executor, session_, std::move(body), challenge_});
 }
 
-/// Takes rows from the source as there is room for them.
+/// Takes rows from the source as space permits.
 void RowSender::fill(Nanos now) {
   if (!waits_for_rows()) progressed_ = now;
   if (stage_ == Stage::opening || stage_ >= Stage::stopping) return;
@@ -79,13 +79,13 @@ void RowSender::fill(Nanos now) {
   outcome_.progress.resent = window_.resent();
 }
 
-/// Enough has arrived to begin with, or to go on with.
+/// True if enough rows have arrived to begin or to continue.
 bool RowSender::is_filled() const {
   const std::uint64_t more = window_.acknowledged() - starved_at_;
   return outcome_.progress.all || more >= plan_.queue.prefill;
 }
 
-/// Nothing moves, and nothing will before there are more of them.
+/// True if no motion takes place until more rows arrive.
 bool RowSender::waits_for_rows() const {
   return stage_ == Stage::filling || (stage_ == Stage::playing && starving_);
 }
@@ -104,7 +104,7 @@ void RowSender::enter(Stage stage, wire::Body command) {
   command_.issue(std::move(command));
 }
 
-/// What plays, or may, must not run dry.
+/// True if a motion is in progress or possible: it must not run dry.
 bool RowSender::may_move() const {
   return outcome_.progress.started || stage_ == Stage::starting ||
          (command_.body() && std::holds_alternative<wire::Start>(*command_.body()));
@@ -129,7 +129,7 @@ void RowSender::check_patience(Nanos now) {
   }
 }
 
-// ---- what arrives -------------------------------------------------------------------------------
+// ---- input -------------------------------------------------------------------------------------
 
 void RowSender::receive(const wire::Message& message, Nanos now) {
   if (message.executor != plan_.executor || message.session != session_) return;
@@ -141,7 +141,7 @@ void RowSender::receive(const wire::Message& message, Nanos now) {
   std::visit([&](const auto& body) { take(body, told, now); }, message.body);
 }
 
-/// A restart of the executor ends a rolling stream: nobody knows what of it was played.
+/// A restart of the executor ends a rolling stream: the number of played rows is unknown.
 bool RowSender::hear(std::int64_t boot, Nanos now) {
   if (boot_ != 0 && boot != boot_ && stage_ != Stage::opening) {
     fail(StreamError::restarted, "the executor has restarted");
@@ -156,7 +156,7 @@ bool RowSender::hear(std::int64_t boot, Nanos now) {
 void RowSender::take(const wire::QueueAck& ack, std::int64_t challenge, Nanos now) {
   if (ack.queue != plan_.queue.queue || !hear(ack.boot, now)) return;
   if (ack.refusal == wire::Refusal::stale_challenge) {
-    if (challenge == challenge_) return;  // of before it was told: late
+    if (challenge == challenge_) return;  // sent before the challenge arrived: late
     if (stage_ == Stage::opening) {
       challenge_ = challenge;
       asked_ = now - options_.repeat;
@@ -169,7 +169,7 @@ void RowSender::take(const wire::QueueAck& ack, std::int64_t challenge, Nanos no
   watch(ack);
 }
 
-/// What the executor says of the motion.
+/// Evaluates the state of the motion in an ack.
 void RowSender::watch(const wire::QueueAck& ack) {
   RowProgress& progress = outcome_.progress;
   progress.acknowledged = window_.acknowledged();
@@ -225,7 +225,7 @@ void RowSender::accepted() {
 
 void RowSender::refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause) {
   command_.clear();
-  if (stage_ == Stage::releasing) {  // it is over already
+  if (stage_ == Stage::releasing) {  // already released
     stage_ = Stage::ended;
     return;
   }

@@ -18,7 +18,7 @@ std::string milliseconds(Nanos time) {
          " ms";
 }
 
-/// The knots [from, to) of all columns that there are.
+/// The knots [from, to) of all existing columns.
 std::array<std::span<const double>, 4> rows_of(const Columns& columns, std::size_t from,
                                                std::size_t to) {
   std::array<std::span<const double>, 4> rows{columns.x, columns.p, columns.v, columns.a};
@@ -45,21 +45,21 @@ Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
   announce_all();
 }
 
-/// A table that fits a window is hashed before: it could not be sent any earlier for that, and is not
-/// sent at all if the executor has it.
+/// A table that fits a window is hashed in advance: this does not delay it, and it is not sent at
+/// all if the executor has it.
 void Sender::announce_all() {
   for (std::size_t i = 0; i < plan_.tables.size(); ++i) {
     const StreamPlan::Item& item = plan_.tables[i];
     wire::Header header = header_of(item, i, options_.pace.chunk);
     if (!header.has_hash() && header.chunks <= wire::cut(header).chunks_for(options_.pace.window))
       header.hash = content_hash(item.table, item.units);
-    static_cast<void>(wire::encode({plan_.executor, session_, header}));  // throws if it must
+    static_cast<void>(wire::encode({plan_.executor, session_, header}));  // throws if invalid
     outcome_.progress.chunks += header.chunks;
     headers_.push_back(std::move(header));
   }
 }
 
-// ---- what to send -------------------------------------------------------------------------------
+// ---- output ------------------------------------------------------------------------------------
 
 std::vector<wire::Message> Sender::poll(Nanos now) {
   if (!std::exchange(begun_, true)) heard_ = progressed_ = now;
@@ -88,9 +88,9 @@ void Sender::download(Nanos now) {
       send(chunk_of(plan_.tables[table_].table, header, seq), now);
     count();
   }
-  // Repeated while chunks flow, a header asks for an ack and keeps the session alive.
+  // A header repeated during chunks requests an ack and keeps the session alive.
   const bool quiet = now - sent_ >= options_.heartbeat;
-  // Until it is answered, and once nothing but its hash can be missing, it is repeated sooner.
+  // It is repeated sooner until it is answered, and once only its hash can be missing.
   const bool awaited = !window_ || arrived;
   const bool again = awaited && (!header_sent_ || now - *header_sent_ >= options_.repeat);
   const bool news = header.has_hash() && header_sent_ && !told_;
@@ -141,7 +141,7 @@ void Sender::check_patience(Nanos now) {
   }
 }
 
-// ---- what arrives -------------------------------------------------------------------------------
+// ---- input -------------------------------------------------------------------------------------
 
 void Sender::receive(const wire::Message& message, Nanos now) {
   if (message.executor != plan_.executor || message.session != session_) return;
@@ -153,8 +153,8 @@ void Sender::receive(const wire::Message& message, Nanos now) {
   std::visit([&](const auto& body) { take(body, told, now); }, message.body);
 }
 
-/// Notes a sign of life; whether it comes from the executor as it is now. A new boot means that it
-/// has forgotten what it had: a download begins anew, anything later fails.
+/// Records a message from the executor; returns true if it comes from its present boot. A new boot
+/// means that the executor has lost its state: a download begins again, any later stage fails.
 bool Sender::hear(std::int64_t boot, Nanos now) {
   const bool known = std::find(boots_.begin(), boots_.end(), boot) != boots_.end();
   if (known && boots_.back() != boot) return false;  // from before its restart
@@ -177,7 +177,7 @@ bool Sender::hear(std::int64_t boot, Nanos now) {
 
 void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   if (!hear(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
-  // A chunk has overtaken its header, or the session is forgotten: the header opens it anew.
+  // A chunk has overtaken its header, or the session is lost: the header opens it again.
   if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
   if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
   if (ack.refusal == wire::Refusal::out_of_memory && asks_by_name(now)) return;
@@ -193,8 +193,8 @@ void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
   count();
 }
 
-/// There is no room for a table that was announced without its hash; but it may be there already, where
-/// it is played, or twice in this plan: so the hash is told, and what was answered before that passed over.
+/// There is no space for a table announced without its hash. The executor may already have it, in
+/// play, or twice in this plan. Sends the hash, and ignores answers to earlier messages.
 bool Sender::asks_by_name(Nanos now) {
   if (!headers_[table_].has_hash()) {
     while (hash()) continue;
@@ -204,9 +204,9 @@ bool Sender::asks_by_name(Nanos now) {
   return named_ && now - *named_ < options_.patience / 4;
 }
 
-/// Nothing counts that was sent before the executor told its challenge.
+/// Discards everything sent before the executor sent its challenge.
 void Sender::begin_anew(std::int64_t challenge) {
-  if (challenge == challenge_) return;  // told already
+  if (challenge == challenge_) return;  // already set
   challenge_ = challenge;
   window_.reset();
   header_sent_.reset();
@@ -271,13 +271,13 @@ void Sender::accepted() {
 
 void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause) {
   command_.clear();
-  if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // it is over already
+  if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // already released
   outcome_.refusal = refusal;
   outcome_.cause = cause;
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 
-// ---- where to -----------------------------------------------------------------------------------
+// ---- next goal ----------------------------------------------------------------------------------
 
 wire::Arm Sender::arm_of(const SwapPlan& leg) const {
   return {.mode = leg.mode,
@@ -303,8 +303,8 @@ void Sender::pursue() {
   }
 }
 
-/// A swap has taken place when its table is the one that is played and nothing waits. A status may
-/// be late: if it is the same table as before, this must have been so for a while.
+/// A swap has taken place when its table is the active one and nothing waits. A status may be late:
+/// if the table is the same as before, this state must have lasted for a while.
 void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos now) {
   constexpr Nanos a_while = std::chrono::milliseconds(500);
   if (stage() == StreamStage::waiting) return await_start(status);
@@ -329,7 +329,7 @@ void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos 
   if (waited_ || new_table || now - *due_ >= a_while) pursue();
 }
 
-/// What became of the last start: the axis says so for as long as the session lives.
+/// Outcome of the last start: the axis reports it as long as the session lives.
 void Sender::await_start(const wire::Status& status) {
   if (status.start_command != start_) return;  // older than the start
   if (status.start == wire::StartOutcome::begun) {
@@ -344,7 +344,7 @@ void Sender::await_start(const wire::Status& status) {
   }
 }
 
-/// The axis stands and waits for nothing: what was to begin has ended unseen, or never will begin.
+/// The axis is at rest and waits for nothing: the start has ended unseen, or will never take place.
 void Sender::be_over(const wire::Status& status) {
   outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
   if (outcome_.cause == 0) return pursue();
@@ -381,12 +381,12 @@ void Sender::release() {
 
 void Sender::fail(StreamError error, std::string reason) {
   if (ended()) return;
-  // What waits is not taken back: a stop would end the motion under way, too.
+  // A waiting start is not canceled: a stop would also end the present motion.
   if (stage() == StreamStage::waiting && error != StreamError::dropped)
     reason += "; the accepted start still waits in the axis: cancel it with a stop";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
-  // Whether an unanswered start took place is not known: what may move is stopped.
+  // The outcome of an unanswered start is unknown: a possible motion is stopped.
   const auto& last = command_.body();
   const bool perhaps_started = last && std::holds_alternative<wire::Start>(*last);
   if (!boots_.empty()) farewell_.begin(command_.number(), perhaps_started);

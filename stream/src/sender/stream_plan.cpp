@@ -15,7 +15,7 @@ TableInUnits in_units(const StreamPlan::Item& item) {
   return {item.table, item.units};
 }
 
-/// `master` may lie behind the last table: there is none then.
+/// `master` may be beyond the last table: there is none then.
 void require_fit(const StreamPlan& plan, const SwapPlan& leg) {
   require_valid(leg.coupling);
   if (leg.mode == wire::ArmMode::queue)

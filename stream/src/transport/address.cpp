@@ -40,7 +40,7 @@ void read_option(const std::string& url, std::string_view option, MulticastAddre
     refuse(url, "the options are ttl=N, interface=NAME and recv_buf_size=BYTES");
 }
 
-/// Takes the text up to the next `end`, and the mark itself, off `rest`.
+/// Removes the text up to the next `end`, and the mark itself, from `rest`, and returns the text.
 std::string_view taken(std::string_view& rest, char end) {
   const auto at = rest.find(end);
   const std::string_view head = rest.substr(0, at);

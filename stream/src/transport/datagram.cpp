@@ -31,7 +31,7 @@ std::optional<Packet> packet_of(std::span<const std::byte> datagram) {
 bool matches(const std::string& pattern, const std::string& channel) {
   std::size_t p = 0;
   std::size_t c = 0;
-  std::size_t star = std::string::npos;  // the last * and what it has taken so far
+  std::size_t star = std::string::npos;  // the last *, and the text it has matched so far
   std::size_t taken = 0;
   while (c < channel.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

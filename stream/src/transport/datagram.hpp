@@ -17,7 +17,7 @@ inline constexpr std::size_t longest_datagram = 65536;
 /// A packet as one datagram of at most longest_datagram: its channel, a zero byte, its bytes.
 std::vector<std::byte> datagram_of(const std::string& channel, std::span<const std::byte> bytes);
 
-/// Returns nothing where the bytes are no such datagram.
+/// Returns nullopt if the bytes are not such a datagram.
 std::optional<Packet> packet_of(std::span<const std::byte> datagram);
 
 /// True if the channel has this name. A * stands for any text without a dot.

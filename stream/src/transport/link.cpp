@@ -26,7 +26,7 @@ std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Reject
 
 void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, Rejects& rejects,
            const std::function<void(const wire::Message&)>& take) {
-  constexpr int most_at_once = 256;  // packets between two turns of the protocol
+  constexpr int most_at_once = 256;  // packets between two iterations of the protocol
   for (int i = 0; i < most_at_once; ++i) {
     const std::size_t rejected = rejects.total();
     const auto message = next_message(link, i == 0 ? timeout : Nanos{}, rejects, key);

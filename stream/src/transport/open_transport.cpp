@@ -13,7 +13,7 @@
 namespace jounce {
 namespace {
 
-/// A network of memory with one link in it.
+/// A memory network with one link.
 class OwnMemory : public Transport {
  public:
   OwnMemory() {

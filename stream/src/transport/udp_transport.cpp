@@ -21,12 +21,12 @@
 namespace jounce {
 namespace {
 
-// A packet of LCM's: magic, number, the channel's name with a final zero, then the message.
+// An LCM packet: magic, number, the channel's name with a final zero, then the message.
 constexpr std::uint32_t magic = 0x4C433032;  // "LC02"
 constexpr std::size_t head_bytes = 8;
 [[maybe_unused]] constexpr std::size_t most_channel = 63;
 [[maybe_unused]] constexpr std::size_t most_message =
-    65'499;  // with the channel's name and its zero
+    65'499;  // including the channel's name and its zero
 constexpr std::size_t most_datagram = 65'536;
 constexpr int most_at_once = 512;  // datagrams: a flood must not keep receive() from returning
 
@@ -42,7 +42,7 @@ std::uint32_t big_endian(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-/// The descriptor, set up so that it receives from one interface.
+/// The descriptor, configured to receive from one interface.
 class UdpTransport::Socket {
  public:
   explicit Socket(const MulticastAddress& address)
@@ -59,7 +59,7 @@ class UdpTransport::Socket {
   Socket(const Socket&) = delete;
   Socket& operator=(const Socket&) = delete;
 
-  /// What is lost here is lost as on the network: whoever waits for it asks again.
+  /// A packet lost here counts as lost on the network: the sender repeats it on demand.
   void send(std::span<const iovec> parts) const {
     msghdr message{};
     sockaddr_in to = group_;
@@ -71,18 +71,18 @@ class UdpTransport::Socket {
     }
   }
 
-  /// The length of the datagram that waits; nothing where none does.
+  /// The length of the waiting datagram; nullopt if there is none.
   std::optional<std::size_t> receive(std::span<std::byte> into) const {
     const ssize_t size = recv(fd_, into.data(), into.size(), MSG_DONTWAIT);
     if (size >= 0) return static_cast<std::size_t>(size);
-    // The network reports that an earlier packet was not delivered: there may be others behind it.
+    // The network reports that an earlier packet was not delivered: others may follow it.
     if (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR) return std::nullopt;
     if (errno == ECONNREFUSED || errno == EHOSTUNREACH || errno == ENETUNREACH || errno == ENETDOWN)
       return std::size_t{0};
     throw TransportError(trouble("the UDP socket cannot receive"));
   }
 
-  /// Whether something has come.
+  /// True if a packet has arrived.
   [[nodiscard]] bool wait(Nanos timeout) const {
     pollfd descriptor{fd_, POLLIN, 0};
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
@@ -116,7 +116,7 @@ class UdpTransport::Socket {
                            "/32 dev eth1), or name the interface: &interface=eth1");
   }
 
-  /// Its number; 0: the one to which the route leads.
+  /// Index of the interface; 0: the one of the route.
   [[nodiscard]] int interface(const MulticastAddress& address) const {
     const std::string name = address.is_local() ? "lo" : address.interface;
     if (name.empty()) return 0;
@@ -187,7 +187,7 @@ void UdpTransport::take_what_came() {
   }
 }
 
-/// Keeps a packet of a channel that is subscribed to and has room; all others are dropped.
+/// Keeps a packet of a subscribed channel with free capacity; drops all others.
 void UdpTransport::take(std::span<const std::byte> datagram) {
   if (datagram.size() <= head_bytes || big_endian(datagram) != magic) return;
   auto packet = detail::packet_of(datagram.subspan(head_bytes));

@@ -22,7 +22,7 @@ namespace {
 void bind_at(int socket, const std::filesystem::path& path) {
   const std::string unfinished = path.string() + ".new";
   const sockaddr_un address = address_of(unfinished);
-  // The folder's permissions decide who may send; the socket's own would be cut by the umask.
+  // The folder's permissions control sending; the umask would restrict the socket's own.
   if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       chmod(unfinished.c_str(), 0666) != 0 || rename(unfinished.c_str(), path.c_str()) != 0) {
     const int error = errno;
@@ -41,7 +41,7 @@ UnixInbox::UnixInbox(const std::filesystem::path& folder)
   sigset_t all;
   sigset_t before;
   sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);  // signals are for the thread that made this
+  pthread_sigmask(SIG_SETMASK, &all, &before);  // signals belong to the thread that created this
   thread_ = std::thread([this] { read(); });
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }

@@ -14,11 +14,11 @@
 
 namespace jounce::detail {
 
-/// This program's socket in a socket folder, and a thread that takes from it what is subscribed to.
-/// The thread is needed because Linux keeps only some ten datagrams for a socket.
+/// This program's socket in a socket folder, and a thread that receives the subscribed channels
+/// from it. The thread is needed because Linux queues only about ten datagrams for a socket.
 class UnixInbox {
  public:
-  /// Throws TransportError where no socket can be made.
+  /// Throws TransportError if no socket can be created.
   explicit UnixInbox(const std::filesystem::path& folder);
   ~UnixInbox();
   UnixInbox(const UnixInbox&) = delete;
@@ -43,7 +43,7 @@ class UnixInbox {
 
   std::filesystem::path path_;
   int socket_ = -1;
-  std::mutex mutex_;  // mutex of all below
+  std::mutex mutex_;  // protects all below
   std::condition_variable arrived_;
   std::map<std::string, Subscription> subscriptions_;
   std::deque<Waiting> waiting_;

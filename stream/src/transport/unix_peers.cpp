@@ -22,7 +22,7 @@ namespace {
 constexpr timeval patience{.tv_sec = 0, .tv_usec = 1000};  // the kernel rounds it up to its tick
 constexpr int buffer_bytes = 1 << 20;                      // some large chunks of a table
 
-/// Of a program that was killed: nothing receives there any more. Names are never used twice.
+/// Removes the socket of a killed program: nothing receives there any more. Names are never reused.
 void remove_left_over(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_socket(path, ignored)) unlink(path.c_str());
@@ -83,7 +83,7 @@ UnixPeers::Peers::iterator UnixPeers::forget(Peers::iterator at) {
   return peers_.erase(at);
 }
 
-/// Whether the other end is still there.
+/// Sends to one peer; returns false if its other end is gone.
 bool UnixPeers::send_to(Peer& peer, std::span<const std::byte> datagram) {
   const int wait = peer.takes ? 0 : MSG_DONTWAIT;
   const ssize_t sent = ::send(peer.socket, datagram.data(), datagram.size(), MSG_NOSIGNAL | wait);

@@ -9,11 +9,11 @@
 
 namespace jounce::detail {
 
-/// The most programs that can use one socket folder at a time.
+/// Maximum number of programs that can use one socket folder at a time.
 inline constexpr std::size_t most_peers = 64;
 
-/// The sockets of all programs that use a socket folder, one connection each: a program that takes
-/// nothing fills its own connection and no other.
+/// The sockets of all programs that use a socket folder, one connection each: a program that
+/// receives nothing fills only its own connection.
 class UnixPeers {
  public:
   explicit UnixPeers(std::filesystem::path folder);
@@ -21,14 +21,15 @@ class UnixPeers {
   UnixPeers(const UnixPeers&) = delete;
   UnixPeers& operator=(const UnixPeers&) = delete;
 
-  /// Connects to the sockets that have appeared and forgets those that have gone; removes those whose
-  /// program has ended without doing so. Throws TransportError where the folder cannot be read.
+  /// Connects to new sockets and drops removed ones; deletes sockets left over by ended programs.
+  /// Throws TransportError if the folder cannot be read.
   void refresh();
 
   [[nodiscard]] std::size_t size() const { return peers_.size(); }
 
-  /// Sends a datagram to all of them. Waits a moment for one whose queue is full, then goes on: for
-  /// that one the datagram is lost, and so are the next until it takes one.
+  /// Sends a datagram to all of them. Waits a moment for a peer whose queue is full, then
+  /// continues: this datagram is lost for that peer, and so are the next ones until it receives
+  /// again.
   void send(std::span<const std::byte> datagram);
 
  private:

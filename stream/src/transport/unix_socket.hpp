@@ -8,12 +8,12 @@
 
 namespace jounce::detail {
 
-/// The longest name of a socket folder, in bytes: with a socket's name, and .new while
-/// it is made, it fits Linux's address.
+/// The longest name of a socket folder, in bytes: with a socket's name, and .new during its
+/// creation, it fits Linux's address.
 inline constexpr std::size_t longest_folder = 75;
 
-/// A name for a socket that no other program has had or will have: a program that removes the socket
-/// of one that has ended can remove no other.
+/// A socket name that no other program has had or will have: removing the socket of an ended
+/// program can therefore remove no other.
 std::string unique_socket_name();
 
 /// True if unique_socket_name() makes such names.
@@ -22,7 +22,7 @@ bool is_socket_name(const std::string& name);
 /// The address of a path of at most 107 bytes.
 sockaddr_un address_of(const std::string& path);
 
-/// A datagram socket. Throws TransportError where there is none left.
+/// Opens a datagram socket. Throws TransportError if none is available.
 int datagram_socket();
 
 }  // namespace jounce::detail

@@ -44,7 +44,7 @@ struct Tick {
   double acceleration = 0;             ///< u/s^2
   std::uint64_t job = 0;               ///< id of the played motion, 0: none
   std::uint64_t armed = 0;             ///< id of the armed motion, 0: none
-  bool waiting = false;                ///< a start was accepted for later
+  bool waiting = false;                ///< a start was accepted and has not begun
   Progress progress = Progress::done;  ///< progress of the motion
   Cause fault = Cause::none;           ///< latched
   std::int64_t skipped = 0;            ///< ticks skipped since the tick before
@@ -56,11 +56,11 @@ struct Tick {
   double rate = 1;       ///< present rate of path time
   bool held = false;     ///< the motion is held until the command resume
   bool homed = false;    ///< the position refers to the home position
-  bool power = false;    ///< the drive shall follow setpoints
+  bool power = false;    ///< request: the drive follows setpoints
   std::int64_t group = 0;  ///< group of the motion; 0: none
   GroupStart next{};       ///< start of the armed movement
-  /// The groups of its motion and its armed movement when a stop, a halt, a fault or a refused start last ended these.
-  /// They stay until the axis arms a movement of that group.
+  /// The groups of its motion and of its armed movement at their last end by a stop, a halt, a
+  /// fault or a refused start. They stay until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
   bool frozen = false;  ///< the velocity fell to 0 in this tick; see fault
   double offset = 0;    ///< u; set_position so far: the drive's position = position - offset
@@ -68,20 +68,21 @@ struct Tick {
   double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
   double torque = std::numeric_limits<double>::quiet_NaN();  ///< relative to the rated torque
   bool in_position = false;  ///< at rest, with the drive within the window for its time
-  SwitchStep switches{};     ///< outputs of the cam switches, and their edges since the tick before
+  SwitchStep switches{};     ///< outputs of the cam switches, with edges since the previous tick
   CompareStep compare{};     ///< the output of the position compare, likewise
 
   std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
   std::optional<Refusal> dropped{};  ///< reason why the waiting motion did not begin
-  std::array<const Movement*, 3> handed_back{};  ///< no longer needed by the axis
+  std::array<const Movement*, 3> handed_back{};  ///< released by the axis
 };
 
-/// True if the axis moves, or will without a further command: by a movement, its own move, or braking
-/// in a fault. A held motion does; one that an underrun has brought to rest does not.
+/// True if the axis moves now or later without a further command: by a movement, by its own move,
+/// or by braking in a fault. A held motion counts; a motion that an underrun has brought to rest
+/// does not.
 bool in_motion(const Tick& tick);
 
-/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither
-/// allocates nor frees, locks, logs nor throws.
+/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither allocates
+/// nor frees, locks, logs nor throws.
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
 ///     axis.step(0, {.kind = Command::Kind::enable});
@@ -89,37 +90,39 @@ bool in_motion(const Tick& tick);
 ///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
-/// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend; one that is
-/// left out is left out of the motion too, which follows time.
+/// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend. The motion
+/// follows time: a skipped tick is skipped in the motion too.
 ///
-/// **What moves it.** A movement (a path whose time may run slower, or a coupling to a live
-/// master), or a move that the axis plans itself, from the last setpoint that it gave out; on top of
-/// either a superimposed move. Rules: transitions.hpp and docs/executor/axis.md.
+/// **Motion.** The axis plays a movement (a path whose time may run slower, or a coupling to a live
+/// master) or a move that it plans itself from its last output setpoint. A superimposed move adds
+/// to either. Rules: transitions.hpp and docs/executor/axis.md.
 ///
-/// **Slots.** One movement is played, one is armed. An axis owns neither: each is handed back once,
-/// in the tick after which the axis no longer looks at it.
+/// **Slots.** One movement is played, one is armed. An axis owns neither. It hands each back once,
+/// in the last tick in which it reads it.
 ///
-/// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new position, or new master
-/// at the start of a job, is a new place: outputs may change there, but no edge is passed. They work in every
-/// state, also disabled and in a fault.
+/// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new
+/// position, or a new master at the start of a job, may change outputs but passes no edge. Outputs
+/// work in every state, also in disabled and in a fault.
 ///
-/// **Drives.** Feedback is of the drive's own position; a set_position moves the axis's count by
-/// `offset`, not the drive. While the axis is disabled its position is the drive's, where that is
-/// known, so that enabling moves nothing.
+/// **Drives.** Feedback is in the drive's own coordinate; set_position shifts the axis's coordinate
+/// by `offset` and does not move the drive. A disabled axis takes the drive's position, if
+/// available, so that enabling causes no motion.
 ///
-/// **Homing** (homing.hpp) finds the machine's home position by what the drive reports of its switches
-/// and index. Until it has come to rest the position range does not hold, and it may stand on a limit switch.
+/// **Homing** (homing.hpp) finds the machine's home position from the switches and the index that
+/// the drive reports. Until the axis is at rest again, the position range does not apply, and the
+/// axis may stand on a limit switch.
 ///
 /// **Safety.** Arming checks a movement against the limits, independent of its sender. In motion,
-/// every setpoint is compared with the one before and the limits before it is given out. A fault
-/// stays until a reset; reaction_to() is the reaction of the axis.
+/// the axis compares every setpoint with the one before and with the limits before it outputs it. A
+/// fault stays until a reset; reaction_to() is the reaction of the axis.
 class MotionAxis {
  public:
   /// Throws InputError for a bad configuration, bad switches, or a bad list of a compare.
   explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
                       const AxisCompare& compare = {});
 
-  /// The point of this tick, after its command. `tick` must be greater than in the step before.
+  /// Returns the outputs of this tick, after its command. `tick` must be greater than in the
+  /// previous step.
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
   [[nodiscard]] const AxisConfig& config() const { return config_; }
@@ -127,7 +130,7 @@ class MotionAxis {
 
  private:
   enum class Base : std::uint8_t { rest, movement, move };
-  /// table: what was played ended at a velocity.
+  /// table: the played movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
   enum class Boundary : std::uint8_t { none, swap, finish };
 
@@ -176,7 +179,7 @@ class MotionAxis {
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
-  /// The limits that hold now: without the position range until a homing has come to rest.
+  /// The limits in effect: without the position range until homing is at rest.
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: its slots
@@ -194,7 +197,7 @@ class MotionAxis {
   [[nodiscard]] std::optional<MotionState> expected_end() const;
   [[nodiscard]] bool stands() const;
 
-  // axis_swap.cpp: from one path onto the next
+  // axis_swap.cpp: from one path to the next
   void start_at_end();
   void start_at_pass_end();
   bool ready_to_swap();
@@ -243,7 +246,7 @@ class MotionAxis {
   bool stop_at_limit(Cause limit);
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
-  // axis_buffer.cpp: what waits for its tick, and the moves after this one
+  // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
   void postpone(const Command& command);
   void obey_due();
   void forget_later();
@@ -259,7 +262,7 @@ class MotionAxis {
   void forget(const WaitingMoves& moves);
   void forget_next();
 
-  // axis_ends.cpp: how a motion ends
+  // axis_ends.cpp: the end of a motion
   void conclude();
   void rest();
   void freeze();
@@ -271,19 +274,19 @@ class MotionAxis {
   AxisConfig unranged_;  // the same without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
-  std::int64_t emitted_ = 0;  // tick in which the last setpoint of a motion went out
+  std::int64_t emitted_ = 0;  // tick of the last output setpoint of a motion
   Inputs inputs_;
-  Jet last_master_ = Inputs{}.master;  // last master of the live one
-  double renamed_ = 0;  // m: what its count has gained since the movement was coupled to it
+  Jet last_master_ = Inputs{}.master;  // last value of the live master
+  double renamed_ = 0;  // m: set_position changes of the master since the coupling began
   Supervision windows_;
 
   Movement* active_ = nullptr;
   Movement* pending_ = nullptr;
-  bool waiting_ = false;  // a start of the pending one was accepted
+  bool waiting_ = false;  // a start of the armed movement was accepted
   StartAt start_at_ = StartAt::tick;
   std::int64_t start_tick_ = 0;
   double start_position_ = 0;    // start position of the master
-  std::int64_t accepted_ = -1;   // tick in which that start was
+  std::int64_t accepted_ = -1;   // tick in which that start was accepted
   std::int64_t group_ = 0;       // group of the motion
   std::int64_t next_group_ = 0;  // group of the armed movement
   GroupBreak last_break_;
@@ -294,33 +297,33 @@ class MotionAxis {
   std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
   bool joint_ = false;       // this tick joins one motion to another
   PathClock clock_;          // clock of a path
-  PathClock shown_;          // the same as the last setpoint was given out
-  std::int64_t from_ = 0;    // the first tick in which that may still be changed
+  PathClock shown_;          // the clock at the last output setpoint
+  std::int64_t from_ = 0;    // the first tick in which the clock may still be changed
   double played_to_ = 0;     // path time of the tick before, s
-  Peaks peaks_;              // peaks of it
+  Peaks peaks_;              // peaks of the path
   Boundary boundary_ = Boundary::none;
   double boundary_at_ = 0;  // path time, s
   Goal goal_;               // goal of the move
   Profile plan_;
-  double ahead_ = 0;              // s of it that were over at its origin
-  WaitingMoves next_;             // for the end of this motion
-  std::optional<Command> later_;  // the one that waits for its tick
-  MotionState bare_;              // the last setpoint without what is superimposed
+  double ahead_ = 0;              // s of the move that were over at its origin
+  WaitingMoves next_;             // moves for the end of this motion
+  std::optional<Command> later_;  // the command that waits for its tick
+  MotionState bare_;              // the last setpoint without the superimposed move
   double factor_ = 1;             // override
   bool held_ = false;
 
   bool lifting_ = false;     // a superimposed move runs
-  bool lift_rests_ = false;  // until the path beneath it is resumed
+  bool lift_rests_ = false;  // a superimposed move waits until the path beneath it is resumed
   Profile lift_;
-  Goal lift_goal_;    // u from where the first of them began
+  Goal lift_goal_;    // u from the start of the first superimposed move
   Limits lift_most_;  // limits left by the motion below
   std::int64_t lift_origin_ = 0;
-  double shift_ = 0;  // u, of those that are over
+  double shift_ = 0;  // u, of the finished superimposed moves
 
-  std::optional<Homing> homing_;  // until it has come to rest, however it ends
-  double home_position_ = 0;      // u: the position that the home position will get
+  std::optional<Homing> homing_;  // set until it is at rest, in success or failure
+  double home_position_ = 0;      // u: the future position of the home position
 
-  bool has_master_ = false;  // since a cam was started; until the next table without one
+  bool has_master_ = false;  // since the start of a cam, until the next table without one
   Outputs outputs_;
   Tick now_;
 };

@@ -9,13 +9,13 @@ namespace jounce {
 
 /// Homing of an axis, after CiA 402. A value of 0 means the default, which resolved() fills in.
 struct HomingSpec {
-  int method = 37;             ///< 6098h; 35, 37: where the axis stands
+  int method = 37;             ///< 6098h; 35, 37: the present position
   double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's limit
   double index_velocity = 0;   ///< u/s, 6099h:2, of edge and index; 0: a quarter of search_velocity
   double acceleration = 0;     ///< u/s^2, 609Ah; 0: the limit of the axis
-  double offset = 0;           ///< u, 607Ch: the position that the home position gets
-  double timeout = 60;         ///< s, of all of it, > 0
-  double distance = 0;         ///< u that each search may go; 0: not limited
+  double offset = 0;           ///< u, 607Ch: the new position of the home position
+  double timeout = 60;         ///< s, of the whole homing, > 0
+  double distance = 0;         ///< u, limit of each search; 0: not limited
 };
 
 /// Configuration of an axis, fixed when the executor starts. A value of 0 means off, unless noted
@@ -25,8 +25,8 @@ struct AxisConfig {
   Limits limits = {};               ///< velocity and acceleration are required
   double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
   double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
-  double position = 0;              ///< u; where the axis stands at first
-  std::int64_t longest_gap = 100;   ///< ticks; a cycle further behind than this in motion: a fault
+  double position = 0;              ///< u; initial position of the axis
+  std::int64_t longest_gap = 100;   ///< ticks; a fault if a cycle in motion is later than this
 
   double abort_acceleration = 0;  ///< u/s^2 of an abort; 0: the setpoint freezes at once
   double limit_acceleration = 0;  ///< u/s^2 before a soft limit; 0: stop_acceleration
@@ -37,10 +37,11 @@ struct AxisConfig {
   double in_position_time = 0;    ///< s
 
   HomingSpec homing = {};
-  bool require_home = false;  ///< before it is homed no motion goes to a position
+  bool require_home = false;  ///< reject motions to absolute positions before homing
 };
 
-/// The same with the defaults filled in. Throws InputError for a value out of range.
+/// Returns the configuration with the defaults filled in. Throws InputError for a value out of
+/// range.
 AxisConfig resolved(AxisConfig config);
 
 }  // namespace jounce

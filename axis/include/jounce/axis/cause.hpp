@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// Why an axis is in ErrorStop, why it did not obey a command, or why a table was not admitted. The
-/// numbers are part of the wire format: new ones go to the end of their block.
+/// Reason why an axis is in ErrorStop, rejected a command, or did not admit a table. The numbers
+/// are part of the wire format: append new ones to their block.
 enum class Cause : std::uint8_t {
   none = 0,
 
@@ -31,7 +31,7 @@ enum class Cause : std::uint8_t {
   jump = 16,
   master_reversed = 17,
 
-  // Commands that were not obeyed; the axis goes on as before.
+  // Rejected commands; the axis continues unchanged.
   not_enabled = 20,
   in_error = 21,
   in_motion = 22,
@@ -73,7 +73,7 @@ enum class Cause : std::uint8_t {
   no_ramp = 57,
   not_in_sync = 58,
 
-  // Homing: faults, then commands that were not obeyed.
+  // Homing: faults, then rejected commands.
   home_timeout = 60,
   home_not_found = 61,
   index_not_found = 62,
@@ -82,7 +82,7 @@ enum class Cause : std::uint8_t {
   no_such_method = 67,
   no_sensor = 68,
 
-  // Why the last motion ended where no fault ended it; none: it reached its end.
+  // Ends of the last motion without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,
   pass_ended = 82,
@@ -91,10 +91,10 @@ enum class Cause : std::uint8_t {
   group_stopped = 85,
 };
 
-/// "aborted", "not_armed", ...: the words of the log, of messages and of docs/executor.md.
+/// "aborted", "not_armed", ...: the words in the log, in messages and in docs/executor.md.
 const char* name(Cause cause);
 
-/// One sentence: what happened.
+/// Returns one sentence: the event.
 const char* meaning(Cause cause);
 
 /// True if it is a fault, which stays latched until a reset.
@@ -103,16 +103,16 @@ constexpr bool is_fault(Cause cause) {
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 
-/// Why a command is not obeyed or a movement not admitted, with the number, the bound it breaks,
-/// and the instant along the movement in s of its local time; NaN: at no known instant.
+/// Reason why a command is rejected or a movement is not admitted, with the number, the exceeded
+/// bound, and the local time of the movement in s; NaN: no instant.
 struct Refusal {
   Cause cause = Cause::none;
   double value = 0;
   double limit = 0;
   double where = std::numeric_limits<double>::quiet_NaN();
 
-  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; without an instant
-  /// that is not known, and without the numbers where none broke a bound.
+  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; omits the instant if
+  /// it is NaN, and the numbers if no bound was exceeded.
   [[nodiscard]] std::string text() const;
 };
 

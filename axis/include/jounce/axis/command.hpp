@@ -21,15 +21,15 @@ struct MoveDynamics {
   double jerk = as_configured;          ///< u/s^3
 };
 
-/// When what is armed begins.
+/// Start condition of the armed movement.
 enum class StartAt : std::uint8_t {
   tick,             ///< `at`
   end_of_table,     ///< at the end of the played table or of its pass, without a stop
   master_position,  ///< when the master passes `position`
 };
 
-/// Changes of a command to the HomingSpec of an axis, besides its offset (`position`), search velocity and
-/// acceleration (`dynamics`). NaN, and method 0: as configured.
+/// Changes of a command to the HomingSpec of an axis, besides its offset (`position`), search
+/// velocity and acceleration (`dynamics`). NaN, and method 0: as configured.
 struct HomingChoice {
   int method = 0;
   double index_velocity = as_configured;  ///< u/s, > 0
@@ -37,35 +37,36 @@ struct HomingChoice {
   double distance = as_configured;        ///< u, > 0
 };
 
-/// A command to an axis. At most one in each tick; of several in a row, the last one takes effect.
+/// A command to an axis, at most one in each tick. If several arrive for a tick, the last one takes
+/// effect.
 struct Command {
   enum class Kind : std::uint8_t {
     none,
     enable,
     disable,
-    arm,                ///< `movement` becomes the one to be started; it replaces one that waits
-    disarm,             ///< takes it back, unless its start was accepted
+    arm,                ///< arms `movement`; replaces an armed one
+    disarm,             ///< disarms it, unless its start was accepted
     start,              ///< starts the armed motion, see `start_at`
-    stop,               ///< on the path if there is one; disarms; nothing but a fault ends it
-    abort,              ///< at once: a fault
+    stop,               ///< to rest, on the path if there is one; disarms; only a fault ends it
+    abort,              ///< stops at once: a fault
     reset,              ///< clears a fault
-    set_position,       ///< the axis stands at `position` (or `relative`: so much further on)
+    set_position,       ///< sets the present position to `position` (`relative`: adds it)
     home,               ///< searches for the home position with `homing`, in the state homing
-    hold,               ///< a path, or a planned move: to rest, and it waits there
+    hold,               ///< brings a path or a planned move to rest; it waits there
     resume,             ///< ends the hold
     override_,          ///< `factor` times the speed from now on
-    finish,             ///< a table that repeats ends with this pass (Agito StopRep)
+    finish,             ///< ends a table that repeats at the end of this pass (Agito StopRep)
     move_absolute,      ///< to `position`
-    move_relative,      ///< by `position` from where the setpoint is
-    move_additive,      ///< by `position` from the target of the move under way
-    move_superimposed,  ///< by `position` on top of what is under way; `dynamics.velocity` is added
+    move_relative,      ///< by `position` from the present setpoint
+    move_additive,      ///< by `position` from the target of the present move
+    move_superimposed,  ///< by `position` on top of the motion; `dynamics.velocity` is added
     move_velocity,      ///< at the velocity `position`, u/s, until the next command; 0: to rest.
-                        ///< dynamics.velocity has no meaning
+                        ///< Ignores dynamics.velocity
     halt,               ///< like stop, but any command may follow at once
-    gear_in,            ///< `movement`, a live one, begins now, during any motion
+    gear_in,            ///< starts `movement`, a live one, now, during any motion
     gear_out,           ///< leaves the gear; the velocity stays
     cam_out,            ///< leaves the cam; the velocity stays
-    release,            ///< like stop: a hold-to-run jog ends
+    release,            ///< like stop: end of a hold-to-run jog
   };
   Kind kind = Kind::none;
   std::uint64_t id = 0;          ///< id of the sender, returned with the answer
@@ -74,14 +75,14 @@ struct Command {
   std::int64_t group =
       0;  ///< group of an arm and its start: its motions start and stop together; 0: none
   std::int64_t at = -1;  ///< tick; -1: at once, the only value for arm
-  /// u; u/s of move_velocity, m for a master; relative moves: a distance; home: the position that home
-  /// gets, NaN: as configured.
+  /// u; u/s of move_velocity, m for a master; relative moves: a distance; home: the new position of
+  /// the home position, NaN: as configured.
   double position = 0;
   bool relative = false;
   double factor = 1;  ///< factor of override_, 0 to 2
   MoveDynamics dynamics = {};
   Direction direction = Direction::shortest;  ///< for a move on a modulo axis
-  /// Start relative to the motion before: docs/executor/axis.md.
+  /// Start relative to the previous motion: docs/executor/axis.md.
   BufferMode buffer = BufferMode::aborting;  ///< for move_absolute, move_relative, move_velocity
   HomingChoice homing = {};
 };

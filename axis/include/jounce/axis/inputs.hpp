@@ -15,8 +15,8 @@ inline constexpr double most_magnitude = 1e50;
 struct Sensor {
   bool wired = false;  ///< the machine has this sensor
   bool on = false;     ///< state at the end of the cycle; unused for an index
-  /// u, as the drive counts: position of the first change since the previous cycle (for an index:
-  /// position of the mark), latched by the drive; NaN: no change.
+  /// u, in the drive's coordinate: position of the first change since the previous cycle (for an
+  /// index: position of the mark), latched by the drive; NaN: no change.
   double edge = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -28,16 +28,16 @@ struct Sensors {
   Sensor index;  ///< index mark of the encoder
 };
 
-/// The other axes of a group, before the start for which this axis waits (machine.hpp).
+/// State of the other axes of a group before the start for which this axis waits (machine.hpp).
 enum class Peers : std::uint8_t {
   ready,    ///< each of them has a start accepted for the same tick, or there are none
-  missing,  ///< one of them has none, or one for another tick
-  broken,   ///< one was stopped, failed, or refused its start
+  missing,  ///< one of them has no start, or a start for another tick
+  broken,   ///< one was stopped, failed, or rejected its start
 };
 
 /// Feedback of a drive in one cycle. NaN: not available.
 struct Feedback {
-  double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, as the drive counts
+  double position = std::numeric_limits<double>::quiet_NaN();  ///< actual, u, of the drive
   double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual, u/s
   double torque = std::numeric_limits<double>::quiet_NaN();    ///< relative to the rated torque
   bool ready = true;   ///< it follows setpoints (CiA 402: operation enabled)
@@ -45,20 +45,21 @@ struct Feedback {
   Sensors sensors = {};
 };
 
-/// Inputs of an axis in one cycle, besides commands. For all inputs, the axis stays within its
-/// limits: a master with a number that is not finite or beyond 1e50 is lost, and a drive that reports one, or
-/// a position that the axis could not reach in 2^40 ticks, has failed (`drive_fault`).
+/// Inputs of an axis in one cycle, besides commands. The axis stays within its limits for all
+/// inputs. A master is lost if one of its numbers is not finite or exceeds 1e50. A drive has failed
+/// (`drive_fault`) if it reports such a number, or a position that the axis could not reach in 2^40
+/// ticks.
 struct Inputs {
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< NaN: none, or lost
-  /// m: sum of the set_position changes of the master so far. An active coupling keeps the coordinate in
-  /// which it was engaged.
+  /// m: sum of the set_position changes of the master so far. An active coupling keeps the
+  /// coordinate in which it was engaged.
   double master_offset = 0;
   Feedback feedback = {};
   bool positive_switch = false;  ///< limit switch active; OR-ed with feedback.sensors
   bool negative_switch = false;
   /// Number of the last available row of its queues; the greatest value: all rows.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
-  bool group_broken = false;   ///< another motion of the same start was stopped, or failed: stop
+  bool group_broken = false;   ///< another motion of the same start was stopped or failed: stop
   Peers peers = Peers::ready;  ///< permission for the armed movement to begin
   bool watchdog = false;       ///< a heartbeat is missing: stop
 };

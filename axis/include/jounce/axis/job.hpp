@@ -15,8 +15,8 @@
 
 namespace jounce {
 
-/// A motion, constructed and checked outside the cyclic thread: a table over time, or a cam
-/// table over a virtual master whose position is a table over time.
+/// A motion, constructed and checked outside the cyclic thread: a table over time, or a cam table
+/// over a virtual master whose position is a table over time.
 ///
 ///     Job move(1, std::make_shared<Table>(pvt));
 ///     Job cam(2, std::make_shared<Table>(master), std::make_shared<Table>(cam_table));
@@ -25,16 +25,16 @@ namespace jounce {
 /// Local time runs from 0 at the start. A time table that wraps repeats until it is stopped; any
 /// other ends after one run. A cam table that wraps is periodic in the master.
 ///
-/// `coupling` defines the coupling of a cam (jounce/cam/coupling/coupling.hpp), at local time 0, to a slave at rest at
-/// `position`: an axis that does not stand where the cam begins can be engaged by a ramp. The job
-/// then lasts until the ramp is over. admit() refuses a ramp onto a master that repeats: the axis would
-/// not come back to where it stood.
+/// `coupling` defines the coupling of a cam (jounce/cam/coupling/coupling.hpp), at local time 0, to
+/// a slave at rest at `position`. A ramp can engage an axis that does not stand at the start of the
+/// cam; the job then lasts until the ramp is over. admit() rejects a ramp onto a master that
+/// repeats: the axis would not return to its start position.
 ///
-/// Throws InputError where the tables are not over time and over master position in this order, and
+/// Throws InputError if the tables are not over time and over master position, in this order, and
 /// for a bad coupling.
 class Job final : public Movement {
  public:
-  /// `tick` is the length of a tick, s: steps closer together than that count as one.
+  /// `tick` is the length of a tick, s: steps closer together count as one.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
       std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
       const CouplingSpec& coupling = {}, double position = 0);
@@ -55,33 +55,34 @@ class Job final : public Movement {
   [[nodiscard]] double start() const { return time_->start(); }  ///< start of the time table, s
   [[nodiscard]] double duration() const {
     return std::max(time_->length(), least_);
-  }  ///< s, of one run
+  }  ///< duration of one run, s
 
-  /// The point at local time t >= 0, s: bit for bit what the tables give. After the end of a job
-  /// that does not repeat, its last point at rest. Never allocates.
+  /// Returns the point at local time t >= 0, s: bit for bit as the tables give it. After the end of
+  /// a job that does not repeat, returns its last point at rest. Never allocates.
   [[nodiscard]] Setpoint at(double t) const;
 
   /// Extreme values over time of position, velocity, acceleration and jerk. Exact for a table over
-  /// time. For a cam over a master: of 16 points between any two breaks, refined to the exact peak
-  /// of position, velocity and acceleration wherever the next derivative changes sign.
+  /// time. For a cam over a master: 16 points between any two breaks, refined to the exact peak of
+  /// position, velocity and acceleration wherever the next derivative changes sign.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
   /// The largest jump of position, velocity and acceleration inside the run, and from its end to
-  /// its start where it repeats: of all jumps within one tick the sum of magnitudes, where it
-  /// begins.
+  /// its start if it repeats: the sum of magnitudes of all jumps within one tick, at the start of
+  /// that tick.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
   [[nodiscard]] const Setpoint& first() const { return first_; }
   [[nodiscard]] const Setpoint& last() const { return last_; }
 
-  /// Distance, in master units, and time at which the master leaves a cam that rejects this; 0 if it does not.
+  /// Distance, in master units, by which the master leaves a cam that does not permit it, and the
+  /// time; 0: it stays inside.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
-  /// Why the cam cannot be coupled there; `ok` where it can, and without a cam.
+  /// Reason why the cam cannot be coupled there; `ok` if it can, and without a cam.
   [[nodiscard]] CouplingStatus coupled() const { return coupled_; }
-  /// It gets onto its cam by a ramp.
+  /// True if a ramp engages the cam.
   [[nodiscard]] bool ramps() const { return !in_sync_ || *in_sync_ > start(); }
-  /// The ramp is over before the job is.
+  /// True if the ramp ends before the job does.
   [[nodiscard]] bool gets_in_sync() const { return in_sync_.has_value(); }
 
   /// Tolerance for equal positions: 1e-9 of the stroke, and rounding.
@@ -109,13 +110,14 @@ class Job final : public Movement {
   Progress progress_ = Progress::running;
 };
 
-/// Checks a job against an axis in the state `from`: its start, rest at both ends (in a swap: the velocity and
-/// acceleration of the motion before), the position range, velocity, acceleration and jerk, and jumps. Returns
-/// nothing, or the first broken rule. Never allocates: a Job has all data.
+/// Checks a job against an axis in the state `from`: its start, rest at both ends (in a swap: the
+/// velocity and acceleration of the previous motion), the position range, velocity, acceleration,
+/// jerk, and jumps. Returns nullopt, or the first violated rule. Never allocates: a Job holds all
+/// data.
 ///
 /// A jump of the velocity, at an end or between, counts as the acceleration that makes it within
-/// one tick: so a table of straight lines passes exactly if no tick exceeds the limit. A jump of
-/// the acceleration is judged alike where a jerk limit is set.
+/// one tick. A table of straight lines therefore passes exactly if no tick exceeds the limit. With
+/// a jerk limit, the same applies to a jump of the acceleration.
 std::optional<Refusal> admit(const Job& job, const AxisConfig& config, const MotionState& from);
 /// The same for an axis at rest.
 inline std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position) {

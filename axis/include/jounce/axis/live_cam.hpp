@@ -11,11 +11,11 @@
 
 namespace jounce {
 
-/// Behaviour of the slave if a cam that runs once ends at a velocity.
+/// Behavior of the slave if a cam that runs once ends at a velocity.
 enum class CamEnd : std::uint8_t {
   brake,          ///< the axis comes to rest within its limits
   keep_velocity,  ///< it keeps that velocity until its next command (PMC600 and PLCopen, MC_CamOut)
-  extend,         ///< the cam goes on at the ratio of that end: the slave stays coupled
+  extend,         ///< the cam continues at the ratio of that end: the slave stays coupled
 };
 
 /// MC_CamIn on the axis's live master: a cam table for any motion of the master.
@@ -25,23 +25,25 @@ enum class CamEnd : std::uint8_t {
 ///     if (const Cause no = cam.begin(axis, now); no != Cause::none) ...    // would_reverse, ...
 ///     const Setpoint point = cam.at(now);                                  // every cycle
 ///
-/// A table that wraps or advances is periodic; one that holds or refuses runs once. Start modes,
+/// A table that wraps or advances is periodic; one that holds or rejects runs once. Start modes,
 /// scaling, offsets, jumps of the master: jounce/cam/coupling/coupling.hpp,
 /// jounce/cam/coupling/coupling_cycle.hpp. In sync, setpoints are bit for bit placed() of the
 /// table.
 ///
-/// **Progress**: `engaging` while anything is left of a correction, then `running`; a cam that has
-/// run once is `done`, in the very tick; CamEnd selects the behaviour of one that ends moving. An extended one
-/// is never done: it runs on at the ratio of its end, and back into the cam when its master comes back.
-/// `broken`: the master is lost (NaN), or jumped and no correction could take that up.
+/// **Progress**: `engaging` until the correction is complete, then `running`. A cam that runs once
+/// is `done` in the tick of its end; CamEnd selects the behavior if it ends at a velocity. An
+/// extended cam is never done: it continues at the ratio of its end, and returns into the cam when
+/// its master returns. `broken`: the master is lost (NaN), or jumped and no correction can absorb
+/// the jump.
 class LiveCam final : public Movement {
  public:
   /// Throws InputError for a table that is not over master, and a bad coupling.
   LiveCam(std::uint64_t id, std::shared_ptr<const Table> cam, const CouplingSpec& spec = {},
           CamEnd end = CamEnd::brake);
 
-  /// no_master_input, master_outside_cam, would_reverse, master_stands, no_ramp; start_position: it
-  /// starts at once (absolute, relative), and the axis does not stand on the cam.
+  /// Returns no_master_input, master_outside_cam, would_reverse, master_stands, no_ramp, or
+  /// start_position: it starts at once (absolute, relative), and the axis does not stand on the
+  /// cam.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
@@ -53,11 +55,11 @@ class LiveCam final : public Movement {
   [[nodiscard]] bool passes() const noexcept override { return true; }
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now) const noexcept override;
 
-  /// EndOfProfile: ends of the cam passed since it began, backwards counted down.
+  /// EndOfProfile: passed ends of the cam since the start; backward passes count down.
   [[nodiscard]] std::int64_t periods() const noexcept { return periods_; }
 
  private:
-  /// A cam's end that was left, and how the slave goes on from there.
+  /// The end at which the cam was left, and the motion of the slave from there.
   struct Beyond {
     double side = 0;    // 1: beyond the end, -1: before the start
     double master = 0;  // m, at that end
@@ -74,14 +76,14 @@ class LiveCam final : public Movement {
   CamEnd end_;
   std::optional<Released> released_;
   std::optional<Beyond> beyond_;
-  double place_ = 0;  // u, of the cam when it was to begin
+  double place_ = 0;  // u, of the cam at its start
   std::int64_t periods_ = 0;
   Progress progress_ = Progress::engaging;
   Cause cause_ = Cause::none;
   Setpoint last_;
 };
 
-/// Why a coupling could not be engaged, in the axis's words.
+/// Returns the Cause for a coupling status.
 Cause cause_of(CouplingStatus status);
 
 }  // namespace jounce

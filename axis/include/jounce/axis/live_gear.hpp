@@ -9,27 +9,27 @@
 
 namespace jounce {
 
-/// MC_GearIn on the axis's live master: from any motion, the slave ramps to k times its
-/// master's velocity and keeps step from then on (jounce/gear/gear_in.hpp).
+/// MC_GearIn on the axis's live master: from any motion, the slave ramps to k times its master's
+/// velocity and then follows in step (jounce/gear/gear_in.hpp).
 ///
 ///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
 ///     axis.step(t, {.kind = Command::Kind::gear_in, .movement = &gear}, inputs);
 ///
-/// Its progress is `engaging` during the ramp, then `running` until the axis leaves it; `broken` if the
-/// master is lost.
+/// Its progress is `engaging` during the ramp, then `running` until the axis leaves the gear;
+/// `broken` if the master is lost.
 class LiveGear final : public Movement {
  public:
-  /// Throws InputError as gear_in() does.
+  /// Throws InputError like gear_in().
   LiveGear(std::uint64_t id, const GearInSpec& spec);
 
-  /// no_master_input: no number, or beyond 1e50.
+  /// Returns no_master_input if the master is not finite or exceeds 1e50.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
   [[nodiscard]] bool absolute() const noexcept override { return false; }
   [[nodiscard]] Peaks peaks() const noexcept override;
-  /// acceleration_limit, jerk_limit: its ramp would exceed the axis's limits.
+  /// Returns acceleration_limit or jerk_limit if its ramp would exceed the axis's limits.
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& from) const noexcept override;
 
@@ -40,24 +40,25 @@ class LiveGear final : public Movement {
   Setpoint last_;
 };
 
-/// MC_GearInPos on the axis's live master: the slave rests until the master passes the start position,
-/// and is in step from the sync position on (jounce/gear/gear_in_pos.hpp). The slave must stand at
-/// `slave_start` when it begins.
+/// MC_GearInPos on the axis's live master: the slave rests until the master passes the start
+/// position, and is in step from the sync position on (jounce/gear/gear_in_pos.hpp). The slave must
+/// stand at `slave_start` when it begins.
 ///
-/// Its progress is `waiting`, `engaging`, then `running`, even if the master reverses: if it turns back
-/// before the sync position, the slave moves back with it; this is neither a stop nor an error
-/// (PMC600 error 775 is reported by master_reversed()).
+/// Its progress is `waiting`, `engaging`, then `running`, even if the master reverses: if the
+/// master turns back before the sync position, the slave moves back with it. This is neither a stop
+/// nor an error (PMC600 error 775 is reported by master_reversed()).
 class LiveGearInPos final : public Movement {
  public:
-  /// Throws InputError as gear_in_pos() does, and "master_start_distance" where it cannot be engaged.
+  /// Throws InputError like gear_in_pos(), and "master_start_distance" if it cannot be engaged.
   LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec);
 
-  /// no_master_input; start_position, start_velocity: the axis does not stand at slave_start.
+  /// Returns no_master_input; or start_position, start_velocity: the axis does not stand at
+  /// slave_start.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
-  /// The master moved backwards in this cycle while the gear was engaging.
+  /// True if the master moved backwards in this cycle while the gear was engaging.
   [[nodiscard]] bool master_reversed() const noexcept { return reversed_; }
 
  private:

@@ -17,7 +17,7 @@
 
 namespace jounce {
 
-/// A position that comes from elsewhere, with the sender's time.
+/// A measured position from an external source, with the sender's time.
 struct MasterSample {
   std::int64_t stamp_ns = 0;  ///< time of the measurement, by the sender's clock
   std::int32_t clock = 0;     ///< a new number: another clock, or the same one restarted
@@ -26,13 +26,13 @@ struct MasterSample {
   bool valid = true;          ///< the sender reports a valid position
 };
 
-/// The position of a master in each cycle, which axes follow. The setpoint of another axis can be one too; the
-/// machine (machine.hpp) passes it on itself.
+/// The position of a master in each cycle, which axes follow. A master can also be the setpoint of
+/// another axis; the machine (machine.hpp) then passes it on itself.
 ///
-///     ExternalMaster line({.velocity = 3, .acceleration = 20});     // m/s, m/s^2
-///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});   // communication thread
-///     const Jet x = line.at(tick * period);                                 // the cycle's
-///     if (std::isnan(x[0])) ...                                             // none, or lost
+///     ExternalMaster line({.velocity = 3, .acceleration = 20});    // m/s, m/s^2
+///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});  // communication thread
+///     const Jet x = line.at(tick * period);                                // the cycle's
+///     if (std::isnan(x[0])) ...                                            // none, or lost
 class Master {
  public:
   Master() = default;
@@ -40,17 +40,17 @@ class Master {
   Master(const Master&) = delete;
   Master& operator=(const Master&) = delete;
 
-  /// [x, x', x'', x'''] at `time`; m, m/s, ... `time`, s, must ascend from call to call. x is NaN if the
-  /// master is lost. Does not allocate, wait or throw.
+  /// [x, x', x'', x'''] at `time`; m, m/s, ... `time`, s, must ascend from call to call. x is NaN
+  /// if the master is lost. Does not allocate, wait or throw.
   virtual Jet at(double time) noexcept = 0;
   /// Age of the measurement, s; NaN: no measurement; 0: computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
-  /// The external inputs that the last at() was the first to use. Given the same inputs before the same
-  /// call of at(), another object of the same class returns the same result, bit for bit.
+  /// The external inputs that the last at() was the first to use. Given the same inputs before the
+  /// same call of at(), another object of the same class returns the same result, bit for bit.
   [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
-/// A master as one cycle saw it.
+/// The value of a master in one cycle.
 struct MasterSight {
   std::int64_t tick = -1;
   Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< like Master::at()
@@ -59,8 +59,8 @@ struct MasterSight {
   [[nodiscard]] bool lost() const { return std::isnan(at[0]); }
 };
 
-/// A virtual master: a table over time from `start` on. Before `start` it stands at its
-/// first point; after the end of the table it stands at the last point or repeats, as the table defines.
+/// A virtual master: a table over time from `start` on. Before `start` it stands at its first
+/// point; after the end of the table it stands at the last point or repeats, as the table defines.
 class TableMaster final : public Master {
  public:
   /// Throws InputError "axis" for a table that is not over time.
@@ -72,16 +72,16 @@ class TableMaster final : public Master {
   double start_;
 };
 
-/// An encoder that the cycle reads itself: noise and quantisation are filtered (tracker.hpp).
+/// An encoder that the cycle reads itself: filters noise and quantization (tracker.hpp).
 class EncoderMaster final : public Master {
  public:
-  /// `position`: called in each at(); returns the position of the encoder, m, or NaN: no reading. After
-  /// too long without a reading the master is lost. Like at(), it must not allocate, wait or throw.
-  /// Without it, call read() in each cycle.
+  /// `position` returns the position of the encoder, m, or NaN: no reading; each at() calls it.
+  /// After too long without a reading the master is lost. Like at(), it must not allocate, wait or
+  /// throw. Without it, call read() in each cycle.
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
-  /// The reading of this cycle, m; call it before at(). After too long without a reading (or with NaN) the
-  /// master is lost.
+  /// The reading of this cycle, m; call it before at(). After too long without a reading (or with
+  /// NaN) the master is lost.
   void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
@@ -99,15 +99,16 @@ class EncoderMaster final : public Master {
   bool was_read_ = false;  // before the last at()
 };
 
-/// The sender's clock seen from here, without a round trip. received - stamp is the offset of the
-/// clocks plus the time a sample was under way, so its recent minimum is the offset plus the
-/// least delay: jitter can only increase it. The minimum of each half of the window is kept, and the
-/// estimate moves towards the smaller one by at most `slew`, so that the master does not step, except
-/// at the first sample and when the error exceeds `step`: then one of the clocks was changed.
+/// Estimate of the sender's clock without a round trip. received - stamp is the offset of the
+/// clocks plus the transit time of the sample. Its recent minimum is therefore the offset plus the
+/// least delay: jitter can only increase it. The estimate uses the minimum of each half of the
+/// window and moves towards the smaller one by at most `slew`, so that the master does not step. It
+/// steps at the first sample, and when the error exceeds `step`: then one of the clocks was
+/// changed.
 ///
 ///     (1)  offset = least of received - stamp over window/2 to window
 ///
-/// The least delay itself cannot be measured: if it is known, give it as TrackerSpec::latency.
+/// The least delay cannot be measured: give it as TrackerSpec::latency if it is available.
 struct ClockOffset {
   double window = 10;  ///< s: long enough for one quick sample, short against the drift of quartz
   double slew = 1e-3;  ///< s/s; quartz drifts by less than 1e-4
@@ -120,7 +121,7 @@ struct ClockOffset {
   double local(const MasterSample& sample, bool& same) noexcept;
 
   std::int32_t clock = 0;
-  double least_before = 0, least_now = 0;  ///< least before of both halves
+  double least_before = 0, least_now = 0;  ///< least offset of both halves
   double half_since = 0, last = 0;         ///< s
 };
 
@@ -129,7 +130,8 @@ struct ClockOffset {
 class ExternalMaster final : public Master {
  public:
   explicit ExternalMaster(const TrackerSpec& spec) : tracked_(spec) {}
-  /// Called by the communication thread. False: not stored, since the cycle has not taken the last 64.
+  /// Called by the communication thread. False: not stored, since the cycle has not yet taken the
+  /// last 64.
   bool receive(const MasterSample& sample) noexcept { return samples_.push(sample); }
   /// Called by the cyclic thread.
   Jet at(double time) noexcept override;
@@ -142,7 +144,7 @@ class ExternalMaster final : public Master {
   [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
-  static constexpr std::size_t most = 64;  // samples in a cycle
+  static constexpr std::size_t most = 64;  // most samples in a cycle
   Ring<MasterSample, most> samples_;
   std::array<MasterSample, most> taken_{};
   std::size_t count_ = 0;

@@ -20,33 +20,33 @@ struct Setpoint {
   Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
 };
 
-/// One instant of the cycle, as a movement sees it.
+/// One instant of the cycle; input of a movement.
 struct Moment {
   double t = 0;   ///< s: the movement's own time, see Course
-  double dt = 0;  ///< s since the step before: more than a period where ticks were left out
+  double dt = 0;  ///< s since the previous step: more than a period if ticks were skipped
   Jet master =
-      {};  ///< master of the axis's live master: m, m/s, ...; NaN where it has none, or lost it
+      {};  ///< the axis's live master: m, m/s, ...; NaN: none, or lost
 };
 
 /// Independent variable of a movement; it determines how the axis holds, slows and stops it.
 enum class Course : std::uint8_t {
-  path,  ///< its own time alone: the axis runs that time slower, to rest in the end, and the setpoint
-         ///< never leaves the path. `t` is path time: bit for bit ticks * period at full speed
-  live,  ///< a master that moves as it likes: the axis leaves it by a move of its own from the state
-         ///< that it is in. `t` is the time since the movement began
+  path,  ///< its own time: the axis slows that time, to rest in the end, and the setpoint never
+         ///< leaves the path. `t` is path time: bit for bit ticks * period at full speed
+  live,  ///< a master in free motion: the axis leaves it by a move of its own from its present
+         ///< state. `t` is the time since the movement began
 };
 
 /// Progress of a movement.
 enum class Progress : std::uint8_t {
-  waiting,   ///< for its master, or an event: the slave stands
-  engaging,  ///< on its way to where it belongs: ramp, clutch
+  waiting,   ///< for its master, or an event: the slave is at rest
+  engaging,  ///< approaches its coupled position: ramp, clutch
   running,   ///< a path is played, a slave is in gear, in sync
   starving,  ///< buffer underrun: the available path ends; the axis stops
   done,      ///< it has ended; its last setpoint is at rest
-  broken,    ///< it cannot continue: see cause(); its last setpoint is the one before
+  broken,    ///< it cannot continue: see cause(); it repeats its last setpoint
 };
 
-/// The greatest magnitudes of a path, u/s, u/s^2, u/s^3: from which a stop on it is computed.
+/// The greatest magnitudes of a path, u/s, u/s^2, u/s^3: input of the stop on it.
 struct Peaks {
   double velocity = 0;
   double acceleration = 0;
@@ -54,7 +54,8 @@ struct Peaks {
   double velocity_step = 0;  ///< u/s, the largest sum of its steps within one tick; 0: smooth
 };
 
-/// A motion of an axis, constructed and checked outside the cyclic thread, which steps it:
+/// A motion of an axis. It is constructed and checked outside the cyclic thread; the cyclic thread
+/// steps it:
 ///
 ///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
 ///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
@@ -70,7 +71,8 @@ class Movement {
   [[nodiscard]] std::uint64_t id() const noexcept { return id_; }
   [[nodiscard]] Course course() const noexcept { return course_; }
 
-  /// The axis, in this state, is to begin now; none: it does, and at() gives its first point.
+  /// Begins the movement now, from the state `axis`. none: it begins, and at() returns its first
+  /// point.
   virtual Cause begin(const MotionState& axis, const Moment& now) noexcept = 0;
   virtual Setpoint at(const Moment& now) noexcept = 0;
 
@@ -92,32 +94,34 @@ class Movement {
   /// True if the axis is a slave: synchronized_motion, not discrete_motion.
   [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
 
-  /// For a path: its available length, s of its own time (infinite: it repeats), and its peaks. For a live one:
-  /// what it adds now to what its master does, while it engages.
+  /// For a path: its available length, s of its own time (infinite: it repeats), and its peaks. For
+  /// a live one: the greatest magnitudes that engaging now adds to the motion of its master.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
-  /// For a path: the sign of its first motion; 0: it does not move, or is not known.
+  /// For a path: the sign of its first motion; 0: no motion, or unknown.
   [[nodiscard]] virtual int direction() const noexcept { return 0; }
-  /// For a path: more of it will arrive. The axis stops on it, with the fault `underrun`, before less
-  /// is known than the stop takes: the same as `starving`, but the axis works it out.
+  /// For a path: true if more rows will arrive. The axis stops on it, with the fault `underrun`,
+  /// before the available part is shorter than the stop. The result is the same as with `starving`,
+  /// but the axis computes it.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
-  /// For a path: its available part stays within the range of its admission. Where it does not,
-  /// the axis looks before every setpoint whether it can still stop within its limits.
+  /// For a path: true if its available part stays within the range of its admission. If false, the
+  /// axis checks before every setpoint that it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
-  /// u, where begin() would have had the axis stand when it refused with start_position; NaN: not known.
+  /// u, the required position of the axis after begin() returned start_position; NaN: unknown.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  /// For a live one: if it is done at a velocity, the axis keeps that; otherwise it comes to rest.
+  /// For a live one: true if the axis keeps the velocity at its end; otherwise the axis comes to
+  /// rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
-  /// For a live one: true if it has passes, and the time between its last moment and this one at
-  /// which a pass ends; nothing: none does.
+  /// For a live one: true if it has passes, and the instant between its last moment and this one at
+  /// which a pass ends; nullopt: no pass ends.
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// For a path: the length of a pass, s of its own time, and the state at its end; where a swap is
-  /// made. 0 and nothing: it has none.
+  /// For a path: the length of a pass, s of its own time, and the state at its end, at which a swap
+  /// takes place. 0 and nullopt: it has no passes.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// The position compare of an axis: one list, begun anew with each motion from rest.
+/// The position compare of an axis: one list, restarted with each motion from rest.
 struct AxisCompare {
   SwitchesOf of = SwitchesOf::position;  ///< position, or actual
   std::optional<PositionCompare> list = {};
@@ -18,15 +18,15 @@ struct AxisCompare {
 /// Inputs of the outputs in one tick.
 struct OutputPlaces {
   struct Place {
-    double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
+    double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
     double velocity = std::numeric_limits<double>::quiet_NaN();
   };
   Place commanded;  ///< u, u/s
   Place master;     ///< m, m/s
-  Place actual;     ///< u, u/s; for a drive without velocity, from its positions
+  Place actual;     ///< u, u/s; computed from positions if the drive reports no velocity
 };
 
-/// The outputs of an axis that follow from where it is: its cam switches and its position compare,
+/// The outputs of an axis that depend on its position: its cam switches and its position compare,
 /// evaluated at the state of each tick.
 ///
 ///     Outputs outputs(switches, compare);
@@ -40,7 +40,7 @@ class Outputs {
   /// Throws InputError for bad switches or a bad list, "of" for a compare of the master.
   Outputs(const AxisSwitches& switches, const AxisCompare& compare);
 
-  /// The axis, or its master, is elsewhere from the next step on: nothing is passed.
+  /// Moves the axis, or its master, elsewhere from the next step on, without passing an edge.
   void place(SwitchesOf what);
   void begin();
   void step(const OutputPlaces& places, double dt);

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// Path time and its derivatives by the axis's time. A *rate* of 1 is the path as it was made, 0 is
-/// rest; it never is negative.
+/// Path time and its derivatives with respect to the axis's time. A *rate* of 1 is the original
+/// speed of the path, 0 is rest; it is never negative.
 struct PathTime {
   double s = 0;           ///< s
   double rate = 1;        ///< ds/dt
@@ -17,41 +17,41 @@ struct PathTime {
   double rate_curve = 0;  ///< d3s/dt3, 1/s^2
 };
 
-/// The time of a path that may be slowed down, held, stopped and sped up without being left.
+/// The time of a path. It lets the axis slow down, hold, stop and speed up without leaving the
+/// path.
 ///
-///     PathClock clock(1'000'000);                                  // ns of a tick
-///     clock.start(tick, 0, 1);                                     // path time 0 now, at full speed
-///     double s = clock.at(tick + 500).s;                           // bit for bit 500 * 1e6 / 1e9
-///     clock.change(tick + 500, 0, rate_slope(peaks, config, 1));   // a stop
-///     while (!clock.steady(tick)) ...                              // it takes 1.5 / slope
-///     clock.change(tick, 1, slope);                                // and on
+///     PathClock clock(1'000'000);                                // ns of a tick
+///     clock.start(tick, 0, 1);                                   // path time 0 now, at full speed
+///     double s = clock.at(tick + 500).s;                         // bit for bit 500 * 1e6 / 1e9
+///     clock.change(tick + 500, 0, rate_slope(peaks, config, 1)); // a stop
+///     while (!clock.steady(tick)) ...                            // it takes 1.5 / slope
+///     clock.change(tick, 1, slope);                              // and on
 ///
-/// A change is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any state that a change
-/// before has come to: r' never leaps, r never leaves the two rates it is between. Nothing
-/// accumulates: a time is a function of the tick and of the last change. A value type; nothing
-/// allocates or throws.
+/// A change is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any state that a
+/// previous change has reached: r' has no jump, and r stays between the start and end rates.
+/// Nothing accumulates: a time is a function of the tick and of the last change. A value type;
+/// nothing allocates or throws.
 class PathClock {
  public:
   explicit PathClock(std::int64_t period) noexcept : period_(period) {}
 
-  /// At that tick path time is s, and runs at that rate.
+  /// Sets path time to s, at that rate, in that tick.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// From that tick on, or that of the change before, towards another rate. False, and nothing is
-  /// changed, unless rate >= 0 and
-  /// slope > 0.
+  /// Changes to another rate from that tick on, or from that of the previous change. Returns false
+  /// and changes nothing unless rate >= 0 and slope > 0.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
-  /// Path time counts from another zero: s becomes s - by.
+  /// Shifts the zero of path time: s becomes s - by.
   void shift(double by) noexcept { base_ -= by; }
 
   [[nodiscard]] PathTime at(std::int64_t tick) const noexcept;
   [[nodiscard]] double target() const noexcept { return change_.end().velocity; }
-  /// No rate above this one comes before the clock is steady.
+  /// Upper bound of the rate until the clock is steady.
   [[nodiscard]] double highest(std::int64_t tick) const noexcept;
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
-  /// The path time that the change under way, or one begun now, still runs through until rest.
+  /// Remaining path time until rest, by the change in progress or by one that begins now.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
-  /// The same of a run to `rate` first, from there to full speed, and then to rest, each as soon as
-  /// the one before is over; infinite where the slope is not > 0.
+  /// The same for a run to `rate`, then to full speed, then to rest, each directly after the
+  /// previous one; infinite unless the slope is > 0.
   [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 
  private:
@@ -61,23 +61,23 @@ class PathClock {
   std::int64_t origin_ = 0;
   double base_ = 0;    // path time at origin_, s
   Profile change_;     // change of path time from there: position s, velocity r
-  double top_ = 1;     // the highest rate asked for since it was steady
+  double top_ = 1;     // the highest requested rate since it was steady
   double length_ = 0;  // length of the change, s
 };
 
-/// A setpoint of the path at path time `time.s`, as the axis gives it out at that rate.
+/// Returns the setpoint of the path at path time `time.s`, as the axis outputs it at that rate.
 Setpoint at_rate(const Setpoint& path, const PathTime& time) noexcept;
 
 /// The highest rate, at most 2, at which a path keeps the limits of the axis; at least 1.
 double highest_rate(const Peaks& peaks, const AxisConfig& config) noexcept;
 
-/// Greatest slope of the rate, 1/s, while it is at most `highest`, so that the stop limits hold
-/// wherever on the path that is; `added` moves on top of it. Not > 0 where nothing is left.
+/// Returns the greatest slope of the rate, 1/s, for rates up to `highest`, that keeps the stop
+/// limits everywhere on the path; `added` moves on top of it. Not > 0 if no slope is left.
 double rate_slope(const Peaks& peaks, const AxisConfig& config, double highest,
                   const Peaks& added = {}) noexcept;
 
-/// Duration of a stop from full speed on a path, s: from its peaks, so that it holds wherever
-/// the stop comes. For an admitted path only.
+/// Duration of a stop from full speed on a path, s, from its peaks: an upper bound everywhere on
+/// the path. For an admitted path only.
 double stop_duration(const Peaks& peaks, const AxisConfig& config);
 
 }  // namespace jounce

@@ -8,15 +8,15 @@
 
 namespace jounce {
 
-/// A queue from one thread to another: one pushes, one pops, neither ever waits.
+/// A queue from one thread to another: one pushes, one pops; neither waits.
 ///
 ///     Ring<Tick, 1024> ticks;
 ///     if (!ticks.push(tick)) ++lost;                   // the producer's thread
 ///     for (Tick tick; ticks.pop(tick);) log(tick);     // the consumer's thread
 ///
-/// Indices count up without end and are taken modulo the capacity; each stands in a cache line of its
-/// own, next to its thread's last view of the other one, so that the threads meet only when a look
-/// is needed.
+/// Indices count up without end and are taken modulo the capacity; each is in its own cache line,
+/// next to its thread's copy of the other index. The threads therefore share a line only when a
+/// thread refreshes its copy.
 template <class T, std::size_t Capacity>
 class Ring {
   static_assert(Capacity > 0 && (Capacity & (Capacity - 1)) == 0, "a power of two");

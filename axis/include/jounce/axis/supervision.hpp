@@ -7,9 +7,9 @@
 
 namespace jounce {
 
-/// The windows of an axis around its setpoint: the following error's (Googol GT_SetPosErr, Agito
-/// MaxPosErr, HMPL GetPosErr) and that of the position reached (GT_SetAxisBand, InTargetTol). A
-/// step each tick; a drive without position feedback causes no fault and is in no window.
+/// The windows of an axis around its setpoint: following error (Googol GT_SetPosErr, Agito
+/// MaxPosErr, HMPL GetPosErr) and in position (GT_SetAxisBand, InTargetTol). Call it once a tick. A
+/// drive without position feedback causes no fault and is in no window.
 ///
 ///     Supervision windows;
 ///     const bool lost = windows.too_far(set - actual, dt, config);
@@ -28,12 +28,11 @@ class Supervision {
   double inside_ = 0;   // s
 };
 
-/// The furthest position that an axis can count to, u: its way in 2^40 ticks at its velocity. Beyond
-/// that the way of one tick would be lost in rounding.
+/// The furthest valid position of an axis, u: its travel in 2^40 ticks at its velocity. Beyond it,
+/// rounding would lose the travel of one tick.
 double furthest(const AxisConfig& config) noexcept;
 
-/// The inputs without numbers that none can be: of a master, so that it is lost; of a drive, so that
-/// it has failed.
+/// Returns the inputs with impossible numbers marked: a master is then lost, a drive has failed.
 Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept;
 
 /// The fault that drive and watchdog report for an enabled axis, or none.
@@ -41,9 +40,9 @@ Cause check_inputs(const Inputs& inputs) noexcept;
 
 /// Reaction of the axis to a fault.
 enum class Reaction : std::uint8_t {
-  freeze,        ///< the setpoint stays where it is, at once
-  brake,         ///< a stop by a move of its own from the last good setpoint
-  stop_on_path,  ///< a stop on the path where there is one, else as brake
+  freeze,        ///< the setpoint keeps its present value, at once
+  brake,         ///< the axis brakes by a move of its own from the last good setpoint
+  stop_on_path,  ///< stops on the path if there is one, otherwise like brake
   power_off,     ///< freezes the setpoint and disables the drive
 };
 Reaction reaction_to(Cause fault) noexcept;

@@ -8,26 +8,26 @@
 
 namespace jounce {
 
-/// Options of the filter that makes a master of measured positions.
+/// Options of the filter that turns measured positions into a master.
 struct TrackerSpec {
-  double velocity = 0;      ///< m/s, > 0: the master's; what comes out never exceeds it
+  double velocity = 0;      ///< m/s, > 0: limit of the master and of the output
   double acceleration = 0;  ///< m/s^2, > 0: likewise
   double time_constant =
       5e-3;               ///< s, > 0: longer is smoother, and slower. See docs/executor/masters.md
   int order = 2;          ///< 2: no lag at constant velocity; 3: nor at constant acceleration
-  double settle = 10e-3;  ///< s, > 0: in which the output comes back to the estimate
+  double settle = 10e-3;  ///< s, > 0: time in which the output returns to the estimate
   double latency = 0;     ///< s: additional age of the measurements
-  double longest_age = 0.1;  ///< s, > 0: without a measurement for longer, it is lost
-  double jump = 0;           ///< m: a measurement further off than this is another place; 0: what
-                             ///< the master's velocity makes in longest_age
+  double longest_age = 0.1;  ///< s, > 0: lost after longer without a measurement
+  double jump = 0;           ///< m: a measurement further off than this is a jump; 0: the travel at
+                             ///< the master's velocity in longest_age
 };
 
 /// Throws InputError for a value out of range.
 void require_valid(const TrackerSpec& spec);
 
-/// The estimate behind noise: position, velocity and acceleration, by the fading-memory filter: least
-/// squares of a straight line (order 2) or a parabola (3), in which a measurement's weight falls by
-/// exp(-1) in half a time constant (tracker.cpp (1) to (5)). A value.
+/// Estimate from noisy measurements: position, velocity and acceleration, by the fading-memory
+/// filter: least squares of a straight line (order 2) or a parabola (3), in which a measurement's
+/// weight falls by exp(-1) in half a time constant (tracker.cpp (1) to (5)). A value type.
 struct Estimate {
   double time = 0;  ///< s, of the last measurement
   double x = 0, v = 0, a = 0;
@@ -37,33 +37,33 @@ struct Estimate {
   [[nodiscard]] Jet at(double t) const;
 };
 
-/// The estimate with one more measurement, at a later time.
+/// Returns the estimate with one more measurement, at a later time.
 Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time, double measured);
 
-/// A measured position as a smooth master: the estimate, extrapolated to the cycle, behind which the
-/// output goes with bounded velocity and acceleration: what comes out is once continuously
-/// differentiable for all inputs.
+/// A measured position as a smooth master. The output follows the estimate, extrapolated to the
+/// cycle, with bounded velocity and acceleration. It is once continuously differentiable for all
+/// inputs.
 ///
 ///     Tracked master({.velocity = 3, .acceleration = 20});
 ///     master.see(time, measured);               // as often as something is measured
 ///     const Jet x = master.at(time);            // each cycle; x[0] is NaN while it is lost
 ///
-/// Lost are masters of fewer than two measurements (order 3: three), those last seen longer ago than
-/// longest_age, and for one cycle one that has jumped, so that followers stop rather than race after
-/// it. When it comes back it begins where it is. In between nothing is given, so nothing jumps.
+/// A master is lost with fewer than two measurements (order 3: three), after longest_age without
+/// one, and for one cycle after a jump, so that followers stop instead of chasing it. When it
+/// returns, the output begins at its position. In between there is no output, so there is no jump.
 class Tracked {
  public:
   explicit Tracked(const TrackerSpec& spec);
 
   /// Ignores samples that are not finite, or not later than the one before.
   void see(double time, double position) noexcept;
-  /// Resets the filter: the source is invalid, or another one.
+  /// Resets the filter: the source is invalid, or has changed.
   void lose() noexcept;
   Jet at(double time) noexcept;
 
   [[nodiscard]] const TrackerSpec& spec() const { return spec_; }
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
-  /// s: when it was seen last; also after it was lost. NaN: never.
+  /// s: time of the last measurement; also after a loss. NaN: never.
   [[nodiscard]] double seen() const { return seen_; }
 
  private:
@@ -73,7 +73,7 @@ class Tracked {
   TrackerSpec spec_;
   double seen_ = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate_;
-  bool following_ = false;  // the output is one
+  bool following_ = false;  // the output follows the estimate
   double time_ = 0;         // time of the output
   Jet out_{};
 };

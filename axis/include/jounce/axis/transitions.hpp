@@ -14,15 +14,15 @@ enum class State : std::uint8_t {
   standstill = 1,
   discrete_motion = 2,      ///< a table over time, or a move to a target
   synchronized_motion = 3,  ///< follows a master
-  stopping = 4,             ///< on its way to rest; nothing but a fault ends that
+  stopping = 4,             ///< on its way to rest; only a fault ends that
   error_stop = 5,           ///< at rest, or on its way there, until a reset
   continuous_motion = 6,    ///< at a velocity, until the next command
-  homing = 7,               ///< searches for its home position; where it stands there: for one step
+  homing = 7,               ///< searches for home; for one step if home is the present position
 };
 inline constexpr std::size_t states = 8;
 const char* name(State state);
 
-/// Refusal of a command in a state, or none if it is accepted. Its further conditions
+/// Returns the reason to reject a command in a state, or none if it is accepted. Further conditions
 /// (a movement, a target within the range) are checked later. The table is in transitions.cpp and
 /// in docs/executor/axis.md.
 Cause permitted(State state, Command::Kind kind) noexcept;

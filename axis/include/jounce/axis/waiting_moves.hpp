@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// Moves that wait, each for the end of the one before it: the motion buffer of an axis (PLCopen part 1,
-/// 2.4.2 asks for one place; motion controllers have several). A value of fixed size.
+/// Moves that each wait for the end of the previous one: the motion buffer of an axis (PLCopen part
+/// 1, 2.4.2 asks for one place; motion controllers have several). A value of fixed size.
 ///
 ///     WaitingMoves moves;
 ///     if (!moves.full()) moves.push(command);

@@ -12,15 +12,15 @@ namespace jounce {
 struct DriveSetpoint {
   std::int64_t tick = 0;
   double time = 0;          ///< time of the tick, s
-  double position = 0;      ///< commanded, u, as the drive counts
+  double position = 0;      ///< commanded, u, in the drive's coordinate
   double velocity = 0;      ///< u/s: for a feed-forward
   double acceleration = 0;  ///< u/s^2: for a feed-forward
-  bool enable = false;      ///< it is to follow; otherwise to stop by its own means and let go
-  bool reset = false;       ///< its fault is to be cleared; one tick long
+  bool enable = false;      ///< request to follow; false: stop by its own means and disable
+  bool reset = false;       ///< request to clear its fault; one tick long
 };
 
-/// The request of a tick to the drive; `command` is the accepted command. A new name of the axis's
-/// position (set position, home) is none of the drive's business: Tick::offset is taken off.
+/// Returns the request of a tick to the drive; `command` is the accepted command. A new coordinate
+/// of the axis (set position, home) does not affect the drive: Tick::offset is subtracted.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
 /// The drive of an axis: a servo drive on a bus, a simulated one, or none. In each cycle the
@@ -30,12 +30,12 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 ///     const Tick tick = axis.step(k, command, inputs);
 ///     drive.command(drive_setpoint(tick, command));
 ///
-/// So feedback() in cycle k + 1 is the answer to the setpoint of cycle k: a drive without
-/// any error has its actual position there. Units are those of the axis, positions those of the drive:
-/// Tick::offset less than the axis's.
+/// feedback() in cycle k + 1 is therefore the answer to the setpoint of cycle k: a drive without
+/// any error then has that position. Units are those of the axis, positions those of the drive: the
+/// axis's minus Tick::offset.
 ///
-/// Both are called by the cyclic thread: they neither allocate nor free, lock, log, throw nor wait.
-/// A bus driver uses memory here and the wire elsewhere. docs/executor/drives.md.
+/// The cyclic thread calls both: they neither allocate nor free, lock, log, throw nor wait. A bus
+/// driver only accesses memory here, and the bus in another thread: docs/executor/drives.md.
 class AxisDrive {
  public:
   AxisDrive() = default;
@@ -47,11 +47,11 @@ class AxisDrive {
   [[nodiscard]] virtual Feedback feedback() noexcept = 0;
 };
 
-/// No drive: the setpoint is reached exactly, by the next cycle. Always ready, never in a fault; it
+/// No drive: it reaches the setpoint exactly, by the next cycle. Always ready, never in a fault; it
 /// reports no torque.
 class NullDrive final : public AxisDrive {
  public:
-  /// It stands at `position`, u.
+  /// Starts at `position`, u.
   explicit NullDrive(double position = 0) : position_(position) {}
 
   void command(const DriveSetpoint& setpoint) noexcept override;

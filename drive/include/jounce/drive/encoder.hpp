@@ -11,12 +11,12 @@ namespace jounce {
 
 /// Errors of a simulated encoder.
 struct EncoderErrors {
-  double resolution = 0;   ///< u of a count, to which it rounds down; 0: none
-  double noise = 0;        ///< u rms, white and normal, before it counts; 0: none
+  double resolution = 0;   ///< u per count; it rounds down to a count; 0: no rounding
+  double noise = 0;        ///< u rms, white and normal, before rounding; 0: none
   std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// A position as an encoder reports it: noise, then counts. The same everywhere for a seed.
+/// A position as an encoder reports it: adds noise, then rounds to counts. Reproducible for a seed.
 ///
 ///     EncoderReading line({.resolution = 0.05, .noise = 0.01});
 ///     const double measured = line(actual);                     // each cycle
@@ -34,10 +34,11 @@ class EncoderReading {
   std::uint64_t state_;
 };
 
-/// A drive whose actual position somebody else reads, too: the cycle asks it once and both see the same.
+/// A drive whose actual position has another reader: the cycle reads it once, and both get the same
+/// value.
 ///
-///     auto observed = std::make_shared<ObservedDrive>(drive);   // is the axis's drive from now on
-///     observed->position();                                     // after its feedback() in this cycle
+///     auto observed = std::make_shared<ObservedDrive>(drive);   // the drive of the axis
+///     observed->position();                                     // after feedback() in this cycle
 class ObservedDrive final : public AxisDrive {
  public:
   explicit ObservedDrive(std::shared_ptr<AxisDrive> drive) : drive_(std::move(drive)) {}
@@ -45,7 +46,7 @@ class ObservedDrive final : public AxisDrive {
   void command(const DriveSetpoint& setpoint) noexcept override { drive_->command(setpoint); }
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// u, as the drive counts; NaN: not available, or failed.
+  /// u, in the drive's coordinate; NaN: not available, or failed.
   [[nodiscard]] double position() const noexcept { return position_; }
 
  private:
@@ -53,7 +54,7 @@ class ObservedDrive final : public AxisDrive {
   double position_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Actual position of a drive; NaN: not available, or failed with an old value.
+/// Actual position of a drive; NaN: not available, or the drive has failed.
 double told_position(const Feedback& feedback);
 
 }  // namespace jounce

@@ -8,14 +8,14 @@
 
 namespace jounce {
 
-/// Keeps the last setpoints that a drive was given, and passes them on:
+/// Keeps the last setpoints for a drive, and passes them on:
 ///
 ///     NullDrive drive;
 ///     RecordingDrive recording(drive, 2000);
 ///     ...
 ///     for (std::size_t i = 0; i < recording.size(); ++i) look_at(recording[i]);   // oldest first
 ///
-/// Memory is taken once, by the constructor. Read it when the cycle stands still.
+/// The constructor allocates all memory. Read it when the cycle does not run.
 class RecordingDrive final : public AxisDrive {
  public:
   /// `behind` must outlive it. Throws InputError for a capacity of 0.
@@ -25,7 +25,7 @@ class RecordingDrive final : public AxisDrive {
   [[nodiscard]] Feedback feedback() noexcept override { return behind_.feedback(); }
 
   [[nodiscard]] std::size_t size() const { return count_ < kept_.size() ? count_ : kept_.size(); }
-  [[nodiscard]] std::size_t count() const { return count_; }  ///< count of all that it was given
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< count of all setpoints
   /// 0 <= i < size(), the oldest first.
   [[nodiscard]] const DriveSetpoint& operator[](std::size_t i) const {
     return kept_[(count_ - size() + i) % kept_.size()];

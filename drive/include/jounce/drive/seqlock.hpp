@@ -11,15 +11,15 @@
 
 namespace jounce {
 
-/// The newest value from one writer to readers that neither wait nor make it wait, also between two
-/// processes (it may lie in shared memory; all zeros is a valid one that holds zeros):
+/// The newest value from one writer to readers. Neither side waits for the other, even between two
+/// processes: it may be in shared memory, where all zeros is a valid state with a value of zeros.
 ///
 ///     lock.write(outputs);                     // the writer
-///     if (auto now = lock.read()) use(*now);   // nothing: it was being written each time
+///     if (auto now = lock.read()) use(*now);   // nullopt: a write was in progress each time
 ///
-/// After H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC 2012):
-/// the value travels in atomics, whose own order takes the place of fences: a reader that has seen a word
-/// of the next value sees its odd number, too.
+/// After H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC
+/// 2012): the value is in atomics, whose memory order replaces fences: a reader that has seen a
+/// word of the next value also sees its odd number.
 template <class T>
 class Seqlock {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -32,7 +32,7 @@ class Seqlock {
     Words words{};
     std::memcpy(words.data(), &value, sizeof value);
     const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
-    sequence_.store(sequence + 1, std::memory_order_relaxed);  // odd: not whole
+    sequence_.store(sequence + 1, std::memory_order_relaxed);  // odd: incomplete
     for (std::size_t i = 0; i < words.size(); ++i)
       words_[i].store(words[i], std::memory_order_release);  // after the odd number
     sequence_.store(sequence + 2, std::memory_order_release);
@@ -44,7 +44,7 @@ class Seqlock {
       if (before % 2 != 0) continue;
       Words words;
       for (std::size_t k = 0; k < words.size(); ++k)
-        words[k] = words_[k].load(std::memory_order_acquire);  // before the number again
+        words[k] = words_[k].load(std::memory_order_acquire);  // before the second sequence read
       if (sequence_.load(std::memory_order_relaxed) != before) continue;
       T value;
       std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);

@@ -31,8 +31,8 @@ class Pacer {
   Pacer& operator=(const Pacer&) = default;
 };
 
-/// CLOCK_MONOTONIC with absolute deadlines: a relative sleep would fall behind without end, and no
-/// other clock of the system goes on evenly when somebody sets the time.
+/// CLOCK_MONOTONIC with absolute deadlines. A relative sleep would accumulate delay, and the other
+/// system clocks jump when the time is set.
 class MonotonicPacer final : public Pacer {
  public:
   [[nodiscard]] std::int64_t now() override;
@@ -41,21 +41,21 @@ class MonotonicPacer final : public Pacer {
 
 /// The answer of the axis to a command, and returned movements, in one tick.
 struct Answer {
-  std::uint64_t id = 0;  ///< id of the command; 0: there was none
+  std::uint64_t id = 0;  ///< id of the command; 0: none
   std::optional<Refusal> refused{};
   decltype(Tick::handed_back) handed_back{};
 };
 
-/// All that passes between one axis in the cyclic thread and the one that communicates. Ticks may be
+/// The exchange between one axis in the cyclic thread and the communication thread. Ticks may be
 /// lost if no thread reads them for two thousand cycles. Answers may not: at most `most_commands`
-/// with a number may be unanswered.
+/// commands with a number may be unanswered.
 struct Mail {
   static constexpr std::size_t most_commands = 8;
   static constexpr std::size_t most_ticks = 2048;
   Ring<Command, most_commands> commands;
   Ring<Answer, 4 * most_commands> answers;
   Ring<Tick, most_ticks> ticks;
-  std::atomic<std::int64_t> lost{0};   ///< ticks that found the ring full
+  std::atomic<std::int64_t> lost{0};   ///< ticks dropped because the ring was full
   std::atomic<std::uint64_t> rows{0};  ///< number of the last row for its queues
 };
 
@@ -63,14 +63,15 @@ struct Mail {
 struct Vitals {
   static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
   std::atomic<std::int64_t> start{
-      not_started};                     ///< ns, by the pacer's clock: the instant of tick 0
-  std::atomic<std::uint64_t> alive{0};  ///< counted up by who communicates, as a sign of life
+      not_started};                     ///< ns, by the pacer's clock: time of tick 0
+  std::atomic<std::uint64_t> alive{0};  ///< heartbeat: incremented by the communication thread
   std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
-  Histogram lateness;                   ///< lateness of waking up: from the instant of the tick
-  Histogram computing;                  ///< from waking up until the setpoints are given out
+  Histogram lateness;                   ///< lateness of wake-up: relative to the time of the tick
+  Histogram computing;                  ///< time from wake-up to the output of the setpoints
 };
 
-/// The post of a whole machine: a Mail for each axis, what was seen last of each master, and the vitals.
+/// The exchange of a whole machine: a Mail for each axis, the last value of each master, and the
+/// vitals.
 struct Post {
   explicit Post(std::size_t axes, std::size_t of_masters = 0) : mail(axes), masters(of_masters) {
     for (auto& one : mail) one = std::make_unique<Mail>();
@@ -87,37 +88,38 @@ struct Post {
 /// Timing statistics of the cycle.
 struct CycleCounts {
   std::int64_t ticks = 0;        ///< steps made
-  std::int64_t late = 0;         ///< that began a period or more after their instant
-  std::int64_t skipped = 0;      ///< tick numbers left out because of that
+  std::int64_t late = 0;         ///< steps that began a period or more after their instant
+  std::int64_t skipped = 0;      ///< tick numbers skipped because of that
   std::int64_t latest_ns = 0;    ///< the longest delay of a step
   std::int64_t computed_ns = 0;  ///< the longest computation of a step
-  std::int64_t lost = 0;         ///< ticks that found their ring full
+  std::int64_t lost = 0;         ///< ticks dropped because their ring was full
 };
 
 class Tape;
 
 /// Parts of a cycle besides the machine; all of them must outlive the cycle.
 struct CycleOptions {
-  std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: no axis has one
+  std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: none
   std::vector<Master*> masters = {};    ///< all masters of the machine
-  std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: none
-  Tape* tape = nullptr;                 ///< tape of what is recorded; null: nothing is
+  std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: no watchdog
+  Tape* tape = nullptr;                 ///< tape of the record; null: no record
 };
 
-/// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters at
-/// that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and posts the outputs.
+/// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters
+/// at that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and
+/// posts the outputs.
 ///
 ///     Post post(machine.size());
 ///     Cycle cycle(machine, pacer, post);
 ///     while (!quit) cycle.once();
 ///
-/// Tick k belongs to the instant start + k * period. A cycle that wakes up late goes on with the
-/// tick that the time has come for, and the axes leave out those before: never a burst of steps.
-/// Each axis obeys one command a tick.
+/// Tick k belongs to the instant start + k * period. A cycle that wakes up late continues with the
+/// tick of the present time, and the axes skip the ticks before: never a burst of steps. Each axis
+/// executes one command a tick.
 ///
-/// **Watchdog.** Where who communicates gives no sign of life for `patience` cycles, each axis is
-/// notified (Inputs::watchdog), because no client could stop it any more. Cycles are counted, not time: a machine
-/// that stood still as a whole has not fallen silent.
+/// **Watchdog.** Without a heartbeat of the communication thread for `patience` cycles, each axis
+/// receives Inputs::watchdog, because no client could stop it any more. The watchdog counts cycles,
+/// not time: a pause of the whole computer does not trigger it.
 ///
 /// once() neither allocates, locks, logs nor waits for another thread.
 class Cycle {
@@ -141,8 +143,8 @@ class Cycle {
   CycleOptions options_;
   std::vector<AxisImage> images_;
   std::vector<MasterSight> sights_;
-  std::vector<Jet> masters_;      // masters of the sights
-  std::uint64_t alive_ = 0;       // the last sign of life that was seen
+  std::vector<Jet> masters_;      // values of the masters
+  std::uint64_t alive_ = 0;       // the last heartbeat seen
   std::int64_t since_alive_ = 0;  // cycles
   std::int64_t start_;
   std::int64_t next_ = 0;  // tick

@@ -30,49 +30,49 @@ struct ExecutorOptions {
   AxisSwitches switches = {};
   AxisCompare compare = {};
   Follow follow = {};                     ///< its live master
-  std::shared_ptr<AxisDrive> drive = {};  ///< behind its setpoints; none: they are the end of it
-  Units units{};               ///< units of the axis: a table in another one is refused; empty: any
+  std::shared_ptr<AxisDrive> drive = {};  ///< receives the setpoints; null: no drive
+  Units units{};               ///< units of the axis: a table in others is rejected; empty: any
   ReceiverOptions receiver{};  ///< includes the name of the axis
-  bool enable = true;          ///< at the start; otherwise it waits for an order
-  std::optional<StoredTable> table = {};  ///< over time, what the order `start` plays
+  bool enable = true;          ///< at the start; otherwise an order enables it
+  std::optional<StoredTable> table = {};  ///< over time; played by the order `start`
   bool adopt_start =
       false;  ///< at standstill, the start of an armed table defines the position of the axis
-  bool stop_when_silent = true;  ///< a motion whose owner falls silent is stopped
-  /// Tables of more knots become jobs in a thread of their own: a stop does not wait for them.
+  bool stop_when_silent = true;  ///< stops a motion whose session times out
+  /// Tables of more knots become jobs in a separate thread: a stop does not wait for them.
   std::size_t build_apart = std::size_t{1} << 62U;
   Nanos status_period = std::chrono::milliseconds(50);
   std::optional<std::filesystem::path> log{};               ///< CSV of all ticks
   std::function<void(const std::string& notice)> notify{};  ///< events as text
-  Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: nothing is recorded
+  Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
 };
 
 /// Connects one axis with the stream: takes its requests, returns its answers, keeps its jobs,
-/// writes its log and reports its status. If the log fails, it ends, and the motion continues.
+/// writes its log and reports its status. If the log fails, the log ends, and the motion continues.
 ///
-/// The arm of a later session resets a latched fault: the
-/// owner at the time of the fault cannot simply continue.
+/// The arm of a later session resets a latched fault: the owner at the time of the fault cannot
+/// simply continue.
 class Desk {
  public:
-  /// All but the options must outlive it. Throws InputError, std::system_error for the log.
+  /// All references must outlive it. Throws InputError, and std::system_error for the log.
   Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t axis, Worker& worker);
 
-  /// One turn: what the receiver has for the axis, what the axis has answered, what it did.
+  /// One iteration: handles requests from the receiver, answers of the axis, and its ticks.
   void turn();
 
-  /// Stops the axis, as an operator would, and refuses to arm anything from now on.
+  /// Stops the axis, like an operator's stop, and rejects every later arm.
   void retire();
 
-  /// Takes what is left, and closes the log.
+  /// Handles all remaining items, and closes the log.
   void close();
 
   [[nodiscard]] const Tick& last() const { return last_; }
   [[nodiscard]] bool moving() const { return in_motion(last_); }
-  /// At rest, and no command is on its way that could change that.
+  /// True if it is at rest, and no command in transit could change that.
   [[nodiscard]] bool settled() const { return !moving() && !busy(); }
-  /// A command is on its way, whose answer comes with one of the next cycles.
+  /// True if a command is in transit: its answer comes with one of the next cycles.
   [[nodiscard]] bool busy() const { return !outbox_.idle(); }
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
-  /// The log ended before the run did.
+  /// True if the log ended before the run.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   [[nodiscard]] wire::Status status() const;
@@ -88,10 +88,10 @@ class Desk {
   struct Building {
     ArmRequested arm;
     std::future<MadeMovement> made;
-    bool void_ = false;  // cancelled by a stop, or by the end of the session
+    bool void_ = false;  // canceled by a stop, or by the end of the session
   };
 
-  /// The last start of a stream, and what became of it.
+  /// The last start of a stream, and its outcome.
   struct Start {
     std::int64_t session = 0;
     std::int32_t command = 0;
@@ -147,20 +147,20 @@ class Desk {
   Worker& worker_;
   std::optional<TickLog> log_;
   Outbox outbox_;
-  std::map<std::uint64_t, Kept> movements_;  // by the movement's
+  std::map<std::uint64_t, Kept> movements_;  // by the movement's id
   Queues queues_;
   std::vector<wire::Event> events_;
   std::int64_t event_count_ = 0;
   std::optional<Building> building_;      // one at a time
-  std::optional<ArmRequested> next_arm_;  // came while another was built; the newest
+  std::optional<ArmRequested> next_arm_;  // arrived during the build of another; the newest
   std::uint64_t numbers_ = 0;             // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;
-  std::uint64_t armed_ = 0;  // the movement that was handed over last
+  std::uint64_t armed_ = 0;  // id of the last armed movement
   Start start_;
-  std::int64_t motion_session_ = 0;  // the one that asked for the last start
-  std::int64_t held_session_ = 0;    // the one that ordered a hold-to-run jog
+  std::int64_t motion_session_ = 0;  // session of the last start
+  std::int64_t held_session_ = 0;    // session of the last hold-to-run jog
   Tick last_;
 };
 

@@ -15,38 +15,39 @@
 
 namespace jounce {
 
-/// The work of the communication thread: it takes requests from one link to all axes of a machine and
-/// answers back, each axis under its own name and in its own sessions, at a Desk each.
+/// The work of the communication thread: it passes requests from one link to all axes of a machine
+/// and returns their answers. Each axis has its own name, its own sessions and its own Desk.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, post);
 ///     while (...) dispatcher.turn(2ms);
 ///     dispatcher.close();
 class Dispatcher {
  public:
-  /// `axes` as in the machine; `link` and `post` must outlive it. `claim`: of the axes' names, which
-  /// is kept up from now on; none: other executors are not looked for. Throws InputError,
+  /// `axes` as in the machine; `link` and `post` must outlive it. `claim`: claim to the axes'
+  /// names, maintained from now on; nullopt: no check for other executors. Throws InputError, and
   /// std::system_error for a log.
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
              Clock clock = steady_now, std::vector<MachineMaster> masters = {},
              std::optional<Claim> claim = {});
 
-  /// Does what there is to do, waiting for the link at most `timeout`, and gives a sign of life.
+  /// One iteration: waits for the link for at most `timeout`, does all pending work, and sends a
+  /// heartbeat to the cycle.
   void turn(Nanos timeout);
 
-  /// Stops all axes, as an operator would, and refuses to arm anything from now on.
+  /// Stops all axes, like an operator's stop, and rejects every later arm.
   void retire();
 
-  /// Writes what is left into the logs, and closes them.
+  /// Writes all remaining ticks into the logs, and closes them.
   void close();
 
   [[nodiscard]] const MasterDesk& masters() const { return masters_; }
   [[nodiscard]] const Desk& desk(std::size_t axis = 0) const { return desks_[axis]; }
   [[nodiscard]] std::size_t size() const { return desks_.size(); }
   [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return desks_[axis].last(); }
-  [[nodiscard]] bool moving() const;   ///< any of them
-  [[nodiscard]] bool settled() const;  ///< all of them: see Desk
-  [[nodiscard]] bool owned() const;    ///< any of them
-  /// A name that another executor has: this one must leave. Empty: none.
+  [[nodiscard]] bool moving() const;   ///< any axis
+  [[nodiscard]] bool settled() const;  ///< all axes: see Desk
+  [[nodiscard]] bool owned() const;    ///< any axis
+  /// A name of this executor that another executor owns: this one must leave. Empty: none.
   [[nodiscard]] std::string lost_name() const;
 
  private:
@@ -55,19 +56,19 @@ class Dispatcher {
   void announce(const wire::Event& event, std::size_t axis);
 
   Vitals& vitals_;
-  Nanos a_while_;  // a part of a cycle: the longest wait while an axis's answer is due
+  Nanos a_while_;  // a fraction of a cycle: the longest wait while an axis's answer is pending
   Clock clock_;
   std::optional<Claim> claim_;
   ReceiverPump pump_;
   MasterDesk masters_;
   std::deque<Desk> desks_;
   Recorder* recorder_;
-  std::vector<Nanos> published_;                            // when each axis's status was
-  std::vector<std::pair<std::size_t, wire::Event>> again_;  // to be sent again, by axis
-  Worker worker_;  // last: what it builds is waited for before the rest goes
+  std::vector<Nanos> published_;                            // time of each axis's last status
+  std::vector<std::pair<std::size_t, wire::Event>> again_;  // events to send again, by axis
+  Worker worker_;  // last: its work must end before the rest is destroyed
 };
 
-/// The same axes as a machine has them. Each is named as its receiver is.
+/// The axes as the machine needs them, each with the name of its receiver.
 std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes);
 
 }  // namespace jounce

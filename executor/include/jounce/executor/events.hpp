@@ -17,11 +17,12 @@ struct OutputsOf {
 };
 
 /// Output changes of an axis between two of its ticks, cam switches and position compare, as
-/// messages: each with the instant at which it happened, s before the later tick, and where the axis
-/// (or its master, or its drive) was then. Ascending in time; `count`ed on from `last_count`.
+/// messages. Each has its instant, s before the later tick, and the position of the axis (or of its
+/// master, or its drive) at that instant. Ascending in time; counted from `last_count` on.
 ///
-/// The place is taken from the cubic through both ticks with their velocities, as the instant is
-/// (jounce/profiles/curve/cycle_motion.hpp); of an actual position from a straight line. `period`: ns of a tick.
+/// The position is on the cubic through both ticks with their velocities, like the instant
+/// (jounce/profiles/curve/cycle_motion.hpp); an actual position is on a straight line. `period`: ns
+/// of a tick.
 std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,
                                    std::int64_t period, std::int64_t last_count);
 

@@ -13,7 +13,7 @@ namespace jounce {
 ///
 ///     Histogram lateness;
 ///     lateness.add(woken - due);                        // ns, the cyclic thread
-///     send(lateness.counts());                          // who communicates
+///     send(lateness.counts());                          // communication thread
 ///     upper_bound(lateness.counts(), 0.999)             // us: 99.9 % were shorter
 class Histogram {
  public:
@@ -28,8 +28,8 @@ class Histogram {
   std::array<std::atomic<std::int32_t>, bins> counts_{};
 };
 
-/// The upper end of the bin, us, in which the given share (0 to 1) of all durations is reached;
-/// infinite for the last bin, 0 where nothing was counted.
+/// The upper end, us, of the bin in which the given share (0 to 1) of all durations is reached;
+/// infinite for the last bin, 0 for an empty histogram.
 double upper_bound(const Histogram::Counts& counts, double share);
 
 }  // namespace jounce

@@ -11,17 +11,17 @@
 
 namespace jounce {
 
-/// The log of an axis: one line of CSV a tick, doubles in shortest form that reads back as the
-/// same. The first line names the columns with their units; there is nothing else in the file.
+/// The log of an axis: one line of CSV a tick, doubles in the shortest form that reads back
+/// identically. The first line names the columns with their units; there are no other lines.
 ///
 ///     TickLog log("run.csv", {.x = "deg", .position = "mm"});
 ///     log.add(tick);
 ///     log.close();
 ///
-/// It is written under another name beside it and renamed by close(), so that a file of the right
-/// name is whole. A log that was never closed is removed. Throws std::system_error where the file
-/// cannot be begun. Where it cannot go on (a full disk), what is there up to the last whole line
-/// is kept as run.csv.truncated: motion does not depend on a disk.
+/// The log is written under a temporary name, and close() renames it, so that a file of the final
+/// name is complete. A log that was never closed is removed. Throws std::system_error if the file
+/// cannot be created. If writing fails later (a full disk), all complete lines remain as
+/// run.csv.truncated: motion does not depend on a disk.
 class TickLog {
  public:
   TickLog(std::filesystem::path path, const Units& units);
@@ -32,7 +32,7 @@ class TickLog {
   void add(const Tick& tick);
   void close();
 
-  /// Why the log ended before the run did; empty if it did not.
+  /// Reason why the log ended before the run; empty: it did not.
   [[nodiscard]] const std::string& truncated() const { return truncated_; }
 
  private:

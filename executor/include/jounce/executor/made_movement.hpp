@@ -18,7 +18,7 @@ struct MadeFrom {
   std::optional<StoredTable> cam = {};
 };
 
-/// A movement as it was made of tables, with where it begins and ends, u, if that is known.
+/// A movement made of tables, with its start and end position, u, if available.
 struct MadeMovement {
   std::shared_ptr<Movement> movement = {};
   std::optional<double> first = {};
@@ -26,8 +26,9 @@ struct MadeMovement {
   std::optional<MadeFrom> source = {};
 };
 
-/// The movement that an arm asks for, for an axis with this period, ns, that stands at `position`, u, when
-/// it begins; none where the tables do not make one. Takes as long as the tables are large.
+/// Builds the movement of an arm, for an axis with this period, ns, that stands at `position`, u,
+/// when it begins; without a movement if the tables do not fit. Its duration is proportional to the
+/// size of the tables.
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
                          double position);
 

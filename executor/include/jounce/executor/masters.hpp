@@ -16,10 +16,10 @@
 
 namespace jounce {
 
-/// A master of a machine, as its executor is given it. Follow::index counts these.
+/// A master of a machine, as an option of its executor. Follow::index counts these.
 struct MachineMaster {
   std::string name;  ///< an ExternalMaster receives the channel of this name
-  std::string unit;  ///< in which it counts
+  std::string unit;  ///< unit of its position
   std::shared_ptr<Master> source;
 };
 
@@ -27,8 +27,8 @@ struct MachineMaster {
 /// reports the state of each in the cycle.
 ///
 ///     MasterDesk masters({{"line", "mm", line}}, {0}, pump, post, clock);
-///     pump.run(2ms);                   // hands over to the cycle what came
-///     masters.turn();                  // notices that one was lost, or found
+///     pump.run(2ms);                   // passes new samples to the cycle
+///     masters.turn();                  // reports masters lost or found
 ///     masters.publish(axis);           // with the status of this axis
 class MasterDesk {
  public:
@@ -38,17 +38,19 @@ class MasterDesk {
     bool keyed = false;                ///< see MasterIntake
     std::function<void(const std::string& notice)> notify{};
   };
-  /// Subscribes. `pump` and `post` must outlive it, and `clock` be the one of the cycle's pacer.
+  /// Subscribes. `pump` and `post` must outlive it, and `clock` must be the one of the cycle's
+  /// pacer.
   MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock);
   MasterDesk(const MasterDesk&) = delete;  // the pump keeps its address
   MasterDesk& operator=(const MasterDesk&) = delete;
 
   void turn();
-  /// The masters that this axis follows; for the first axis also those without a follower.
+  /// Publishes the masters that this axis follows; for the first axis also those without a
+  /// follower.
   void publish(std::size_t axis);
 
   [[nodiscard]] std::size_t size() const { return desks_.size(); }
-  /// State in the last cycle.
+  /// Value in the last cycle.
   [[nodiscard]] const MasterSight& last(std::size_t master) const { return desks_[master].last; }
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 

@@ -11,12 +11,12 @@
 
 namespace jounce {
 
-/// Command of the axis for an order of the wire: the same with named values. Nothing if it needs a
-/// movement (gears) or is about a queue.
+/// Returns the axis command for an order of the wire, with named values; nullopt if it needs a
+/// movement (gears) or concerns a queue.
 std::optional<Command> command_of(const OrderRequested& order);
 
-/// The movement of a gear order, for an axis at rest at `position`. Throws InputError for a spec out
-/// of range; nothing for other orders.
+/// Returns the movement of a gear order, for an axis at rest at `position`; null for other orders.
+/// Throws InputError for a spec out of range.
 std::unique_ptr<Movement> gear_of(const OrderRequested& order, std::uint64_t id,
                                   const AxisConfig& config, double position);
 

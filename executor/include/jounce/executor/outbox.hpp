@@ -12,7 +12,8 @@
 
 namespace jounce {
 
-/// The commands on their way to one axis, which takes one a tick, and who waits for its answers.
+/// The commands in transit to one axis, which takes one a tick, and the requests that wait for its
+/// answers.
 class Outbox {
  public:
   /// Sender of a command.
@@ -29,20 +30,20 @@ class Outbox {
   explicit Outbox(Mail& mail) : mail_(mail) {}
 
   void order(Command command);
-  /// One that somebody waits for.
+  /// Sends a command whose request waits for the answer.
   void order(const Command& command, const Request& request);
-  /// A stop overtakes and cancels all commands that have not reached the axis; but not what ends
-  /// more than it does. The movements that will not begin.
+  /// Cancels all commands that have not reached the axis, before a stop; but not those that end
+  /// more than a stop does. Returns the movements that will not begin.
   [[nodiscard]] std::vector<std::uint64_t> clear();
-  /// Hands over as many as the axis can take.
+  /// Passes on as many commands as the axis can take.
   void flush();
   /// The next answer of the axis.
   [[nodiscard]] std::optional<Reply> take_answer();
 
   [[nodiscard]] bool idle() const { return waiting_.empty() && under_way_ == 0; }
-  /// More waits than any streamer needs.
+  /// True if more commands wait than any streamer needs.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
-  /// The kind of the last that waits; none: nothing does.
+  /// The kind of the last waiting command; none: no command waits.
   [[nodiscard]] Command::Kind last() const {
     return waiting_.empty() ? Command::Kind::none : waiting_.back().kind;
   }
@@ -52,7 +53,7 @@ class Outbox {
 
   Mail& mail_;
   std::deque<Command> waiting_;
-  std::map<std::uint64_t, Request> unanswered_;  // by the command's number
+  std::map<std::uint64_t, Request> unanswered_;  // by the command's id
   std::uint64_t numbers_ = 0;
   std::size_t under_way_ = 0;
 };

@@ -13,23 +13,23 @@
 
 namespace jounce {
 
-/// One tick of a motion, as the log of an axis has it.
+/// One tick of a motion, from the log of an axis.
 struct PlayedTick {
   std::int64_t tick = 0;
   double time = 0;      ///< s, since the motion's first tick
   double position = 0;  ///< commanded, u
-  double clock = 0;     ///< s, since the log's tick 0: its rounding is in `time`
+  double clock = 0;     ///< s, since the log's tick 0: `time` contains its rounding
 };
 
 /// The ticks of the last motion in a tick log (see TickLog), from the log's text. Throws InputError
-/// with `name`, line and key for a text that is no tick log, or one without a motion.
+/// with `name`, line and key for a text that is not a tick log, or has no motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
 /// Reference of a motion. Times are s since its start.
 struct Designed {
   std::function<Motion(double)> table;    ///< the interpolated table
-  std::function<double(double)> curve{};  ///< u, the exact curve; empty: the table is all there is
-  double tolerance = 0;                   ///< u: how far the table may stray from the curve
+  std::function<double(double)> curve{};  ///< u, the exact curve; empty: only the table exists
+  double tolerance = 0;                   ///< u: permitted deviation of the table from the curve
   double duration = 0;                    ///< s
 };
 
@@ -44,17 +44,17 @@ struct Deviation {
 struct Played {
   std::size_t ticks = 0;
   Deviation table{};
-  std::optional<Deviation> curve{};  ///< if there is one besides the table
-  /// "played/table": against the rounding of the arithmetic. "played/curve": against the tolerance of
-  /// the table, and that rounding. "played/gap": the most ticks left out in one place, against
-  /// a tenth of a second (a late cycle leaves some out, a log with a hole more); "played/complete":
-  /// broken where the log ends before the motion does.
+  std::optional<Deviation> curve{};  ///< if there is a curve besides the table
+  /// "played/table": against the rounding of the arithmetic. "played/curve": against the tolerance
+  /// of the table, and that rounding. "played/gap": the most ticks missing in one place, against a
+  /// tenth of a second (a late cycle skips some, a log with a gap more). "played/complete": broken
+  /// if the log ends before the motion.
   Report report;
 };
 
 /// Compares every tick. The rounding is `most_roundings` units in the last place of the greatest
-/// position, and of the way that the fastest tick would make in the time of the log: a position is
-/// computed from a time, and a rounded time shifts it by the velocity.
+/// position, and of the distance that the fastest tick would travel in the time of the log: a
+/// position is computed from a time, and a rounded time shifts it by the velocity.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 inline constexpr double most_roundings = 32;
 

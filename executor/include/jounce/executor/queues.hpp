@@ -19,15 +19,15 @@
 
 namespace jounce {
 
-/// A change of the FIFOs of a queue, with a number of its axis: the axis sees
-/// it in the ticks whose Inputs::rows is not less.
+/// A change of the FIFOs of a queue, with a number for its axis: the axis sees it in ticks with
+/// Inputs::rows at or above this number.
 struct HandedOver {
   static constexpr std::size_t most_rows = 32;
   enum class Kind : std::uint8_t {
     rows,
-    queue_switch,  ///< the other bank goes on
+    queue_switch,  ///< the other bank continues
     clear,         ///< empties the bank
-    begin,         ///< it is armed, and this bank begins
+    begin,         ///< the queue is armed, and this bank begins
     end,           ///< no more rows follow
   };
   std::uint64_t movement = 0;
@@ -37,16 +37,16 @@ struct HandedOver {
   std::vector<SegmentRow> rows = {};  ///< at most `most_rows`
 };
 
-/// The movement of a queue, and what its rows go into.
+/// The movement of a queue, with the FIFOs for its rows.
 class QueueMovement {
  public:
-  /// Throws InputError for what makes no queue.
+  /// Throws InputError for an invalid queue.
   QueueMovement(const wire::Queue& queue, std::uint64_t id, const AxisConfig& config);
 
   [[nodiscard]] const std::shared_ptr<Movement>& movement() const { return movement_; }
   [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
   void choose(int bank) const { choose_(bank); }
-  /// Again what was handed over once; false where it is not taken now.
+  /// Repeats a recorded change; returns false if it is not accepted now.
   [[nodiscard]] bool take(const HandedOver& what) const;
 
  private:
@@ -55,43 +55,46 @@ class QueueMovement {
   std::function<void(int)> choose_;
 };
 
-/// The queues of rows that an axis's owner has opened (protocol page, "Queues"): what arrives goes
-/// into the FIFOs of a movement, which the axis plays at the same time; played rows free their space.
+/// The queues of rows that an axis's owner has opened (protocol page, "Queues"). Arriving rows go
+/// into the FIFOs of a movement, which the axis plays at the same time; played rows free their
+/// space.
 ///
-/// All that is handed over has a number, and the axis sees it from the next tick on, whole: what it
-/// plays depends on the numbers in its ticks alone, and a record of both is replayed to the last bit.
+/// Every change has a number, and the axis sees it completely from the next tick on. Its motion
+/// depends only on the changes and the numbers in its ticks, so a replay of a record of both is
+/// identical to the last bit.
 class Queues {
  public:
   using Record = std::function<void(const HandedOver&)>;
 
-  /// `last`: of the numbers, as the cycle reads it; must outlive this. `record` is called before that.
+  /// `last`: the last number, read by the cycle; must outlive this. `record` is called before it is
+  /// set.
   explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
       : last_(last), record_(std::move(record)) {}
 
-  /// Makes the movement, under this number, or refuses the queue: false.
+  /// Creates the movement, with this id, or rejects the queue and returns false.
   bool open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
             Receiver& receiver);
-  /// Hands rows over; one that breaks a rule is refused with it, and never played.
+  /// Passes rows on; rejects a row that violates a rule, which is then never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// The armed movement; nothing if the queue is not open.
+  /// The armed movement; null if the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
-  /// u, where the axis must stand for it; nothing where its rows count from where the axis stands.
+  /// u, required position of the axis; nullopt if rows are relative to the position of the axis.
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
-  /// The bank that it begins with. Not while the axis has it.
+  /// Selects the bank that it begins with. Not while the axis has it.
   void begin_with(std::uint32_t queue, int bank);
-  /// The axis no longer looks at it: what was not played to its end is cut off there.
+  /// The axis no longer reads it: cuts off rows that were not played to their end.
   void handed_back(std::uint64_t movement) const;
   /// Reports the progress of each.
   void report(const Tick& last, Receiver& receiver) const;
 
   bool queue_switch(std::uint32_t queue);
   bool clear(std::uint32_t queue, int bank);
-  /// The stream is complete: false where it has no rows, or does not end at rest.
+  /// Marks the stream as complete; returns false if it has no rows, or does not end at rest.
   bool end(std::uint32_t queue);
-  /// The owner is gone. The playing queue continues with its rows.
+  /// The session has ended. The active queue continues with its rows.
   void close() { open_.clear(); }
 
-  /// Rows that wait in the one with this movement, and that it holds; 0, 0: there is none.
+  /// Waiting rows and capacity of the queue with this movement; 0, 0: none.
   [[nodiscard]] std::array<std::uint32_t, 2> fill(std::uint64_t movement) const;
 
  private:
@@ -113,7 +116,7 @@ class Queues {
   Record record_;
 };
 
-/// The definition on the wire.
+/// Converts to the enumeration of the wire.
 wire::Progress on_wire(Progress progress);
 
 }  // namespace jounce

@@ -19,10 +19,10 @@
 
 namespace jounce {
 
-/// Parts of the record of a run: one event each, in chronological order. A record is an
-/// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
-/// docs/executor/replay.md describes it for users. Ticks are its only time: the events' time stamps are
-/// tick * period in us, independent of the clock.
+/// Parts of the record of a run: one event each, in chronological order. A record is an LCM log:
+/// `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
+/// docs/executor/replay.md describes it for users. Ticks are its only time: the events' time stamps
+/// are tick * period in us, independent of the clock.
 
 /// Configuration of an axis; precedes all other events of that axis.
 struct RecordedAxis {
@@ -31,12 +31,12 @@ struct RecordedAxis {
   Units units = {};  ///< x: the master's
   AxisConfig config = {};
   bool whole = true;          ///< false: a black box, which begins in the middle of a run
-  bool switches = false;      ///< it has outputs that are not in the record: not replayed
+  bool switches = false;      ///< it has outputs that are not in the record: no replay
   AxisSwitches outputs = {};  ///< follow as RecordedOutput
   AxisCompare compare = {};   ///< likewise
 };
 
-/// A table, or a part of a large one: 200 knots an event.
+/// A table, or a part of a large one: 200 knots per event.
 struct RecordedTable {
   Sha256 hash{};
   Units units = {};
@@ -52,13 +52,13 @@ struct RecordedTable {
 struct RecordedJob {
   std::size_t axis = 0;
   std::uint64_t id = 0;
-  Sha256 time{};  ///< live: of the cam
+  Sha256 time{};  ///< live: hash of the cam
   std::optional<Sha256> cam = {};
-  bool live = false;  ///< the cam is behind the axis's live master
+  bool live = false;  ///< the cam follows the axis's live master
   double tick = 1e-3;
   CouplingSpec coupling = {};
   double position = 0;
-  CamEnd end = CamEnd::brake;  ///< live
+  CamEnd end = CamEnd::brake;  ///< for a live cam
 };
 
 /// Parts of the movement of a gear: the order (gear_of()) and the position of the slave.
@@ -70,21 +70,21 @@ struct RecordedGear {
   double position = 0;
 };
 
-/// A queue that was opened; of the wire's queue what its movement is made from.
+/// A queue that was opened: those fields of the wire's queue that define its movement.
 struct RecordedQueue {
   std::size_t axis = 0;
   std::uint64_t id = 0;
   wire::Queue queue = {};
 };
 
-/// Rows handed over to a queue; many rows make several of these.
+/// Rows passed to a queue; many rows make several of these.
 struct RecordedRows {
   std::size_t axis = 0;
   HandedOver what = {};
 };
 
-/// One axis in one tick: its command, inputs and outputs. The command's movement goes by its
-/// number; `tick` has neither the edges of its switches nor what was handed back.
+/// One axis in one tick: its command, inputs and outputs. The command's movement is identified by
+/// its number; `tick` contains neither the edges of its switches nor the returned movements.
 struct RecordedCycle {
   std::size_t axis = 0;
   Command command = {};
@@ -93,22 +93,22 @@ struct RecordedCycle {
   Tick tick = {};
 };
 
-/// A master that the machine was started with; comes after the axes.
+/// A master of the machine at its start; comes after the axes.
 struct RecordedMaster {
   std::size_t master = 0;  ///< counted from 0
   std::string name = {};
   std::string unit = {};
   std::uint64_t followers = 0;  ///< bit i: axis i follows it
   enum class Made : std::uint8_t {
-    elsewhere,  ///< not in the record: its sight is an input
+    elsewhere,  ///< not in the record: its value is an input
     samples,    ///< an ExternalMaster
     readings,   ///< an EncoderMaster
   };
   Made made = Made::elsewhere;
-  TrackerSpec tracker = {};  ///< unless it was made elsewhere
+  TrackerSpec tracker = {};  ///< unused for `elsewhere`
 };
 
-/// Input of the next sight of a master: one of its samples, or its reading.
+/// Input of the next value of a master: one of its samples, or its reading.
 struct RecordedSample {
   std::size_t master = 0;
   MasterSample sample = {};
@@ -120,7 +120,7 @@ struct RecordedSight {
   MasterSight sight = {};
 };
 
-/// Cycles that are missing here.
+/// Cycles that are missing at this point.
 struct RecordedLoss {
   std::int64_t cycles = 0;
 };
@@ -132,16 +132,18 @@ using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, Recor
 /// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
 std::string_view channel_of(const RecordEvent& event);
 std::string encoded(const RecordEvent& event);
-/// Nothing for a channel that is none of ours. Throws InputError for bytes that no event has.
+/// Returns nullopt for a channel of another program. Throws InputError for bytes that are not an
+/// event.
 std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes);
 
-/// A field of a tick in which two differ, to the last bit.
+/// A field in which two ticks differ, to the last bit.
 struct TickDifference {
-  std::string field;  ///< "position", "state", ..., as in cycle_t
+  std::string field;  ///< "position", "state", ..., like in cycle_t
   double recorded = 0;
   double replayed = 0;
 };
-/// The first one, in the order of cycle_t. `switches`: outputs and the instants of their edges count, too.
+/// Returns the first one, in the order of cycle_t. `switches`: also compares outputs and the
+/// instants of their edges.
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches = true);
 

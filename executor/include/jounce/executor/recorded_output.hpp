@@ -10,14 +10,14 @@
 
 namespace jounce {
 
-/// A part of what an axis's outputs were started with, in a record: one cam switch, the options of one
-/// track, or some points of its position compare.
+/// A part of the configuration of an axis's outputs, in a record: one cam switch, the options of
+/// one track, or some points of its position compare.
 ///
 ///     for (const RecordedOutput& part : parts_of(0, switches, compare)) write(part);
-///     apply(part, switches, compare);                // once each, in this order: the same again
+///     apply(part, switches, compare);                // once each, in this order: restores both
 struct RecordedOutput {
   static constexpr std::size_t most_points = 64;   ///< in one part
-  static constexpr std::size_t longest = 100'000;  ///< points of a list that is recorded
+  static constexpr std::size_t longest = 100'000;  ///< longest list of points in a record
   enum class Part : std::uint8_t { cam_switch, track, compare };
 
   std::size_t axis = 0;
@@ -32,13 +32,13 @@ struct RecordedOutput {
   std::vector<ComparePoint> some = {};
 };
 
-/// True if all of it is recorded: a compare of more than `longest` points is not.
+/// True if the record has all of it: a compare of more than `longest` points is not recorded.
 bool recordable(const AxisCompare& compare);
 
 std::vector<RecordedOutput> parts_of(std::size_t axis, const AxisSwitches& switches,
                                      const AxisCompare& compare);
 
-/// Adds a part. False while points of the compare are missing.
+/// Adds a part. Returns false while points of the compare are missing.
 bool apply(const RecordedOutput& part, AxisSwitches& switches, AxisCompare& compare);
 
 }  // namespace jounce

@@ -22,15 +22,15 @@ namespace jounce {
 
 /// The ring from the cyclic thread to the record: cycles, and the number of lost ones.
 ///
-///     tape.add(i, command, inputs, tick);          // the cyclic thread, after every step of an axis
+///     tape.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
 class Tape {
  public:
   static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
 
-  /// Neither allocates nor waits; a cycle is lost and counted if the ring is full.
+  /// Neither allocates nor waits; if the ring is full, a cycle is lost and counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// Inputs of a master in the step, then its state; before its axes.
+  /// Adds inputs of a master in the step, then its value; before its axes.
   void add(std::size_t master, const MasterSample& sample) noexcept;
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
@@ -47,53 +47,54 @@ class Tape {
   void push(Item& item) noexcept;
 
   Ring<Item, capacity> items_;
-  std::int64_t lost_ = 0;  // since the last stored item; of the cyclic thread
+  std::int64_t lost_ = 0;  // since the last stored item; used by the cyclic thread
 };
 
 struct RecorderOptions {
-  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; none: not kept
+  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; nullopt: none
   std::optional<std::filesystem::path> black_box =
-      {};                               ///< written when a fault comes; none: not kept
-  std::size_t black_box_cycles = 2000;  ///< black box cycles of each axis, that it holds
+      {};                               ///< written at a fault; nullopt: none
+  std::size_t black_box_cycles = 2000;  ///< cycles of each axis in the black box
   std::function<void(const std::string&)> notify = {};  ///< events as text
 };
 
-/// Writes what the cyclic thread did, on the side that communicates:
+/// Writes the record of the cyclic thread, in the communication thread:
 ///
 ///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, tape);
-///     recorder.job({.axis = 0, .id = id}, time_table);         // before its arm is sent to the axis
-///     recorder.turn();                                         // often: takes what is on the tape
+///     recorder.job({.axis = 0, .id = id}, time_table);       // before its arm is sent to the axis
+///     recorder.turn();                                       // often: empties the tape
 ///     recorder.close();
 ///
-/// **The log** grows as LOG.part and has its name when it is closed: of an executor that was killed, LOG.part is a
-/// record all the same, cut off somewhere. A path that exists and is no regular file is written to directly. A
-/// full disk ends the log, with one `notify`, and nothing else: the motion continues.
+/// **The log** grows as LOG.part and gets its name when it is closed. After an executor was killed,
+/// LOG.part is still a record, cut off at some point. An existing path that is not a regular file
+/// is written directly. A full disk ends the log, with one `notify`, and nothing else: the motion
+/// continues.
 ///
-/// **The black box** has the last cycles of every axis. It is written when an axis comes into a fault (each new fault
-/// replaces it; its last cycle is the fault's), under a temporary name first: a disk that refuses leaves the one
-/// before as it was, and is reported once by `notify`.
+/// **The black box** has the last cycles of every axis. It is written at a fault of an axis (each
+/// new fault replaces it; its last cycle is that of the fault), under a temporary name first: if
+/// the disk fails, the previous one stays unchanged, and `notify` reports the failure once.
 ///
-/// What was lost on the way to the tape is written as such: a replay ends there.
+/// Cycles that did not fit the tape are recorded as lost: a replay ends there.
 class Recorder {
  public:
-  /// Throws InputError for a black box of 0 cycles, std::system_error where the log or the black box
-  /// cannot be made.
+  /// Throws InputError for a black box of 0 cycles, std::system_error if the log or the black box
+  /// cannot be created.
   Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
            std::vector<RecordedMaster> masters = {});
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Parts of a Job, with the arguments of its constructor; its tables' hashes are taken from
-  /// where they are kept. Each table is written once.
+  /// Records the parts of a Job, the arguments of its constructor; the hashes of its tables come
+  /// from their stores. Writes each table once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
-  /// Parts of another movement, and its rows.
+  /// Records parts of another movement, and its rows.
   void note(const RecordEvent& event) { write(event, now_); }
   void turn();
-  /// Takes what is left and gives the log its name. Not closed: LOG.part stays.
+  /// Takes all remaining items and gives the log its name. If never called, LOG.part stays.
   void close();
 
-  /// Why the first file could not be written; empty: all is well.
+  /// Reason why the first file could not be written; empty: none.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   /// Failed files: bits of wire::Unwritten.
   [[nodiscard]] std::uint8_t unwritten() const { return unwritten_; }
@@ -129,7 +130,7 @@ class Recorder {
   std::int64_t number_ = 0;
   std::int64_t now_ = 0;  // us
   std::set<Sha256> tables_;
-  std::vector<Box> boxes_;  // boxes of the masters, then of the axes
+  std::vector<Box> boxes_;  // black boxes of the masters, then of the axes
   std::string trouble_;
   std::uint8_t unwritten_ = 0;
   std::int64_t lost_ = 0;

@@ -15,7 +15,7 @@ namespace jounce {
 
 /// Result of the replay of a record.
 struct Replay {
-  /// The first tick that came out otherwise.
+  /// The first tick with a different result.
   struct Difference {
     std::size_t axis = 0;  ///< counted from 0; or the master
     std::int64_t tick = 0;
@@ -27,39 +27,42 @@ struct Replay {
   /// State of a master.
   struct Master : RecordedMaster {
     std::int64_t cycles = 0;
-    std::int64_t lost = 0;  ///< lost of these, without it
+    std::int64_t lost = 0;  ///< cycles without the master
   };
   std::vector<Master> masters = {};
   std::int64_t cycles = 0;    ///< in the record, of all axes together
-  std::int64_t compared = 0;  ///< compared of them executed again
+  std::int64_t compared = 0;  ///< cycles executed again
   std::optional<Difference> difference = {};
-  /// Why not all of it was executed again, a sentence; empty: all was, or it differs.
+  /// Reason, as a sentence, why a part was not executed again; empty: all was, or there is a
+  /// difference.
   std::string shorter = {};
   std::optional<std::int64_t> first_tick = {};
   std::int64_t last_tick = 0;
 
-  /// Executed to its end, and equal to the last bit.
+  /// True if executed to its end, and equal to the last bit.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
 };
 
-/// Executes a record again: every axis, a pure function of its commands and inputs, in every tick, and
-/// compares its outputs bit for bit.
+/// Executes a record again: every axis, a pure function of its commands and inputs, in every tick,
+/// and compares its outputs bit for bit.
 ///
 ///     std::ifstream file("run.lcmlog", std::ios::binary);
 ///     const Replay r = replay(file, "run.lcmlog");
 ///     if (r.difference) std::cerr << r.difference->what.field;
 ///
-/// Masters from outside are executed again from their samples and readings ("master_position", ...), and that every
-/// follower saw its master so is compared, too ("live_master").
+/// External masters are executed again from their samples and readings ("master_position", ...).
+/// The value of the master in every follower is compared, too ("live_master").
 ///
-/// `watch` is called with every cycle of the record, also after a difference and of a black box, which begins in
-/// the middle of a run and cannot be executed again. A record is read as a stream: its length does not matter.
+/// `watch` is called with every cycle of the record, also after a difference, and for a black box,
+/// which begins in the middle of a run and cannot be executed again. A record is read as a stream:
+/// its length does not matter.
 ///
-/// What ends the execution early, but not the reading: cycles that were lost, a movement that is not in the
-/// record (a program of your own has not noted it), a file that is cut off.
+/// Lost cycles, a movement that is not in the record (a custom program has not recorded it), and a
+/// truncated file end the execution early, but not the reading.
 ///
-/// Throws InputError, with the event's number and place, for what is no LCM log, a damaged one, one without our
-/// events, tables that do not have their hash, and an axis that cannot be configured as recorded.
+/// Throws InputError, with the event's number and position, for a file that is not an LCM log, a
+/// damaged one, one without Jounce events, tables with a wrong hash, and an axis that cannot be
+/// configured as recorded.
 Replay replay(std::istream& in, const std::string& name,
               const std::function<void(const RecordedCycle&)>& watch = {},
               const std::function<void(const RecordedSight&)>& watch_master = {});

@@ -15,15 +15,15 @@ namespace jounce {
 
 /// Options of run_executor().
 struct RunOptions {
-  std::optional<double> seconds{};  ///< > 0; without it until a signal
+  std::optional<double> seconds{};  ///< > 0; omitted: until a signal
   std::vector<MachineMaster> masters =
-      {};                  ///< that axes follow; their notices go to the first axis's
-  bool once = false;       ///< until a motion has ended for any reason, and all axes rest
+      {};                  ///< masters of the axes; their notices go to the first axis's
+  bool once = false;       ///< ends after a motion has ended for any reason, and all axes rest
   Realtime realtime = {};  ///< realtime of the cyclic thread
-  /// The cycle stops all axes by itself where the communication thread hangs for so long, s; 0: never.
+  /// s: if the communication thread hangs for longer, the cycle stops all axes; 0: never.
   double watchdog = 0.5;
   RecorderOptions record = {};  ///< files of the record; its notices go to those of the first axis
-  /// Called once the names of the axes are its own and its files are open: it takes orders.
+  /// Called once it owns the names of the axes and its files are open: it accepts orders.
   std::function<void()> up = {};
 };
 
@@ -34,7 +34,7 @@ struct AxisSummary {
   std::uint64_t stopped = 0;   ///< motions that a stop brought to rest
   Cause fault = Cause::none;   ///< latched at the end
   double position = 0;         ///< position of the axis
-  bool log_truncated = false;  ///< the log ended before the run did
+  bool log_truncated = false;  ///< the log ended before the run
 };
 
 /// Result of a run.
@@ -42,21 +42,21 @@ struct ExecutorSummary {
   std::vector<AxisSummary> axes;
   CycleCounts cycle;
   Histogram::Counts lateness{};   ///< lateness of waking up
-  Histogram::Counts computing{};  ///< computing of a cycle
+  Histogram::Counts computing{};  ///< computing time of a cycle
   std::string realtime;           ///< result of make_realtime(); empty without a request
-  std::string record_trouble;     ///< why it was not recorded to its end; empty: it was
+  std::string record_trouble;     ///< reason why the record is incomplete; empty: it is complete
   std::int64_t record_lost = 0;   ///< cycles that are missing from the record
-  std::string lost_name;          ///< that another executor has, because of which this one left
+  std::string lost_name;          ///< name that another executor owns, so that this one left
 };
 
-/// The executor behind `jounce run`: the cyclic thread steps all axes, the calling one communicates
-/// over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM comes. Motions under
-/// way are stopped on their paths first; a second signal does not wait for them.
+/// The executor behind `jounce run`: the cyclic thread steps all axes, the calling thread
+/// communicates over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM
+/// arrives. It first stops active motions on their paths; a second signal does not wait for them.
 ///
-/// Before it opens a file it claims the names of its axes (Claim), all at once, in 0.3 s. Where two
-/// executors turn out to be up under one name later (two networks were joined), one of them leaves.
+/// Before it opens a file, it claims the names of its axes (Claim), all at once, in 0.3 s. If two
+/// executors with one name meet later (two networks were joined), one of them leaves.
 ///
-/// Throws InputError for bad options and for a name that another executor has, TransportError, and
+/// Throws InputError for bad options and for a name that another executor owns, TransportError, and
 /// std::system_error for a log.
 ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
                              const RunOptions& run);

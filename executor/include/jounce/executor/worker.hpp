@@ -12,14 +12,14 @@
 
 namespace jounce {
 
-/// A thread that does one thing after another, for what would hold up the one that communicates:
-/// a job of millions of knots takes seconds to build.
+/// A thread that executes tasks one after another, for work that would delay the communication
+/// thread: a job of millions of knots takes seconds to build.
 ///
 ///     Worker worker;
 ///     auto job = worker.ask([table] { return std::make_unique<Job>(1, table); });
-///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or what it threw
+///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or throws
 ///
-/// The destructor waits for what is under way and drops the rest.
+/// The destructor waits for the present task and drops the rest.
 class Worker {
  public:
   Worker() : thread_([this](const std::stop_token& leave) { run(leave); }) {}

@@ -20,32 +20,33 @@ namespace jounce::web {
 ///     std::int64_t seen = 0;
 ///     send(board.json_since(seen, steady_now()));   // moves `seen` on
 ///
-/// A pure value: guard it if threads share it.
+/// A value type: guard it if threads share it.
 class Board {
  public:
-  static constexpr std::size_t most_samples = 2000;  ///< kept of each axis
+  static constexpr std::size_t most_samples = 2000;  ///< samples of each axis
   static constexpr std::size_t most_masters =
-      64;  ///< likewise: without a key, any sender can invent some
+      64;  ///< likewise: without a key, any sender can invent masters
 
   explicit Board(std::vector<std::string> axes);
 
-  /// A status; of an axis that is not named, or as old as the one before: nothing happens.
+  /// Stores a status; ignores it if its axis is not named, or if it is as old as the previous one.
   void take(const std::string& axis, const wire::Status& status, Nanos now);
 
-  /// State of a master in an axis. If there are too many, the one of the earliest cycle is dropped.
+  /// Stores the state of a master in an axis. If there are too many, drops the one of the earliest
+  /// cycle.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
-  /// All axes in JSON, with the samples of after `seen`, which is moved to the newest one. NaN
-  /// becomes null. {"axes": [{"name", "state", "heard" (s since), "position", ..., "samples":
-  /// [[time s, position, velocity, following error], ...], "masters": [{"name", "unit", "lost", "position",
-  /// "velocity", "age_ms"}]}]}; time is tick * cycle.
+  /// Returns all axes in JSON, with the samples after `seen`, and moves `seen` to the newest one.
+  /// NaN becomes null. {"axes": [{"name", "state", "heard" (s since), "position", ..., "samples":
+  /// [[time s, position, velocity, following error], ...], "masters": [{"name", "unit", "lost",
+  /// "position", "velocity", "age_ms"}]}]}; time is tick * cycle.
   [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
 
   [[nodiscard]] bool has(const std::string& axis) const;
 
  private:
   struct Sample {
-    std::int64_t number;  // over all axes, rising
+    std::int64_t number;  // number over all axes, ascending
     double time, position, velocity, error;
   };
   struct AxisView {

@@ -13,9 +13,10 @@ namespace jounce::web {
 /// A command of an operator to an axis: {"axis": "feeder", "what": "override", "value": 0.5}.
 ///
 /// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which take effect in
-/// every session; or enable, disable, reset, move (value: position in the axis's unit, at the limits
-/// it is configured with), which are refused while a streamer owns it. The page repeats a hold-to-run jog
-/// (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of the jog as `hold`.
+/// every session; or enable, disable, reset, move (value: position in the axis's unit, at its
+/// configured limits), which are rejected while a streamer owns it. The page repeats a hold-to-run
+/// jog (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of
+/// the jog as `hold`.
 struct Instruction {
   std::string axis{};
   std::string what{};
@@ -23,12 +24,12 @@ struct Instruction {
   std::int64_t hold = 0;
 };
 
-/// From JSON. Throws InputError: no such object, an unknown key or word, a value that is missing,
-/// too much, or out of range.
+/// Parses JSON. Throws InputError for JSON that is not such an object, an unknown key or word, and
+/// a value that is missing, superfluous or out of range.
 Instruction read_instruction(std::string_view json);
 
-/// Gives all but jog and release to the axis, over a link for this call alone, as `jounce order` and `jounce stop`
-/// do, and waits for its answer. Throws TransportError.
+/// Sends any instruction except jog and release to the axis, over a separate link for this call,
+/// like `jounce order` and `jounce stop`, and waits for its answer. Throws TransportError.
 CallOutcome give(Transport& link, const Instruction& instruction,
                  const std::optional<wire::Key>& key);
 

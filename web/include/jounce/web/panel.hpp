@@ -17,24 +17,24 @@ namespace jounce::web {
 
 struct PanelOptions {
   std::vector<std::string> axes{};  ///< names of the executors to show
-  std::optional<wire::Key> key{};   ///< theirs, if they have one
+  std::optional<wire::Key> key{};   ///< their key, if they have one
   std::string title{};              ///< title of the page
-  std::string token{};              ///< without which no order is taken; as new_token() makes it
-  std::string warning{};            ///< that stands on top of the page; empty: none
+  std::string token{};              ///< required for orders; from new_token()
+  std::string warning{};            ///< shown at the top of the page; empty: none
 };
 
-/// A live page of some axes: what they do, streaming, and the orders that an operator gives.
+/// A live page of some axes: their present state, streamed, and the orders of an operator.
 ///
 ///     const PanelOptions options{.axes = {"feeder"}, .token = new_token()};
 ///     const Panel panel(options, Listening(8080), [&] { return connect(url); });
-///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": with it orders can be given
+///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits orders
 ///
-/// It is an operator like any other, and belongs in a process without axes: it receives the statuses of the
-/// axes and sends orders over the stream protocol, signed where there is a key. A stop waits for no other
-/// order. Someone who has the page but not the address as printed can look, and order nothing.
+/// It acts as an operator, and belongs in a process without axes: it receives the statuses of the
+/// axes and sends orders over the stream protocol, signed if there is a key. A stop waits for no
+/// other order. A viewer of the page without the printed address can read, but send no orders.
 class Panel {
  public:
-  /// Throws TransportError for a link that is not there.
+  /// Throws TransportError if the link cannot be opened.
   Panel(const PanelOptions& options, Listening listening, MakeLink make_link);
   ~Panel();
   Panel(const Panel&) = delete;

@@ -14,38 +14,38 @@
 
 namespace jounce {
 
-/// The inverse of a cam where the slave moves one way: the master position (unit m) over the slave
-/// position (unit u), a Signal.
+/// The inverse of a cam where the slave moves in one direction: the master position (unit m) over
+/// the slave position (unit u), a Signal.
 ///
 ///     const Inversion all = inverted(cam);              // rise, dwell, return
-///     if (!all.report.ok()) { ... }                     // where the slave stands still or turns back
-///     const Inverse& rise = all.branches[0];            // the branch is yours to choose
-///     double master = rise.at(25).position;             // where the slave passes 25
+///     if (!all.report.ok()) { ... }                     // dwells and reversals of the slave
+///     const Inverse& rise = all.branches[0];            // the caller chooses the branch
+///     double master = rise.at(25).position;             // master at slave position 25
 ///     double ratio = rise.at(25).geo_velocity;          // m/u: master per slave
 ///
-/// **Vocabulary.** A *branch* is the longest stretch of the master on which the slave does not turn
-/// back: a rise or a fall, or several with nothing but dwells between them. Its interval, start() to
+/// **Vocabulary.** A *branch* is the longest interval of the master on which the slave does not
+/// reverse: a rise or a fall, or several with only dwells between them. Its interval, start() to
 /// end(), is the slave's, ascending also for a fall; *breaks* are the slave positions at the cam's
 /// breaks, at its points of rest and at its dwells.
 ///
 /// **Derivatives** by the slave, from the inverse function's rule: `Transfer` in m/u, m/u^2, m/u^3.
-/// Where the slave is at rest (the end of a dwell, a turning point, an inflection with velocity
-/// zero) the master has no finite derivative: the result is the infinity that is approached
-/// from the side asked for, all three with their signs; never as NaN.
+/// If the slave is at rest (the end of a dwell, a turning point, an inflection with velocity zero),
+/// the master has no finite derivative. All three results are then the infinities, with their
+/// signs, approached from the requested side; never NaN.
 ///
 /// **A dwell** inside a branch is a jump of the master: Side::left returns one end of it,
-/// Side::right (the rule) the other. **Outside** [start, end] a query is the caller's mistake: it
-/// asserts, and holds in a release build, as for a curve that refuses.
+/// Side::right (the default) the other. **Outside** [start, end] a query is an error of the caller:
+/// it asserts, and holds in a release build, as for a curve that rejects positions outside.
 ///
-/// **Accuracy**: cam(inverse(u)) is u within 1e-12 of the stroke, or 1e-14 of the position where that
+/// **Accuracy**: cam(inverse(u)) is u within 1e-12 of the stroke, or 1e-14 of the position if that
 /// is more (beyond 100 strokes from zero), for a master up to 100 lengths from zero. No evaluation
 /// allocates.
 class Inverse {
  public:
   using Point = Transfer;
 
-  /// The branch that `branch` consists of: runs of `cam`, one after another, the first and the
-  /// last of one kind, between them that kind and dwells.
+  /// `branch`: consecutive runs of `cam`, the first and the last of one kind, between them that
+  /// kind and dwells.
   Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch);
 
   [[nodiscard]] double start() const { return breaks_.front(); }
@@ -67,9 +67,9 @@ class Inverse {
     std::size_t segment = 0;
     double s0 = 0;
     double s1 = 1;
-    double slave0 = 0;  ///< slave position there
+    double slave0 = 0;  ///< slave position at that end
     double slave1 = 0;
-    bool rest0 = false;  ///< true if the slave is at rest there
+    bool rest0 = false;  ///< true if the slave is at rest at that end
     bool rest1 = false;
   };
   void add(const CamRun& run);
@@ -82,30 +82,32 @@ class Inverse {
   std::vector<double> breaks_;
 };
 
-/// Every branch of a cam's inverse, and what stands in the way of a single one.
+/// Every branch of a cam's inverse, and the reasons why there is not exactly one.
 struct Inversion {
   std::vector<CamRun> runs;
   std::vector<Inverse> branches;  ///< in the order of the master; none if the slave never moves
-  /// ok() if the cam is strictly monotone: then there is one branch, and it is the inverse. Else,
-  /// in the order of the master, a finding for each stretch on which the slave stands still
-  /// (`inverse/dwell`), runs against its first direction (`inverse/reversal`) or jumps
-  /// (`inverse/jump`). where: the master position at which it begins, value: the slave position it
-  /// leads to, limit: the one it comes from, advice: from where to where.
+  /// ok() if the cam is strictly monotone: then there is one branch, the inverse. Otherwise, in the
+  /// order of the master, a finding for each interval on which the slave is at rest
+  /// (`inverse/dwell`), moves against its first direction (`inverse/reversal`) or jumps
+  /// (`inverse/jump`). where: the master position at its start, value: the slave position at its
+  /// end, limit: the slave position at its start, advice: the master positions of both.
   Report report;
 
-  /// The branch that holds this master position, its dwells included; null if there is none.
+  /// Returns the branch that contains this master position, its dwells included; null if there is
+  /// none.
   [[nodiscard]] const Inverse* branch_at(double master) const;
 };
 
-/// Inverts a cam over its interval [start, end]. Beyond it nothing is inverted: a periodic cam has
-/// the branches of one period, and a motion across the wrap is two of them (rotate it with
-/// `phased` first). Never throws for what the slave does.
+/// Inverts a cam over its interval [start, end] only. A periodic cam has the branches of one
+/// period, and a motion across the wrap is two of them (rotate it with `phased` first). Never
+/// throws for any motion of the slave.
 Inversion inverted(const Cam& cam);
 
-/// The inverse between two slave positions as a curve (a Cam over the slave), for tables, checks and
-/// any function that takes one: within `tolerance` (unit of the master), with a certified error, see
-/// jounce/profiles/curve/fitted.hpp. Throws InputError "slave" unless from < to lie within the branch, and where
-/// the slave is at rest from there to there, ends included; "tolerance" as polynomial_within does.
+/// The inverse between two slave positions as a curve (a Cam over the slave), for tables, checks
+/// and any function of a curve. It is within `tolerance` (unit of the master), with a certified
+/// error, see jounce/profiles/curve/fitted.hpp. Throws InputError "slave" unless from < to lie
+/// within the branch, or if the slave is at rest anywhere between them, ends included; "tolerance"
+/// like polynomial_within.
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);
 
 static_assert(Signal<Inverse>);

@@ -9,16 +9,16 @@
 
 namespace jounce {
 
-/// The slave's motion over time where the master's is known beforehand: a coupling that was engaged
-/// at the master's first instant, with its correction, as a Signal. What Followed is to a bare cam.
+/// The slave's motion over time for a given master motion, as a Signal: a coupling engaged at the
+/// master's first instant, with its correction. Followed is the same for a cam alone.
 ///
 ///     const Engagement in = engage(coupling, slave, master.jet(master.start()), master.start());
 ///     const Coupled motion(coupling, in.engaged, master);
 ///     const Jet now = motion.jet(0.5);
 ///
 /// Exact: its breaks are those of the master, of the cam where the master passes them, and of the
-/// correction. It lasts until the correction over time is over, if that is later than the master's
-/// end; the master then rests where it ended. A cam that runs once holds its end value, at rest.
+/// correction. It ends with the correction over time, if that is later than the master's end; the
+/// master then rests at its end. A cam that runs once holds its end value, at rest.
 class Coupled {
  public:
   Coupled(const Coupling& coupling, const Engaged& engaged, const Trajectory& master);
@@ -31,7 +31,7 @@ class Coupled {
     return jounce::point<OverTime>(jet(t, side));
   }
 
-  /// s, when the slave is on its cam for good; nothing if the master ends before.
+  /// s, the time from which the slave stays on its cam; nullopt if the master ends before.
   [[nodiscard]] std::optional<double> in_sync() const { return in_sync_; }
 
  private:

@@ -11,14 +11,14 @@
 
 namespace jounce {
 
-/// Start mode of a slave on its cam (PMC600 manual 6.2, MC_CamIn StartMode and its codes; the last one
-/// is CODESYS').
+/// Start mode of a slave on its cam (PMC600 manual 6.2, MC_CamIn StartMode and its codes; the last
+/// one is CODESYS').
 enum class StartMode : std::uint8_t {
   absolute = 0,          ///< at once: it jumps to the position of the cam
-  relative = 1,          ///< at once, with a cam that is moved to where the slave is
+  relative = 1,          ///< at once, with the cam shifted to the position of the slave
   ramp_in = 2,           ///< without a jump, by a correction over time within limits
-  ramp_in_pos = 3,       ///< the same, the correction in the positive direction only (1e-9 strokes
-                         ///< of the other one are none)
+  ramp_in_pos = 3,       ///< the same, with the correction in the positive direction only
+                         ///< (tolerance 1e-9 strokes)
   ramp_in_neg = 4,       ///< the same, in the negative direction only
   ramp_in_distance = 5,  ///< without a jump, by a correction over a distance of the master
 };
@@ -27,47 +27,47 @@ inline constexpr std::size_t start_mode_count = 6;
 /// "absolute", "ramp_in_pos", ...: the words of a spec.
 const char* name(StartMode mode);
 
-/// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the
-/// unit of the slave, m that of the master; times are in s. Its periodicity is a property of the cam
-/// affair: `with(cam, Extrapolation::wrap)` is; one that holds or refuses runs once, and only a holding
-/// one may be engaged while the master is outside: the slave waits at the cam's end value.
+/// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the unit
+/// of the slave, m that of the master; times are in s. The cam defines its periodicity: `with(cam,
+/// Extrapolation::wrap)` is periodic. A cam that holds or rejects runs once. Only a holding cam may
+/// be engaged while the master is outside: the slave waits at the cam's end value.
 struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling
-  double slave_scaling = 1;     ///< > 0; a negative one: mirror the cam
+  double slave_scaling = 1;     ///< > 0; to negate, mirror the cam
   double slave_offset = 0;      ///< u, added after scaling
   bool master_absolute = true;  ///< false: the master's position at the start counts as 0
-  bool slave_absolute = true;   ///< false: the cam is moved to where the slave is at the start
+  bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the start
   StartMode start = StartMode::absolute;
-  std::optional<double> velocity_diff = {};  ///< u/s, > 0: most that a correction adds; ramp_in...
-  std::optional<double> acceleration = {};   ///< u/s^2, > 0: with which it begins; ramp_in...
-  std::optional<double> deceleration = {};   ///< u/s^2, > 0: with which it ends; as acceleration
-  std::optional<double> jerk = {};           ///< u/s^3, > 0; left out, its acceleration steps
+  std::optional<double> velocity_diff = {};  ///< u/s, > 0: limit of a correction; ramp_in...
+  std::optional<double> acceleration = {};   ///< u/s^2, > 0: at its start; ramp_in...
+  std::optional<double> deceleration = {};   ///< u/s^2, > 0: at its end; default: acceleration
+  std::optional<double> jerk = {};           ///< u/s^3, > 0; omitted: the acceleration steps
   std::optional<double> distance = {};       ///< m of master travel, > 0; ramp_in_distance
-  std::optional<double> slave_period = {};   ///< u, > 0, of a rotary slave; left out: linear
-  /// m, > 0: a master that is further than this from where its velocity puts it has jumped, and a
-  /// slave with a ramp takes that up by another correction. So has one that was no number, as soon as
-  /// it is one again. Left out: it follows the jump.
+  std::optional<double> slave_period = {};   ///< u, > 0, of a rotary slave; omitted: linear
+  /// m, > 0: a master has jumped if it deviates by more than this from the position that its
+  /// velocity predicts, or if it becomes valid again after NaN. A slave with a ramp absorbs the
+  /// jump by another correction. Omitted: the slave follows the jump.
   std::optional<double> master_jump = {};
 };
 
-/// Throws InputError for a number that is not finite or positive, and for a ramp without what it
-/// needs: velocity_diff and acceleration, or distance.
+/// Throws InputError for a number that is not finite or positive, and for a ramp without its
+/// parameters: velocity_diff and acceleration, or distance.
 void require_valid(const CouplingSpec& spec);
 
 /// Reason why an engagement is impossible, or `ok`.
 enum class CouplingStatus : std::uint8_t {
   ok,
   not_finite,          ///< a state, the master or the time is not finite
-  master_outside_cam,  ///< the master is where a refusing cam has no value
-  would_reverse,       ///< ramp_in_pos, ramp_in_neg: a linear slave would have to go the other way
-  master_stands,  ///< ramp_in_distance: the slave moves, the master that should end that does not
+  master_outside_cam,  ///< the master is outside a cam that permits no position outside
+  would_reverse,       ///< ramp_in_pos, ramp_in_neg: a linear slave would have to reverse
+  master_stands,  ///< ramp_in_distance: the slave moves, but the master is at rest
   no_ramp,        ///< no correction within the limits: numbers beyond 1e50
-  window_missed,  ///< the master passed an engage position between two cycles, none in its window
+  window_missed,  ///< the master passed an engage position without a cycle in its window
 };
 const char* name(CouplingStatus status);
 
-/// One sentence for a status, for people.
+/// One sentence for a status, for messages.
 const char* explain(CouplingStatus status);
 
 /// A cam with its coupling, checked: immutable.
@@ -79,15 +79,15 @@ const char* explain(CouplingStatus status);
 ///     const Engagement in = engage(coupling, {.position = 5}, master, 0);
 ///     const Jet slave = point(coupling, in.engaged, {92, 200, 0, 0}, 0.01);
 ///
-/// The slave's set-point is the cam behind its master, and what is left of a correction:
+/// The slave's setpoint is the cam at its master, plus the remainder of a correction:
 ///
-///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t),   X = master_scaling x + ...
+///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t),  X = master_scaling x + ...
 ///
-/// c runs from the difference between slave and cam at the start (position, velocity, acceleration)
-/// to rest at zero. So nothing jumps for any motion of the master (except when it enters a cam that begins moving), and the slave deviates from the cam
-/// by no more than velocity_diff, acceleration, deceleration and jerk. Origins, the table of modes
-/// and what happens at a period's end: docs/cam/coupling.md. Throws InputError as require_valid
-/// does.
+/// c goes from the difference between slave and cam at the start (position, velocity, acceleration)
+/// to rest at zero. Nothing jumps for any motion of the master, except when it enters a cam that
+/// begins at a velocity. The slave deviates from the cam by at most velocity_diff, acceleration,
+/// deceleration and jerk. Origins, the table of modes and the end of a period:
+/// docs/cam/coupling.md. Throws InputError like require_valid.
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});
@@ -95,14 +95,14 @@ class Coupling {
   [[nodiscard]] const Cam& cam() const { return cam_; }
   [[nodiscard]] const CouplingSpec& spec() const { return spec_; }
   [[nodiscard]] bool periodic() const { return placement_.periodic; }
-  /// The cam is moved to the slave: start = relative, or slave_absolute = false.
+  /// True if the cam is shifted to the slave: start = relative, or slave_absolute = false.
   [[nodiscard]] bool slave_relative() const;
-  /// Where it lies while nothing is engaged: relative to 0 where it is relative.
+  /// Placement while not engaged; for a relative cam, relative to 0.
   [[nodiscard]] const Placement& placement() const { return placement_; }
-  /// u by which slave set-points jump at each period's end: the scaled stroke of a period, less
+  /// u, jump of the slave's setpoints at each period's end: the scaled stroke of a period, less
   /// whole slave periods, for an absolute slave; a relative one never jumps there.
   [[nodiscard]] double period_jump() const { return period_jump_; }
-  /// Stroke, largest slope and curvature as the slave has them over the master: u, u/m, u/m^2.
+  /// Stroke, largest slope and curvature of the slave over the master: u, u/m, u/m^2.
   [[nodiscard]] const Jet& reach() const { return reach_; }
 
  private:
@@ -113,14 +113,14 @@ class Coupling {
   Jet reach_{};
 };
 
-/// The state of a coupling: small, a value. Made by engage(), carried on by step()
+/// The state of a coupling: a small value type. engage() creates it, step() advances it
 /// (coupling_cycle.hpp).
 struct Engaged {
   Placement placement;
   Correction correction;
   double time = 0;    ///< s, of the last cycle
-  Jet master{};       ///< then
-  bool lost = false;  ///< the master has been no number since; the slave stands
+  Jet master{};       ///< the master at that time
+  bool lost = false;  ///< the master is NaN; the slave is at rest
 };
 
 struct Engagement {
@@ -135,9 +135,9 @@ struct Engagement {
 /// Nothing has moved yet. Does not allocate.
 Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t);
 
-/// The slave's set-point, [y, y', y'', y'''] by time. Pure: the same master and time, the same
-/// point. `cam` may be the cam itself, or a Table of it. The side as in placed(): at a seam of the
-/// cam, where the slave came from or where it goes on. Does not allocate.
+/// The slave's setpoint, [y, y', y'', y'''] by time. Pure: the same master and time, the same
+/// point. `cam` may be the cam itself, or a Table of it. `side` as in placed(): at a seam of the
+/// cam, the limit from before or from after. Does not allocate.
 template <class C>
 Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
           Side side = Side::right) {
@@ -151,17 +151,19 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
   return point(coupling.cam(), engaged, master, t, side);
 }
 
-/// Checks the result of engage() beforehand: jumps of position, velocity and acceleration
-/// ("coupling/start", broken where there is one), a refusal ("coupling/<status>"), the jump at each
-/// period's end ("coupling/period"), a master outside that comes in where the cam moves, which a slave
-/// that waits at rest cannot without a jump in velocity ("coupling/enter"), and the ends of a cam that
-/// runs once, where it ends moving (check_ends). For a correction it reports the greatest values, with their derivatives over time or master ("coupling/ramp", not
-/// broken: over a distance of the master no limit holds). A jump counts beyond 1e-9 of the slave's range and
-/// 1e-12 of its position.
+/// Checks the result of engage() beforehand. Findings: jumps of position, velocity and acceleration
+/// ("coupling/start", broken if there is one), a rejection ("coupling/<status>"), the jump at each
+/// period's end ("coupling/period"), a master outside that enters the cam where it moves, so that
+/// the velocity of the waiting slave jumps ("coupling/enter"), and the ends of a cam that runs
+/// once, if it ends at a velocity (check_ends). For a correction it reports the greatest values,
+/// with their derivatives over time or master ("coupling/ramp", not broken: over a distance of the
+/// master no limit holds). A jump counts beyond 1e-9 of the slave's range and 1e-12 of its
+/// position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
 
-/// The ends at which a cam that runs once moves, by more than 1e-9 of its greatest slope ("coupling/begin",
-/// "coupling/end", not broken): what becomes of the slave there is its player's choice (jounce/axis/live_cam.hpp: CamEnd).
+/// The ends at which a cam that runs once moves, by more than 1e-9 of its greatest slope
+/// ("coupling/begin", "coupling/end", not broken): the movement selects the behavior of the slave
+/// there (jounce/axis/live_cam.hpp: CamEnd).
 Report check_ends(const Cam& cam);
 
 }  // namespace jounce

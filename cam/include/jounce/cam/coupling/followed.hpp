@@ -9,16 +9,16 @@
 
 namespace jounce {
 
-/// The chain rule: the derivatives by time of f(x(t)), where f holds the derivatives by x at x(t) and
-/// x those by time; equations (1) to (3) of Followed.
+/// The chain rule: the derivatives by time of f(x(t)), where f holds the derivatives by x at x(t)
+/// and x those by time; equations (1) to (3) of Followed.
 inline Jet chained(const Jet& f, const Jet& x) {
   return {f[0], f[1] * x[1],                                                  // (1)
           f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
-/// Direction of a master on the given side of an instant: the sign of its first derivative that
-/// is not zero. So a master at rest that is about to move backwards counts as moving backwards.
+/// Direction of a master on the given side of an instant: the sign of its first derivative that is
+/// not zero. A master at rest that is about to move backwards therefore counts as moving backwards.
 inline bool backwards(const Jet& x, Side side = Side::right) {
   const double s = side == Side::right ? 1 : -1;
   if (x[1] != 0) return x[1] < 0;
@@ -26,8 +26,8 @@ inline bool backwards(const Jet& x, Side side = Side::right) {
   return x[3] < 0;
 }
 
-/// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to `last`, or
-/// periods from 1e15 on: far more than any machine needs, and before memory runs out.
+/// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to
+/// `last`, or periods from 1e15 on: far more than any machine needs, but before memory runs out.
 void require_few_periods(double first, double last, std::size_t breaks);
 
 /// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
@@ -44,7 +44,8 @@ void require_few_periods(double first, double last, std::size_t breaks);
 ///
 /// Its breaks are the master's breaks and every instant at which the master passes a break of the
 /// cam. While the master runs backwards, right and left limits of the cam are exchanged. Throws
-/// InputError where the master leaves a cam that refuses it, and as require_few_periods().
+/// InputError if the master leaves a cam that permits no position outside, and like
+/// require_few_periods().
 class Followed {
  public:
   Followed(Cam cam, Trajectory master);

@@ -15,7 +15,7 @@ struct MasterRates {
   double jerk = 0;
 };
 
-/// The most that the master may do, and what stops it.
+/// The limit of the master, and the slave's quantity that sets it.
 struct MasterLimit {
   double value = std::numeric_limits<double>::infinity();  ///< m/s, or m/s^2; infinite: no limit
   std::string quantity =
@@ -30,26 +30,25 @@ struct MasterLimit {
 ///     MasterLimit live = greatest_master_velocity(cam, slave, {.acceleration = 0.5});
 ///     MasterLimit ramp = greatest_master_acceleration(cam, slave, 1.2);
 ///
-/// With the cam f over the master position, which runs at speed w with acceleration a and jerk j,
-/// the slave has
+/// For the cam f over a master at speed w, acceleration a and jerk j, the slave has
 ///
 ///     (1)  f' w,   f'' w^2 + f' a,   f''' w^3 + 3 f'' w a + f' j
 ///
-/// The answer is the greatest w (or a) with which no place of the cam and no sign of a and j passes
-/// a limit. Exact: every maximum over the cam is an isolated extremum (see roots.hpp), nothing is
-/// sampled; accurate to about 1e-12. Where f steps (inside, or where
-/// it wraps), no limit allows any speed; where f' steps, limited acceleration and jerk do not; where
-/// f'' steps, limited jerk does not: the value is 0 and `where` the step (beyond 1e-9 of the travel,
-/// of the derivative's peak, as in `rises`). Limits left out do not limit; the positions are not looked
-/// at.
+/// The result is the greatest w (or a) at which no position of the cam and no sign of a and j
+/// exceeds a limit. Exact: every maximum over the cam is an isolated extremum (see roots.hpp),
+/// nothing is sampled; accurate to about 1e-12. A step of f (inside, or at the wrap) permits no
+/// speed under any limit; a step of f' permits none under a limit of acceleration or jerk; a step
+/// of f'' permits none under a limit of jerk. The value is then 0 and `where` the step (beyond 1e-9
+/// of the travel, of the derivative's peak, as in `rises`). Omitted limits do not limit; position
+/// limits are ignored.
 ///
-/// A value of 0 also means that the master's own rates already pass a limit. Throws InputError for a
-/// limit that is not positive, and rates or a velocity that are negative or not finite.
+/// A value of 0 also means that the master's own rates already exceed a limit. Throws InputError
+/// for a limit that is not positive, and rates or a velocity that are negative or not finite.
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 
 /// The greatest acceleration or deceleration (in magnitude) of a master that runs at `velocity`
-/// (m/s, >= 0, either way), anywhere on the cam, while its jerk is at most `jerk` (m/s^3).
+/// (m/s, >= 0, in either direction), anywhere on the cam, while its jerk is at most `jerk` (m/s^3).
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
                                          double jerk = 0);
 

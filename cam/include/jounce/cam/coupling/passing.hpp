@@ -13,10 +13,10 @@ struct Sample {
   Jet master{};
 };
 
-/// When the master passes a level between two cycles, and how it moves then, by the cubic through
-/// both positions and velocities: exact for a master of constant acceleration or jerk. The level is
-/// passed where the samples lie on both sides of it, or the later one on it. Of a master that
-/// passes more than once within one cycle the answer is one of the times.
+/// Returns the instant at which the master passes a level between two cycles, and its motion there,
+/// by the cubic through both positions and velocities: exact for a master of constant acceleration
+/// or jerk. The level is passed if the samples lie on both sides of it, or the later one on it. If
+/// the master passes more than once within one cycle, the result is one of the times.
 std::optional<Sample> passing(const Sample& before, const Sample& now, double level);
 
 /// The master between two cycles, by the same cubic.

@@ -7,21 +7,22 @@
 
 namespace jounce {
 
-/// Rule for derivatives that a cam leaves out.
+/// Rule for derivatives that a cam omits.
 ///
-///     CamSpec spec{.start = {0, 0}, .segments = {{Law::quintic, {90, 30}}, ...}, .periodic = true};
+///     CamSpec spec{.start = {0, 0},
+///                  .segments = {{Law::quintic, {90, 30}}, ...}, .periodic = true};
 ///     Cam smooth = design(filled(spec, Fill::minimum_jerk)).cam;
 ///
-/// What a spec leaves out at a knot is *free* if nothing but quintics meet there: both segments
-/// beside it, or the only one at an end. Beside a line, a dwell or a rest-to-rest law it is what that
-/// law has there. Start and last knot of a periodic cam are one: what one of them gives holds for
-/// both, and what both leave out is chosen once.
+/// An omitted derivative at a knot is *free* if only quintics meet there: both segments beside it,
+/// or the only one at an end. Beside a line, a dwell or a rest-to-rest law, it takes the value of
+/// that law. The first and last knot of a periodic cam are one: a value given at one of them holds
+/// for both, and a value that both omit is chosen once.
 enum class Fill {
-  rest,          ///< zero where nothing else is demanded, as resolved_knots() does
+  rest,          ///< zero unless another rule demands a value, like resolved_knots()
   minimum_jerk,  ///< least integral of geo_jerk^2 over the whole cam
 };
 
-/// "rest", "minimum_jerk": the words of the spec. The third one, "minimum_peak_acceleration", is a
+/// "rest", "minimum_jerk": the words of the spec. The third word, "minimum_peak_acceleration", is a
 /// convex program: filled_for_least_peak() in jounce/optimize/least_peak.hpp.
 const char* name(Fill fill);
 
@@ -31,14 +32,14 @@ struct FreeDerivatives {
   bool geo_acceleration = false;
 };
 
-/// One for each knot, start included; of a periodic cam the first and the last are equal. Throws as
-/// resolved_knots() does.
+/// One entry for each knot, start included; for a periodic cam the first and the last are equal.
+/// Throws like resolved_knots().
 std::vector<FreeDerivatives> free_derivatives(const CamSpec& spec);
 
-/// The spec with every derivative filled in (but an acceleration that a law beside it has of its
-/// own), exact to rounding (a positive definite linear system).
-/// design() of it is that cam. Where a whole cam is one quintic from which all four are left out, it
-/// is the straight line. Throws as resolved_knots() does.
+/// Returns the spec with every derivative filled in (except an acceleration that an adjacent law
+/// defines itself), exact to rounding (a positive definite linear system). Apply design() to it. If
+/// a whole cam is one quintic without all four derivatives, the result is the straight line. Throws
+/// like resolved_knots().
 CamSpec filled(CamSpec spec, Fill how);
 
 }  // namespace jounce

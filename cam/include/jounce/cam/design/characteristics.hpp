@@ -5,23 +5,23 @@
 
 namespace jounce {
 
-/// A coefficient and the master position (m) where the rise has it.
+/// A coefficient and the master position (m) at which the rise has it.
 struct Coefficient {
   double value = 0;
   double where = 0;
 };
 
-/// The characteristic values of a rise (VDI 2143), normalised to stroke 1 over master length 1: with
-/// stroke h, length b and a master at constant speed w, the slave's peaks are cv h w / b,
-/// ca h (w / b)^2 and cj h (w / b)^3.
+/// The characteristic values of a rise (VDI 2143), normalized to stroke 1 over master length 1. For
+/// stroke h, length b and a master at constant speed w, the slave's peaks are cv h w / b, ca h (w /
+/// b)^2 and cj h (w / b)^3.
 ///
 ///     Characteristics c = characteristics(Cam(normalised(Law::modified_sine)));
 ///     double peak = c.cv.value;                    // 1.7596...
 ///
-/// Cv, Ca and Cj are exact extrema (to rounding), the rms an exact quadrature; Cm is the value at a
-/// place, and no other is above it by more than 1e-10 of it. What an endless peak would be needed
-/// for is infinite: Ca, Cm and rms where the velocity steps, Cj where the acceleration does, inside
-/// or against the neighbours (see rises).
+/// Cv, Ca and Cj are exact extrema (to rounding), the rms an exact quadrature; Cm is the value at
+/// one position, and no other exceeds it by more than 1e-10 of it. Infinite values: Ca, Cm and rms
+/// if the velocity steps, Cj if the acceleration steps, inside or against the neighbors (see
+/// rises).
 struct Characteristics {
   double stroke = 0;  ///< h, u, signed
   double length = 0;  ///< b, m
@@ -42,8 +42,8 @@ struct Characteristics {
 
 Characteristics characteristics(const Rise& rise);
 
-/// For a cam as a whole: a law, or any piece that leads from one position to another. Throws
-/// InputError("stroke", ...) if it ends where it began.
+/// For a whole cam: a law, or any piece from one position to another. Throws InputError("stroke",
+/// ...) if it ends at its start position.
 Characteristics characteristics(const Cam& law);
 
 }  // namespace jounce

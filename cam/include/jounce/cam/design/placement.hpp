@@ -29,8 +29,8 @@ struct Placement {
 
 /// A position on a cam: X = period * length + at.
 struct Spot {
-  double at = 0;       ///< in [start, start + length); the end too where it is not periodic
-  double period = 0;   ///< whole number; 0 where it is not periodic
+  double at = 0;       ///< in [start, start + length); also the end if it is not periodic
+  double period = 0;   ///< whole number; 0 if it is not periodic
   bool inside = true;  ///< within the cam, except for rounding
 };
 
@@ -44,8 +44,9 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= 1e-9 * length};
 }
 
-/// Position X seen from one side. Within rounding (`near`) of the seam between two periods it counts as on
-/// the seam: from the left as the end of one period, from the right as the start of the next.
+/// Position X approached from one side. Within rounding (`near`) of the seam between two periods it
+/// counts as on the seam: from the left as the end of one period, from the right as the start of
+/// the next.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
   const Spot s = spot(X, start, end - start, true);
   const bool behind = s.at - start <= near;
@@ -55,8 +56,8 @@ inline Spot spot_on(Side side, double X, double start, double end, double near) 
 }
 
 /// The slave's motion, [y, y', y'', y'''] by time, for a master at [x, x', x'', x''']. `side`
-/// selects the limit from after (right) or before (left) an instant. While the master runs backwards,
-/// right and left limits of the cam are exchanged, as in Followed.
+/// selects the limit from after (right) or before (left) an instant. While the master runs
+/// backwards, right and left limits of the cam are exchanged, as in Followed.
 template <class C>
 Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;

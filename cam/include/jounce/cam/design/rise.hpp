@@ -10,41 +10,41 @@
 
 namespace jounce {
 
-/// A stretch of a cam that leads from one slave position to another, with what is known of it: what
-/// characteristic values and certificates are made from.
+/// An interval of a cam that leads from one slave position to another, with its properties: the
+/// input of characteristic values and certificates.
 ///
 ///     for (const Rise& rise : rises(cam)) {
 ///       Characteristics c = characteristics(rise);   // Cv, Ca, Cj, Cm
-///       Report best = certificates(rise);            // how far above what is possible
+///       Report best = certificates(rise);            // distance from the bounds
 ///     }
 ///
-/// **Vocabulary.** A *rise* (a fall just as well) lies between two neighbouring breaks where the
-/// slave rests: its velocity is zero there on both sides. Dwells are no rises, nor is a stretch
-/// that comes back to where it began. Master positions m and slave positions u are the cam's; a
-/// rise through the period's wrap runs on beyond the cam's end.
+/// **Vocabulary.** A *rise* (or a fall) lies between two neighboring breaks at which the slave
+/// rests: its velocity is zero on both sides of each. A dwell is not a rise, nor is an interval
+/// that returns to its start position. Master positions m and slave positions u are the cam's; a
+/// rise through the period's wrap continues beyond the cam's end.
 ///
 /// "Zero", and "does not step", mean: within 1e-9 of the greatest magnitude that the derivative has
 /// in the rise (the velocity: in the whole cam).
 struct Rise {
-  Cam cam;                ///< the stretch alone
-  std::size_t first = 0;  ///< the cam's segment it begins with
+  Cam cam;                ///< the interval alone
+  std::size_t first = 0;  ///< first segment of the cam in the rise
   double stroke = 0;      ///< u, from its start to its end, signed; not 0
   /// Value and four derivatives by master (u, u/m, ..., u/m^4) inside the rise, by order.
   std::array<Range, 5> ranges{};
   /// f', f'', ... up to this order (0 to 4) are zero at both ends and do not step in between.
   int smooth = 0;
-  /// f', f'', ... up to this order (0 to 4) do not step, neither inside nor against the neighbours.
+  /// f', f'', ... up to this order (0 to 4) do not step, neither inside nor against the neighbors.
   int continuous = 0;
 
   [[nodiscard]] double length() const { return cam.length(); }
 };
 
-/// All rises of a cam, in order. Beyond its ends a cam that holds is at rest, one that wraps goes on
-/// with its other end, and one that refuses has no neighbours to step against.
+/// All rises of a cam, in order. Beyond its ends, a cam that holds is at rest, a cam that wraps
+/// continues with its other end, and a cam that rejects has no neighbors to step against.
 std::vector<Rise> rises(const Cam& cam);
 
-/// The whole cam as one rise, wherever it starts and ends. Throws InputError("stroke", ...) if it
-/// ends where it began.
+/// The whole cam as one rise, for any start and end. Throws InputError("stroke", ...) if it ends at
+/// its start position.
 Rise as_rise(const Cam& law);
 
 }  // namespace jounce

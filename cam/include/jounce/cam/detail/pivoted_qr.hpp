@@ -7,8 +7,8 @@
 
 namespace jounce::detail {
 
-/// A P = Q R by Householder's reflections, columns pivoted so that the diagonal of R falls. A file of its own
-/// instantiates Eigen's template, which takes seconds to compile.
+/// A P = Q R by Householder's reflections, columns pivoted so that the diagonal of R falls. A
+/// separate source file instantiates Eigen's template, which takes seconds to compile.
 class PivotedQr {
  public:
   using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;

@@ -9,9 +9,9 @@
 
 namespace jounce::detail {
 
-/// Calls visit(s, weight) so that the sum of weight * g(s) is the integral of g over s in [0, 1], for
-/// a g that is a product of two of f's derivatives: Gauss-Legendre with ten points, exact for
-/// polynomials to degree 19 (the square of a first derivative has 20 at the most: 1e-13 then). A sine
+/// Calls visit(s, weight) so that the sum of weight * g(s) is the integral of g over s in [0, 1],
+/// for a g that is a product of two of f's derivatives: Gauss-Legendre with ten points, exact for
+/// polynomials to degree 19 (the square of a first derivative has at most 20: 1e-13 then). A sine
 /// is cut into panels of at most 2 rad, where the remainder, (10!)^4 / (21 (20!)^3) of the 20th
 /// derivative, is below 1e-16 of the terms: rounding.
 template <class Visit>

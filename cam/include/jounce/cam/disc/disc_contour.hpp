@@ -7,13 +7,13 @@
 
 namespace jounce {
 
-/// A corner of a contour and the way to the next: a line, or an arc with bulge = tan(a/4), a the
-/// angle it turns through, > 0 counterclockwise (as in DXF).
+/// A corner of a contour and the piece to the next: a line, or an arc with bulge = tan(a/4), where
+/// a is its angle, > 0 counterclockwise (as in DXF).
 struct Vertex {
   double x = 0;
   double y = 0;
   double bulge = 0;
-  double master = 0;  ///< the master's position there
+  double master = 0;  ///< master position at the corner
 };
 
 /// A closed curve; the last vertex leads back to the first.
@@ -23,15 +23,15 @@ using Contour = std::vector<Vertex>;
 enum class Pieces { lines, arcs };
 
 /// The curve parallel to the pitch curve at `distance` outwards: 0 is the pitch curve itself,
-/// -roller_radius the profile, cutter_radius - roller_radius the centre of a cutter.
+/// -roller_radius the profile, cutter_radius - roller_radius the center of a cutter.
 ///
-/// No point of the true curve is further than `tolerance` (u, > 0) from the contour: each piece is
-/// accepted by a bound (equations (1) and (2) in disc_contour.cpp) on its whole length, none by samples.
-/// Its vertices lie on the curve, at every break of the cam among others, and it closes exactly.
-/// Where the cam is undercut, the loops of the parallel curve are part of it.
+/// No point of the true curve is further than `tolerance` (u, > 0) from the contour: a bound on its
+/// whole length (equations (1) and (2) in disc_contour.cpp) accepts each piece, without samples.
+/// Its vertices lie on the curve and include every break of the cam; it closes exactly. If the cam
+/// is undercut, it includes the loops of the parallel curve.
 ///
 /// Throws InputError("tolerance", ...) if it is not positive or below 1e-10 of the cam's size, and
-/// ("cam", ...) where the velocity steps: the contour would have a corner.
+/// ("cam", ...) if the velocity steps: the contour would have a corner.
 Contour contour(const Disc& disc, double distance, double tolerance, Pieces pieces = Pieces::arcs);
 
 }  // namespace jounce

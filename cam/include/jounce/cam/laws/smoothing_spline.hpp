@@ -7,14 +7,14 @@
 
 namespace jounce {
 
-/// Points with a tolerance: of all curves that pass every point within its tolerance, the one with
-/// the least integral of geo_jerk^2.
+/// Points with a tolerance: the curve with the least integral of geo_jerk^2 among all that pass
+/// every point within its tolerance.
 ///
 ///     SplineSpec measured{.points = {{0, 0}, {60, 11.7, 0.5}, {120, 30.2, 0.5}, {180, 40}}};
 ///     measured.start = measured.end = {.geo_velocity = 0, .geo_acceleration = 0};
 ///     SmoothingSpline s = smoothing_spline(measured);
 ///     Cam cam(s.segments, 0, Extrapolation::hold);
-///     double atLeast = s.square_jerk - s.gap;             // no curve within the tolerances has less
+///     double bound = s.square_jerk - s.gap;             // no curve within the tolerances has less
 ///
 /// It is a quintic spline. Its joints are the points where the tolerance is used up and the points
 /// with zero tolerance, which it passes exactly; it has no joint at other points. If all tolerances
@@ -27,14 +27,14 @@ struct SmoothingSpline {
   int solutions = 0;  ///< linear systems solved
 };
 
-/// A strictly convex quadratic program, solved by an active set. Each tolerance is kept to
-/// within 1e-9 of its value plus the rounding of the slave positions. Where a parabola keeps all tolerances (periodic: a
-/// constant) square_jerk is zero and the curve is one such parabola: the one through the first, the
-/// middle and the last point, or as near to it as the tolerances let it be found.
+/// A strictly convex quadratic program, solved by an active set. Each tolerance is kept to within
+/// 1e-9 of its value plus the rounding of the slave positions. If a parabola keeps all tolerances
+/// (periodic: a constant), square_jerk is zero and the curve is such a parabola: the one through
+/// the first, the middle and the last point, or the nearest one that the tolerances permit.
 ///
-/// Throws InputError as quintic_spline() does; for fewer than three points; for a tolerance that is negative or not finite; for
-/// SplineEnds::not_a_knot; and for periodic ends with different tolerances at the first and the last
-/// point, which are the same point.
+/// Throws InputError like quintic_spline(); for fewer than three points; for a tolerance that is
+/// negative or not finite; for SplineEnds::not_a_knot; and for periodic ends with different
+/// tolerances at the first and the last point, which are the same point.
 SmoothingSpline smoothing_spline(const SplineSpec& spec);
 
 }  // namespace jounce

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// A refusal with its reason in words; none: nothing is refused.
+/// A refusal with its reason in words; none: accepted.
 struct Refused {
   wire::Refusal refusal = wire::Refusal::none;
   std::string reason;
@@ -24,8 +24,9 @@ struct TableInUnits {
   const Units& units;
 };
 
-/// True if these tables can be armed in this mode: the slave's axis and, in follow_table, a master
-/// over time in the unit that the slave table is over. Every table over time is in s.
+/// The reason why these tables cannot be armed in this mode, or none. Checks the slave's axis and,
+/// in follow_table, that the master is over time and in the unit of the slave table's x. Every
+/// table over time is in s.
 Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master);
 
 }  // namespace jounce

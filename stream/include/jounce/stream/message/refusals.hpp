@@ -7,15 +7,15 @@
 
 namespace jounce::wire {
 
-/// A refusal in words, for who writes a streamer or stands at the machine.
+/// A refusal in words, for the author of a streamer or the machine operator.
 struct RefusalInfo {
   Refusal refusal;
   const char* name;
-  const char* meaning;  ///< one sentence: what happened
+  const char* meaning;  ///< one sentence: the event
   const char* remedy;   ///< the next step of the operator
 };
 
-/// One for each Refusal, in the order of their numbers.
+/// One entry for each Refusal, in the order of their numbers.
 std::span<const RefusalInfo> all_refusals();
 
 }  // namespace jounce::wire

@@ -11,32 +11,32 @@
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
 
-/// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool can
-/// read them, with fixed arrays only: a type has one length.
+/// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool
+/// can read them. Arrays have a fixed size: a type has one length.
 namespace jounce::wire {
 
 using Bytes = std::vector<std::byte>;
 
-/// Why bytes are no message.
+/// Reason why bytes are not a message.
 enum class Reject {
   too_short,       ///< shorter than type, magic and version
   wrong_magic,     ///< not Jounce's
   wrong_version,   ///< another version of the protocol
   unknown_type,    ///< a type hash unknown to this version
-  wrong_length,    ///< not the one length of its type
+  wrong_length,    ///< not the length of its type
   wrong_checksum,  ///< damaged on the way
-  bad_field,       ///< an enumeration, a count or a name out of its range
-  not_authentic,   ///< its mac is not that of the key; or it has one, and no key is set
+  bad_field,       ///< an enumeration, a count or a name is out of range
+  not_authentic,   ///< its mac does not match the key; or it has a mac, and no key is set
 };
 inline constexpr std::size_t reject_count = 8;
 const char* name(Reject reject);
 
-/// A key signs the message. Throws InputError for a name, unit or count that does
-/// not fit the wire. A reason is shortened.
+/// Encodes the message and signs it with the key, if any. Throws InputError for a name, unit or
+/// count that does not fit the wire. Shortens a reason that is too long.
 Bytes encode(const Message& message, const std::optional<Key>& key = {});
 
-/// A key rejects messages without its signature before any field is read. Never
-/// throws and never reads past the bytes, for any input.
+/// Decodes a message. If there is a key, rejects messages without its signature before it reads any
+/// field. Never throws and never reads past the bytes, for any input.
 std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
                                      const std::optional<Key>& key = {});
 

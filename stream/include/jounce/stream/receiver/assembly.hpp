@@ -13,27 +13,27 @@
 
 namespace jounce {
 
-/// Bytes of the knots that a header without contradiction announces.
+/// Bytes of the knots that a consistent header announces.
 std::size_t bytes_of(const wire::Header& header);
 
-/// A table under way: its columns, filled chunk by chunk in any order, and hashed as far as they
-/// are whole.
+/// A table in transit: its columns, filled chunk by chunk in any order, and the hash of its
+/// complete leading part.
 class Assembly {
  public:
-  /// Takes the memory for all knots: bound them first. The header must not contradict itself.
+  /// Allocates the memory for all knots: check their number first. The header must be consistent.
   explicit Assembly(const wire::Header& header);
 
-  /// A chunk seen before changes nothing. False if it contradicts the header.
+  /// A repeated chunk has no effect. Returns false if it contradicts the header.
   bool add(const wire::Chunk& chunk);
 
-  /// Every chunk below has arrived.
+  /// All chunks below it have arrived.
   [[nodiscard]] std::uint32_t next() const { return next_; }
   /// Bit i: chunk next() + 1 + i has arrived.
   [[nodiscard]] std::uint64_t mask() const;
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// The table of a complete assembly, once: constructed and hashed anew from what arrived, if its
-  /// hash is the one that was announced.
+  /// Returns the table of a complete assembly, once: constructed and hashed from the received data,
+  /// if its hash equals the announced one.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 
  private:

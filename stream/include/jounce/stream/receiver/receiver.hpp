@@ -21,26 +21,26 @@
 namespace jounce {
 
 struct ReceiverOptions {
-  std::string executor;                        ///< the name this axis answers to
-  std::uint32_t most_knots = 1U << 24U;        ///< most knots of one table
-  std::size_t memory = std::size_t{1} << 28U;  ///< bytes of all tables, complete or under way
+  std::string executor;                        ///< the name of this axis
+  std::uint32_t most_knots = 1U << 24U;        ///< knots of one table, at most
+  std::size_t memory = std::size_t{1} << 28U;  ///< bytes of all tables, complete or in transit
   Nanos session_timeout =
-      std::chrono::seconds(1);  ///< session timeout of silence, then the axis is free again
+      std::chrono::seconds(1);  ///< silence that ends a session and frees the axis
   Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
   std::uint32_t credit =
-      8;  ///< messages of 12.8 KB under way, 1...64; 8 fit a socket's default buffer
-  std::uint32_t most_rows = 1U << 20U;  ///< most rows of one bank of a queue
-  std::size_t most_queues = 4;          ///< most queues of one session
-  std::optional<wire::Key> key{};       ///< key that must sign commands; none: no signature needed
+      8;  ///< messages of 12.8 KB in transit, 1...64; 8 fit a socket's default buffer
+  std::uint32_t most_rows = 1U << 20U;  ///< rows of one bank of a queue, at most
+  std::size_t most_queues = 4;          ///< queues of one session, at most
+  std::optional<wire::Key> key{};       ///< key that must sign commands; nullopt: no key
 };
 
-/// A table is complete and has proved itself. It stays in the store.
+/// A table is complete and its hash matches. It stays in the store.
 struct TableReady {
   std::int64_t session = 0;
   StoredTable table;
 };
 
-/// The tables are complete, and their axes and units fit the mode. Owes an answer.
+/// The tables are complete, and their axes and units fit the mode. Requires an answer.
 struct ArmRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
@@ -51,15 +51,15 @@ struct ArmRequested {
   wire::CamEnd end = wire::CamEnd::brake;  ///< for follow_input
 };
 
-/// The queue is open. Owes an answer.
+/// The queue is open. Requires an answer.
 struct QueueArmRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
   std::uint32_t queue = 0;
-  std::uint8_t bank = 0;  ///< bank of a static queue: the one that begins
+  std::uint8_t bank = 0;  ///< first bank of a static queue
 };
 
-/// Follows an accepted arm of the same session; a queue has its prefill. Owes an answer.
+/// Follows an accepted arm of the same session; a queue has its prefill. Requires an answer.
 struct StartRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
@@ -68,8 +68,8 @@ struct StartRequested {
   double position = 0;  ///< position of the master, m, with master_position
 };
 
-/// Something else that the axis is to do; its values are within their ranges, and a queue that they
-/// name is open. Owes an answer.
+/// Another command to the axis. Its values are within their ranges, and every queue that they name
+/// is open. Requires an answer.
 struct OrderRequested {
   std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
   std::int32_t command = 0;
@@ -78,28 +78,28 @@ struct OrderRequested {
   std::array<double, 8> value{};
 };
 
-/// Rows will come for this queue. It may be refused by Receiver::refuse_queue().
+/// A queue was opened, and rows will follow. Receiver::refuse_queue() may reject it.
 struct QueueOpened {
   std::int64_t session = 0;
   wire::Queue queue;
 };
 
-/// Rows in order and without gaps, within the free space. One that would break a limit is refused
-/// by Receiver::refuse_row().
+/// Rows in order and without gaps, within the free space. Receiver::refuse_row() rejects a row that
+/// would violate a limit.
 struct RowsArrived {
   std::int64_t session = 0;
   wire::Rows rows;
 };
 
-/// A stop, or an abort: always to be obeyed. Owes an answer.
+/// A stop or an abort: always execute it. Requires an answer.
 struct StopRequested {
   std::int64_t session = 0;  ///< 0: an operator
   std::int32_t command = 0;
   wire::StopMode mode = wire::StopMode::stop;
 };
 
-/// The axis has no owner any more. An armed motion without a start must be disarmed; whether a
-/// motion goes on is the axis's choice.
+/// The axis has no owner any more. Disarm an armed motion without a start; the axis decides whether
+/// a motion continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
   std::int64_t session = 0;
@@ -118,44 +118,45 @@ using StreamEvent =
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
-/// Any message may be lost, doubled, delayed or reordered. Every one is checked: counts are bounded
-/// before memory is taken, the hash is computed from what arrived, and the table is constructed
-/// anew. Messages for another executor are ignored, and so are those that executors send.
+/// Any message may be lost, duplicated, delayed or reordered. The receiver checks each: it bounds
+/// counts before it allocates memory, computes the hash from the received data, and constructs the
+/// table from them. It ignores messages for another executor and messages from executors.
 ///
-/// **Challenge.** A number that every command must carry. Each session ends with a new one, and so
-/// does each start of the executor, so that older messages have no effect. The refusal
-/// `stale_challenge` carries the present one. Operators, who have no session, have one of their own,
-/// which each of their commands uses up.
+/// **Challenge.** A number that every command must carry. The end of a session and the start of the
+/// executor draw a new one, so that older messages have no effect. The refusal `stale_challenge`
+/// carries the present one. Operators have no session; they have a separate challenge, which
+/// changes with each of their commands.
 class Receiver {
  public:
-  /// `boot` > 0: a random number, another one at every start. Throws InputError for a bad name.
+  /// `boot` > 0: a random number, different at every start. Throws InputError for a bad name.
   Receiver(ReceiverOptions options, std::int64_t boot);
 
   void receive(const wire::Message& message, Nanos now);
 
-  /// Ends a session that has been silent for too long, and answers what has arrived. Take in what
-  /// waits on the link first, so that waiting is not taken for silence.
+  /// Ends a session after its timeout, and answers received messages. First receive all messages
+  /// that wait on the link, so that they do not count as silence.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// The answers alone: for a streamer that should go on while more of the same is taken in.
+  /// Returns the answers alone: a streamer can then continue while the caller receives more of its
+  /// messages.
   [[nodiscard]] std::vector<wire::Message> answers();
 
   [[nodiscard]] std::optional<StreamEvent> take_event();
 
-  /// The axis's answer to the event of this session and command. One that comes too late, after
-  /// another command or the session's end, does nothing.
+  /// The axis's answer to the event of this session and command. An answer after another command or
+  /// the end of the session has no effect.
   void accept(std::int64_t session, std::int32_t command);
-  /// `cause`: the axis's own number.
+  /// `cause`: the axis's number of the cause.
   void refuse(std::int64_t session, std::int32_t command, std::string reason,
               std::int32_t cause = 0);
 
   /// Progress of this queue of the present session: frees space for more rows.
   void level(std::uint32_t queue, const QueueLevel& level);
-  /// The executor cannot play this queue, or not this row of it (from 0 in its bank).
+  /// Rejects this queue, or this row of it (from 0 in its bank).
   void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
   [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
-  [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be handed to the axis
+  [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be passed to the axis
   [[nodiscard]] const TableStore& store() const { return store_; }
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
   [[nodiscard]] std::int64_t boot() const { return boot_; }
@@ -163,11 +164,11 @@ class Receiver {
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
   [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
 
-  /// The status message of this axis, ready to be sent.
+  /// Returns the status message of this axis, complete.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:
-  /// A table of the live session: under way, stored, or refused.
+  /// A table of the live session: in transit, stored, or rejected.
   struct Slot {
     wire::Header header;
     std::optional<Assembly> assembly{};
@@ -176,7 +177,7 @@ class Receiver {
     bool ack_due = true;
   };
 
-  /// The newest command of a session and what became of it.
+  /// The newest command of a session, and its outcome.
   struct Record {
     enum class Kind { heartbeat, arm, start, stop, order };
     std::int64_t session = 0;
@@ -241,16 +242,16 @@ class Receiver {
   std::int64_t session_ = 0;
   Nanos heard_{};
   bool armed_ = false;
-  bool holds_ = false;           // a hold-to-run jog was ordered in this session
-  std::int64_t challenges_ = 0;  // drawn so far
+  bool holds_ = false;           // the session has ordered a hold-to-run jog
+  std::int64_t challenges_ = 0;  // number of challenges drawn
   std::int64_t challenge_;
   std::int64_t operators_challenge_;
   std::map<std::uint32_t, Slot> slots_;
   std::map<std::uint32_t, OpenQueue> queues_;
-  std::uint64_t rows_taken_ = 0;                                       // messages of them
-  std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // and bank; of the last arm
-  Record command_;   // command of the live session, or else of the last one
-  Record operator_;  // operator of session 0
+  std::uint64_t rows_taken_ = 0;                                       // messages of rows taken
+  std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // queue and bank armed last
+  Record command_;   // command of the live session, or of the last one
+  Record operator_;  // last command of session 0
   std::deque<std::int64_t> ended_;
 
   std::vector<wire::Message> outgoing_;

@@ -14,12 +14,12 @@ namespace jounce {
 /// Progress of an executor with a queue. Two numbers: one for each bank.
 struct QueueLevel {
   std::array<std::uint64_t, 2> freed{};  ///< rows freed since it was opened
-  std::int64_t played = 0;               ///< rows whose end was reached, since it was opened
+  std::int64_t played = 0;               ///< rows played to their end since it was opened
   wire::Progress progress = wire::Progress::none;
 };
 
-/// The arriving rows of one queue: sorted, checked, and never more than the free space
-/// for. Holds at most `credit` messages that have overtaken others.
+/// The arriving rows of one queue: sorted, checked, and never more than fit the free space. Holds
+/// at most `credit` messages that have overtaken others.
 class RowIntake {
  public:
   RowIntake(const wire::Queue& queue, std::uint32_t credit);
@@ -27,19 +27,19 @@ class RowIntake {
   /// Takes the rows that fit. Rows received before have no effect.
   void add(const wire::Rows& rows);
 
-  /// Rows that are in order now, each once; of both banks.
+  /// Returns the rows that are now in order, each once; of both banks.
   [[nodiscard]] std::vector<wire::Rows> take();
 
-  /// The rows of this bank that are not played count no more; its messages count again from `seq`.
+  /// Drops the rows of this bank that are not played; its messages count again from `seq`.
   void clear(std::uint8_t bank, std::uint32_t seq);
 
-  /// True if there is something new to acknowledge.
+  /// Returns true if there is something new to acknowledge.
   bool level(const QueueLevel& level);
-  /// The first one stays.
+  /// The first refusal stays.
   void refuse(Refused refused, std::int64_t row = -1);
 
   [[nodiscard]] wire::QueueAck ack(std::int64_t boot) const;
-  /// Enough rows to begin with, or all there are.
+  /// True if there are enough rows for a start, or all.
   [[nodiscard]] bool filled(std::uint8_t bank) const;
   [[nodiscard]] const wire::Queue& queue() const { return queue_; }
   [[nodiscard]] bool refused() const { return static_cast<bool>(refused_); }
@@ -47,12 +47,12 @@ class RowIntake {
  private:
   struct Bank {
     std::uint32_t next = 0;   // message
-    std::uint64_t rows = 0;   // before that message
-    std::uint64_t freed = 0;  // freed of those
-    std::uint64_t begin = 0;  // the first one since the last clear
+    std::uint64_t rows = 0;   // rows before the next message
+    std::uint64_t freed = 0;  // rows of these that were freed
+    std::uint64_t begin = 0;  // first row since the last clear
     bool resumes = false;     // the next message repeats the number of rows before it
-    bool ended = false;       // its last row was the last one
-    double x = 0;             // x at its end
+    bool ended = false;       // its last row was marked as last
+    double x = 0;             // x at the end of its last row
     std::map<std::uint32_t, wire::Rows> held;  // at most credit_
   };
 

@@ -12,37 +12,37 @@
 
 namespace jounce {
 
-/// A queue of two banks on an executor's axis, as Googol's static FIFOs are: each bank is filled,
-/// then played as a whole, `loops` times, and stays until it is cleared.
+/// A queue of two banks on an executor's axis, like Googol's static FIFOs: each bank is filled,
+/// then played as a whole, `loops` times, and kept until it is cleared.
 ///
 ///     StaticQueue fifos(client, {.units = {"s", "mm"}, .mode = wire::QueueMode::static_});
 ///     fifos.open();
 ///     fifos.fill(0, catch_up), fifos.fill(1, cycle);   // rows; their x begins at 0 in each bank
 ///     fifos.arm(), fifos.start();                      // bank 0 plays
-///     fifos.switch_over();                             // bank 1 follows where bank 0 ends
+///     fifos.switch_over();                             // bank 1 follows at the end of bank 0
 ///     fifos.clear(0), fifos.fill(0, another);          // meanwhile
 ///     while (fifos.level()->progress == wire::Progress::running) ...   // keeps the session alive
 ///
-/// Bank: 0 or 1. Each call returns once the executor has accepted or refused, as the client's own
-/// calls do, and is one in its session: the queue ends with that. Source: Googol, GT_PtData,
-/// GT_PtSpace, GT_FollowSwitch, GT_FollowClear (static mode).
+/// Bank: 0 or 1. Each call returns once the executor has accepted or rejected it, like the client's
+/// own calls. It belongs to the client's session: the queue ends with that session. Source: Googol,
+/// GT_PtData, GT_PtSpace, GT_FollowSwitch, GT_FollowClear (static mode).
 class StaticQueue {
  public:
-  /// The client must outlive it. Throws InputError for a queue that contradicts itself or is dynamic.
+  /// The client must outlive it. Throws InputError for an inconsistent or dynamic queue.
   StaticQueue(Client& client, wire::Queue queue);
 
   CallOutcome open();
-  /// All rows, after those in the bank. `stalled`: it has no space for all of them, or for the
-  /// client's patience none was taken, though there were answers.
+  /// Appends all rows to the bank. `stalled`: the bank has no space for all of them, or the
+  /// executor took none within the client's patience, although it answered.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
   CallOutcome arm(std::uint8_t bank = 0);
   CallOutcome start(std::int64_t tick = -1);
-  /// Continues with the other bank at the end of the playing one.
+  /// Continues with the other bank at the end of the active one.
   CallOutcome switch_over();
-  /// A bank that does not play: it is empty then, and its x begins at 0 again.
+  /// Clears a bank that does not play; its x begins at 0 again.
   CallOutcome clear(std::uint8_t bank);
 
-  /// Present progress; none: no answer. Keeps the session alive if called once per second.
+  /// Present progress; nullopt: no answer. Keeps the session alive if called once per second.
   [[nodiscard]] std::optional<wire::QueueAck> level();
 
  private:

@@ -18,24 +18,24 @@ struct StoredTable {
   std::shared_ptr<const Table> table;
 };
 
-/// Complete tables by their hash, within a bound of memory that they share with tables under way.
+/// Complete tables by their hash, within a memory bound shared with tables in transit.
 ///
-/// New tables replace the oldest ones without another owner. So a table's memory is given
-/// back by the thread that owns the store, never by the one that plays the table and lets go of it.
+/// New tables replace the oldest ones without another owner. The thread that owns the store
+/// therefore frees a table's memory, never the thread that plays the table and releases it.
 class TableStore {
  public:
-  /// `bytes`: of knots, at most.
+  /// `bytes`: memory of all knots, at most.
   explicit TableStore(std::size_t bytes) : limit_(bytes) {}
 
   [[nodiscard]] std::optional<StoredTable> find(const Sha256& hash) const;
 
-  /// Sets bytes aside for a table under way; false if they do not fit even after old tables have
-  /// gone.
+  /// Reserves bytes for a table in transit; returns false if they do not fit, even without old
+  /// tables.
   [[nodiscard]] bool reserve(std::size_t bytes);
-  /// Gives back what reserve() set aside.
+  /// Returns bytes of reserve().
   void release(std::size_t bytes);
 
-  /// Takes in a table whose bytes are reserved: they are its own from now on.
+  /// Stores a table whose bytes are reserved; the table then owns them.
   void put(StoredTable table);
 
   [[nodiscard]] std::size_t tables() const { return tables_.size(); }

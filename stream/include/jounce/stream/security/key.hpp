@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-/// The key that an executor and those who may command it share. It never travels, and never stands
-/// on a command line: it lies in a file of 64 hexadecimal digits that only its owner can read.
+/// The shared key of an executor and its authorized senders. It is never transmitted and never on a
+/// command line: it is in a file of 64 hexadecimal digits that only its owner can read.
 ///
 ///     write_new_key("line.key");                      // once; then copied to both machines
 ///     const wire::Key key = read_key("line.key");
@@ -17,12 +17,12 @@ namespace wire {
 using Key = std::array<std::uint8_t, 32>;
 }  // namespace wire
 
-/// Throws InputError for a file that cannot be read, holds anything else than 64 hexadecimal digits
-/// and white space around them, or that others than its owner can read or write.
+/// Throws InputError if the file cannot be read, contains anything but 64 hexadecimal digits and
+/// surrounding white space, or if other users can read or write it.
 wire::Key read_key(const std::filesystem::path& path);
 
-/// Draws a key and writes it into a new file of mode 0600. Throws InputError where the file exists:
-/// a key is not overwritten by accident; std::system_error where it cannot be written.
+/// Draws a key and writes it into a new file of mode 0600. Throws InputError if the file exists: a
+/// key is never overwritten by accident; std::system_error if it cannot be written.
 void write_new_key(const std::filesystem::path& path);
 
 }  // namespace jounce

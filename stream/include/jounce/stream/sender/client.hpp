@@ -16,14 +16,14 @@ namespace jounce {
 struct CallOutcome {
   StreamError error = StreamError::none;  ///< no_answer, command_timeout, restarted or refused
   wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::int32_t cause = 0;  ///< the axis's number of the cause
   std::string reason{};    ///< in words; may be empty
 
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
 struct ClientOptions {
-  std::optional<wire::Key> key{};                ///< the executor's; none: it has none
+  std::optional<wire::Key> key{};                ///< key of the executor; nullopt: none
   Nanos patience = std::chrono::seconds(2);      ///< for one call
   Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of a command, until it is answered
 };
@@ -43,12 +43,12 @@ struct Pacing {
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
 ///     client.move_absolute(120, {.velocity = 200});   // accepted: the axis moves
 ///     client.override_(0.5);
-///     client.release();                               // the motion goes on
+///     client.release();                               // the motion continues
 ///
-/// Each call returns once the axis has accepted or refused; it never throws except for a value that no
-/// axis can take (InputError) and TransportError. The first one begins a session, which owns the
-/// axis; while another one owns it, calls are refused as busy. After a second without a call the
-/// axis is free again, and the next call begins another session.
+/// Each call returns once the axis has accepted or rejected it. It throws only InputError, for a
+/// value out of range for any axis, and TransportError. The first call begins a session, which owns
+/// the axis; while another session owns it, calls are rejected as busy. After a second without a
+/// call the axis is free again, and the next call begins another session.
 class Client {
  public:
   /// Subscribes. The link must outlive the client. Throws InputError for a bad name.
@@ -59,9 +59,10 @@ class Client {
   CallOutcome disable() { return order(wire::OrderKind::disable); }
   CallOutcome reset() { return order(wire::OrderKind::reset); }
   CallOutcome set_position(double position, bool relative = false);
-  /// Nothing moves: where the axis stands is its home, and has this position.
+  /// Sets the present position as home, with this value, without motion.
   CallOutcome home(double position);
-  /// Searches for home by a method of CiA 402, 0 and NaN: as the axis is configured. Accepted: it has begun.
+  /// Searches for home by a method of CiA 402; 0 and NaN: as configured for the axis. Accepted: the
+  /// search has begun.
   CallOutcome search_home(int method = 0, double offset = Pacing::not_given);
   CallOutcome hold() { return order(wire::OrderKind::hold); }
   CallOutcome resume() { return order(wire::OrderKind::resume); }
@@ -73,11 +74,12 @@ class Client {
   CallOutcome move_additive(double distance, const Pacing& pacing = {});
   /// pacing.velocity: the greatest difference to the motion below.
   CallOutcome move_superimposed(double distance, const Pacing& pacing = {});
-  /// `velocity` is signed, 0: to rest; pacing.velocity has no meaning.
+  /// `velocity` is signed, 0: to rest; pacing.velocity is ignored.
   CallOutcome move_velocity(double velocity, const Pacing& pacing = {});
-  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat() keeps it.
+  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
+  /// keeps it running.
   CallOutcome jog(double velocity, const Pacing& pacing = {});
-  /// A heartbeat.
+  /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
   CallOutcome halt(const Pacing& pacing = {});
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
@@ -89,16 +91,17 @@ class Client {
   CallOutcome gear_out() { return order(wire::OrderKind::gear_out); }
   CallOutcome cam_out() { return order(wire::OrderKind::cam_out); }
 
-  /// Any order.
+  /// Sends any order.
   CallOutcome order(const wire::Order& order);
-  /// Any order by its values (wire::values); `at`: the executor's tick at which it is obeyed, -1: the next one.
+  /// Sends any order by its values (wire::values); `at`: its tick in the executor, -1: the next
+  /// one.
   CallOutcome order(wire::OrderKind kind, std::initializer_list<double> given = {},
                     std::int64_t at = -1);
 
-  /// Any command, in the session that is there or else in a new one. A heartbeat keeps it.
+  /// Sends any command, in the present session or in a new one. A heartbeat keeps it.
   CallOutcome tell(wire::Body command);
 
-  /// Ends the session; a motion goes on.
+  /// Ends the session; a motion continues.
   CallOutcome release();
 
   [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: none yet

@@ -9,24 +9,24 @@
 
 namespace jounce {
 
-/// The one command of a session that has no outcome yet, repeated until it has. Every streamer,
-/// client and operator sends its commands with one of these.
+/// The one command of a session without an outcome, repeated until it has one. Every streamer,
+/// client and operator sends its commands through this class.
 class CommandSlot {
  public:
   /// The first command gets the number after `last`.
   explicit CommandSlot(std::int32_t last = 0) : number_(last) {}
 
-  /// Numbers the command; it takes the place of one before.
+  /// Numbers the command; it replaces the previous one.
   void issue(wire::Body body);
   void clear() { body_.reset(); }
-  /// Sends it at once the next time, because it has changed.
+  /// The next due() returns the command at once, because it has changed.
   void hurry() { hurried_ = true; }
 
   /// The message to send now, repeatedly.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
   [[nodiscard]] bool empty() const { return !body_; }
-  [[nodiscard]] std::int32_t number() const { return number_; }  ///< number of the last one issued
+  [[nodiscard]] std::int32_t number() const { return number_; }  ///< number of the last command
   [[nodiscard]] bool is_answered_by(const wire::Reply& reply) const {
     return body_.has_value() && reply.command == number_;
   }

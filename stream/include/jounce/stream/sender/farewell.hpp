@@ -10,9 +10,9 @@
 
 namespace jounce {
 
-/// The messages of a failed streamer: a stop, if a motion of its session may be under way, and
-/// the end of its session, so that the next streamer finds the axis free. Sent a few times, as any of
-/// them may be lost, until the end of the session is answered.
+/// The last messages of a failed streamer: a stop, if a motion of its session may be in progress,
+/// and the end of its session, so that the next streamer finds the axis free. Sends them a few
+/// times, since any of them may be lost, until the end of the session is answered.
 class Farewell {
  public:
   /// `last`: the number of the session's last command.

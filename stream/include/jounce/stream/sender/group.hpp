@@ -14,12 +14,13 @@ namespace jounce {
 
 struct GroupOptions {
   SenderOptions sender = {};
-  std::int64_t tick = -1;  ///< at which all begin; -1: as soon as all can have accepted it
-  Nanos lead = std::chrono::milliseconds(300);  ///< ahead of the newest tick, for that
-  bool watch = true;  ///< until all motions have ended; otherwise until all have begun
+  std::int64_t tick = -1;  ///< start tick of all; -1: as soon as all can have accepted it
+  Nanos lead = std::chrono::milliseconds(300);  ///< for tick -1: distance from the newest tick
+  bool watch = true;  ///< ends when all motions have ended; false: when all have begun
 };
 
-/// Several axes of one machine as one: a pure state machine over a Sender each, without thread, clock or link.
+/// Several axes of one machine as one: a pure state machine over a Sender each, without thread,
+/// clock or link.
 ///
 ///     Group group({plan_of("x"), plan_of("y")}, 11);
 ///     while (!group.ended()) {
@@ -27,13 +28,14 @@ struct GroupOptions {
 ///       group.receive(message, now);                      // replies and statuses of all axes
 ///     }
 ///
-/// All are downloaded and armed. Where one refuses, none starts, and each outcome has its own reason.
-/// They start at one tick, which they count alike: axes of different machines are refused. Where one
-/// cannot start then, stops while it plays, or fails, the others are stopped: by the executor, in that cycle or
-/// the next one, because one session has started them; and by the group, where it runs on (an older executor).
+/// The group downloads and arms all. If one axis rejects, none starts, and each outcome has its own
+/// reason. They start at one common tick, so axes of different machines are rejected. If one then
+/// cannot start, stops during its motion, or fails, the others stop too: the executor stops them in
+/// that cycle or the next one, because one session has started them; the group stops those that
+/// continue (an older executor).
 class Group {
  public:
-  /// Throws InputError as Sender does, and for fewer than 2 plans or one name twice.
+  /// Throws InputError like Sender, and for fewer than 2 plans or a duplicate name.
   Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options = {});
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
@@ -41,25 +43,25 @@ class Group {
 
   /// Stops all axes and ends.
   void stop(wire::StopMode mode);
-  /// Gives up: what is armed is released, what moves is stopped.
+  /// Fails: releases armed axes, stops moving ones.
   void fail(StreamError error, const std::string& reason);
 
   [[nodiscard]] bool ended() const;
-  /// All have begun.
+  /// True if all have begun.
   [[nodiscard]] bool started() const { return phase_ >= Phase::playing; }
   /// By axis, in the order of the plans.
   [[nodiscard]] std::vector<StreamOutcome> outcomes() const;
   [[nodiscard]] std::int64_t tick() const {
     return tick_;
-  }  ///< at which all begin; -1: not known yet
+  }  ///< common start tick; -1: not yet available
 
  private:
   enum class Phase { arming, starting, playing, leaving };
   struct Axis {
     std::string name;
     Sender sender;
-    std::optional<wire::Status> status{};  // the newest in its session
-    std::optional<StreamOutcome> own{};    // before the others made it leave
+    std::optional<wire::Status> status{};  // the newest status in its session
+    std::optional<StreamOutcome> own{};    // outcome before the group ended it
     bool over = false;
   };
 
@@ -78,7 +80,8 @@ class Group {
   std::int64_t tick_ = -1;
 };
 
-/// Runs a Group over a link. `options.total` bounds the time until all have begun; cancelled: all stop.
+/// Runs a Group over a link. `options.total` bounds the time until all have begun; `cancelled`
+/// stops all.
 std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan> plans,
                                         const GroupOptions& group,
                                         const StreamOptions& options = {},

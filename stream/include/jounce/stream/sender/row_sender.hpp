@@ -14,7 +14,7 @@
 
 namespace jounce {
 
-/// Gives the next rows of a stream, at most so many: none if there are none yet. The last one of
+/// Returns the next rows of a stream, at most `most`; empty: none available yet. The last row of
 /// all has `last` set.
 using RowSource = std::function<std::vector<wire::Row>(std::size_t most)>;
 
@@ -24,41 +24,41 @@ struct RowPlan {
   wire::Queue queue{};   ///< dynamic; over time in s, or over a master
   RowSource rows;
   std::int64_t start_tick = -1;  ///< start tick of the executor; -1: the next one
-  bool resume = false;           ///< after an underrun, goes on once the prefill is there again
+  bool resume = false;           ///< after an underrun, continues once the prefill has arrived
 };
 
-/// The rows of a table, from its first knot on: x and p count from there.
+/// The rows of a table, from its first knot on; x and p are relative to it.
 RowSource source_of(Table table);
 
-/// A row as it stands on the wire.
+/// A row in its wire format.
 wire::Row on_wire(const SegmentRow& row);
 
 /// Range of a table, u, relative to its first knot, as a queue of its rows announces it.
 struct Travel {
   double lowest = 0;   ///< <= 0
   double highest = 0;  ///< >= 0
-  double net = 0;      ///< at its end
+  double net = 0;      ///< displacement at its end
 };
 /// Exact: the rows' own extrema, as an executor computes them.
 Travel travel_of(const Table& table);
 
 /// Progress of a stream of rows.
 struct RowProgress {
-  std::uint64_t sent = 0;          ///< rows handed over by the source
-  std::uint64_t acknowledged = 0;  ///< acknowledged of those, with the executor
-  std::uint64_t played = 0;        ///< played of those, played to their end
+  std::uint64_t sent = 0;          ///< rows taken from the source
+  std::uint64_t acknowledged = 0;  ///< rows acknowledged by the executor
+  std::uint64_t played = 0;        ///< rows played to their end
   std::size_t messages = 0;        ///< messages of rows, sent for the first time
   std::size_t resent = 0;          ///< sent again
-  int underruns = 0;               ///< times that the axis had to stop for want of rows
+  int underruns = 0;               ///< stops of the axis for lack of rows
   bool started = false;
   bool all = false;       ///< the executor has the last row
-  bool finished = false;  ///< and has played it
+  bool finished = false;  ///< the executor has played the last row
 };
 
 struct RowOutcome {
   StreamError error = StreamError::none;  ///< underrun, unless the plan resumes
   wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::int32_t cause = 0;  ///< the axis's number of the cause
   std::string reason{};    ///< in words; may be empty
   RowProgress progress{};
 
@@ -66,8 +66,8 @@ struct RowOutcome {
 };
 
 /// The streamer's half of a rolling stream: a pure state machine without thread, clock or link. It
-/// opens the queue, fills it up to the prefill (or with all there is), arms, starts, and goes on
-/// and continues as played rows free space, to the end of the motion.
+/// opens the queue, fills it up to the prefill (or with all rows), arms, starts, and continues as
+/// played rows free space, to the end of the motion.
 ///
 ///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
@@ -75,11 +75,11 @@ struct RowOutcome {
 ///       sender.receive(message, now);                      // each arrived message
 ///     }
 ///
-/// Where the source does not keep up, the axis stops on the path and within its limits before it
-/// runs out of rows: an underrun. Then the stream ends with that error, or continues if the plan has
-/// so. A source that has no more rows for `progress_patience`, though they are waited for, ends it,
-/// too: `underrun` of what has started, `stalled` before. Where an operator has stopped the axis, or
-/// a fault has, the stream ends as `stopped`, for every plan.
+/// If the source is too slow, the axis stops on the path and within its limits before it runs out
+/// of rows: an underrun. The stream then ends with that error, or continues if the plan resumes.
+/// The stream also ends if it needs rows and the source has none for `progress_patience`:
+/// `underrun` after the start, `stalled` before. If an operator or a fault has stopped the axis,
+/// the stream ends as `stopped`, for every plan.
 class RowSender {
  public:
   /// Throws InputError for a plan that cannot be sent.
@@ -93,7 +93,7 @@ class RowSender {
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool ended() const { return stage_ == Stage::ended; }
-  /// It has ended, and a failed one has sent its farewell.
+  /// True if it has ended, and a failed one has sent its farewell.
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] const RowOutcome& outcome() const { return outcome_; }
 
@@ -138,9 +138,9 @@ class RowSender {
   CommandSlot command_;
   std::int64_t challenge_ = 0;
   std::int64_t boot_ = 0;   // 0: no message yet
-  bool exhausted_ = false;  // the source has given its last row
+  bool exhausted_ = false;  // the source has returned its last row
   bool starving_ = false;
-  std::uint64_t starved_at_ = 0;  // rows that were acknowledged then
+  std::uint64_t starved_at_ = 0;  // acknowledged rows at the underrun
   std::vector<wire::Message> outgoing_;
   bool begun_ = false;
   Farewell farewell_;

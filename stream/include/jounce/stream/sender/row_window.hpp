@@ -15,18 +15,18 @@ class RowWindow {
  public:
   explicit RowWindow(const wire::Queue& queue, std::uint8_t bank = 0, Pace pace = {});
 
-  /// Number of rows that may be handed over now: by free space and free messages.
+  /// Number of rows that it can take now: by free space and free messages.
   [[nodiscard]] std::size_t wants() const;
-  /// 1...min(wants(), 200) rows.
+  /// Takes 1...min(wants(), 200) rows.
   void push(std::vector<wire::Row> rows);
 
-  /// An ack that makes no sense, or is older than one before, changes nothing.
+  /// Ignores an ack that is inconsistent or older than a previous one.
   void acknowledge(const wire::QueueAck& ack);
 
-  /// The messages to be sent now; they count as sent.
+  /// Returns the messages to send now; they count as sent.
   [[nodiscard]] std::vector<wire::Rows> due(Nanos now);
 
-  /// Rows that the executor has.
+  /// Number of rows that the executor has.
   [[nodiscard]] std::uint64_t acknowledged() const { return before_; }
   [[nodiscard]] bool idle() const { return under_way_.empty(); }
   [[nodiscard]] std::size_t resent() const { return resent_; }

@@ -20,25 +20,25 @@ namespace jounce {
 struct SenderOptions {
   Pace pace;
   Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of headers and commands, until answered
-  Nanos heartbeat = std::chrono::milliseconds(100);    ///< between signs of life
+  Nanos heartbeat = std::chrono::milliseconds(100);    ///< interval of heartbeats
   Nanos patience = std::chrono::seconds(5);            ///< without any answer
   Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
   Nanos progress_patience = std::chrono::seconds(10);  ///< without one more chunk arriving
 };
 
-/// Why a stream failed.
+/// Reason why a stream failed.
 enum class StreamError {
-  none,             ///< it did not
+  none,             ///< it did not fail
   no_answer,        ///< the executor has never answered
-  contact_lost,     ///< it has, but no longer does
+  contact_lost,     ///< it has answered before, but no longer does
   stalled,          ///< it answers, but no chunk gets through
   command_timeout,  ///< it answers, but without an outcome of arm, start or stop
-  out_of_time,      ///< the bound on the total time was reached
-  restarted,        ///< the executor has restarted and forgotten
+  out_of_time,      ///< the total time limit was reached
+  restarted,        ///< the executor has restarted and lost its state
   refused,          ///< see refusal and reason
-  underrun,         ///< rows came too slowly, and the axis has stopped on its path
-  stopped,          ///< somebody else has stopped the axis, or a fault of its own has
-  dropped,          ///< the start was accepted for later, and could not take place then: see reason
+  underrun,         ///< rows arrived too slowly, and the axis has stopped on its path
+  stopped,          ///< another sender has stopped the axis, or a fault has
+  dropped,          ///< the start was accepted for later, but could not take place: see reason
 };
 const char* name(StreamError error);
 
@@ -50,7 +50,7 @@ enum class StreamStage {
   swapping,   ///< the swap is accepted, and waits for its boundary
   waiting,    ///< the last start is accepted, and has not taken place yet
   holding,    ///< the goal is reached, heartbeats hold the session
-  releasing,  ///< the session is about to end; a motion goes on
+  releasing,  ///< the session is about to end; a motion continues
   released,
   failed,
 };
@@ -59,19 +59,19 @@ const char* name(StreamStage stage);
 struct StreamProgress {
   StreamStage stage = StreamStage::downloading;
   std::size_t chunks = 0;   ///< chunks of all tables
-  std::size_t arrived = 0;  ///< arrived of those, acknowledged
+  std::size_t arrived = 0;  ///< chunks acknowledged
   std::size_t resent = 0;   ///< chunks sent again
 };
 
-/// Outcome or state of a stream. Each flag is set when the executor has confirmed it.
+/// Outcome or state of a stream. Each flag is set once the executor has confirmed it.
 struct StreamOutcome {
   StreamError error = StreamError::none;
   wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's own number where it refused
+  std::int32_t cause = 0;  ///< the axis's number of the cause
   std::string reason;      ///< in words; may be empty
   bool downloaded = false;
   bool armed = false;
-  bool started = false;  ///< for StreamPlan::await: it has begun; else it may still wait
+  bool started = false;  ///< for StreamPlan::await: it has begun; otherwise it may still wait
   bool stopped = false;
   std::size_t swaps = 0;  ///< accepted
   StreamProgress progress;
@@ -85,11 +85,12 @@ struct StreamOutcome {
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
 ///       sender.receive(message, now);                      // each arrived message
-///       sender.hash();                                     // if nothing has
+///       sender.hash();                                     // if none has arrived
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
-/// A failed sender has a farewell, which frees the axis: poll once more, or better until it is over.
+/// A failed sender has a farewell, which frees the axis: poll at least once more, preferably until
+/// done().
 class Sender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
@@ -97,24 +98,24 @@ class Sender {
 
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   void receive(const wire::Message& message, Nanos now);
-  /// Hashes a chunk's worth of the table under way, if the plan has no hash of it; false: there
-  /// was nothing to hash. Call it while no message arrives; a caller that does not do so has
-  /// the hash computed in one go, when all chunks have arrived.
+  /// Hashes one chunk of the present table, if the plan has no hash of it; returns false if there
+  /// was nothing to hash. Call it while no message arrives. Otherwise the hash is computed at once
+  /// when all chunks have arrived.
   bool hash();
 
-  /// Goes on to a further goal.
+  /// Continues to a further goal.
   void raise(StreamGoal goal);
-  /// Goes on to the start, at this tick of the executor.
+  /// Continues to the start, at this tick of the executor.
   void start_at(std::int64_t tick);
-  /// Stops the axis if anything was armed, and gives the goal up.
+  /// Stops the axis if anything was armed, and abandons the goal.
   void stop(wire::StopMode mode);
-  /// Ends the session; a motion goes on.
+  /// Ends the session; a motion continues.
   void release();
-  /// Gives up.
+  /// Ends with this error.
   void fail(StreamError error, std::string reason);
 
   [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
-  /// It has ended, and a failed one has sent its farewell.
+  /// True if it has ended, and a failed one has sent its farewell.
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
   [[nodiscard]] bool ended() const {
     return stage() == StreamStage::released || stage() == StreamStage::failed;
@@ -151,26 +152,26 @@ class Sender {
 
   StreamPlan plan_;
   std::vector<SwapPlan> legs_;
-  std::size_t leg_ = 0;  // the one that is to be armed or started next
+  std::size_t leg_ = 0;  // the next leg to arm or start
   bool leg_armed_ = false;
-  std::int32_t start_ = 0;     // number of the last start that was accepted
-  std::optional<Nanos> due_;   // the last start looks as if it had taken place, since then
-  bool waited_ = false;        // it was seen to wait
-  std::optional<Nanos> over_;  // the axis has stood since then, with nothing to begin
+  std::int32_t start_ = 0;     // number of the last accepted start
+  std::optional<Nanos> due_;   // time since which the last start appears to have taken place
+  bool waited_ = false;        // the start was seen waiting
+  std::optional<Nanos> over_;  // time since which the axis is at rest with nothing to begin
   std::int64_t session_;
   SenderOptions options_;
   std::int64_t challenge_ = 0;  // the last challenge of the executor
   StreamOutcome outcome_;
   std::vector<wire::Header> headers_;
-  bool given_up_ = false;  // the goal, after a stop
+  bool given_up_ = false;  // the goal was abandoned, after a stop
   std::vector<wire::Message> outgoing_;
 
-  std::size_t table_ = 0;              // the one under way
-  std::optional<ChunkWindow> window_;  // once its header is acknowledged
+  std::size_t table_ = 0;              // the present table
+  std::optional<ChunkWindow> window_;  // set once its header is acknowledged
   std::size_t arrived_before_ = 0, resent_before_ = 0;
   struct Hashing {
     std::size_t table = 0;
-    std::size_t knots = 0;  // hashed so far
+    std::size_t knots = 0;  // knots hashed so far
     ContentHasher hasher{};
   };
   std::optional<Hashing> hashing_;
@@ -183,7 +184,7 @@ class Sender {
   Farewell farewell_;
   Nanos heard_{}, progressed_{}, sent_{};
   std::optional<Nanos> header_sent_;
-  std::optional<Nanos> named_;  ///< since when a table without space is requested by its hash
+  std::optional<Nanos> named_;  ///< time since which a table without space is requested by its hash
 };
 
 }  // namespace jounce

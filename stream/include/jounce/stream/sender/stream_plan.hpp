@@ -14,7 +14,8 @@ namespace jounce {
 /// Last step of a streamer.
 enum class StreamGoal { download, arm, start };
 
-/// Tables that take over from what plays, in motion, where position, velocity and acceleration meet.
+/// Tables that replace the active motion without a stop, if position, velocity and acceleration
+/// meet.
 struct SwapPlan {
   std::size_t slave = 0;   ///< in StreamPlan::tables, from 0
   std::size_t master = 0;  ///< for follow_table
@@ -31,7 +32,7 @@ struct StreamPlan {
   struct Item {
     Table table;
     Units units;
-    std::optional<Sha256> hash{};  ///< content_hash(table, units), where it is known already
+    std::optional<Sha256> hash{};  ///< content_hash(table, units), if already computed
   };
   std::string executor;      ///< its name
   std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
@@ -40,23 +41,23 @@ struct StreamPlan {
   CouplingSpec
       coupling{};  ///< coupling of a slave that follows a master, in s; without master_jump
   std::int64_t start_tick = -1;              ///< start tick of the executor; -1: the next one
-  wire::StartAt when = wire::StartAt::tick;  ///< or where the live master passes `position`
+  wire::StartAt when = wire::StartAt::tick;  ///< or when the live master passes `position`
   double position = 0;                       ///< position of the master, m, with master_position
   wire::CamEnd end = wire::CamEnd::brake;    ///< for follow_input
   bool await =
       false;  ///< the goal is reached when the last start has taken place, not when it is accepted
   std::vector<SwapPlan>
-      swaps{};  ///< then, one after the other, once the one before has taken place
+      swaps{};  ///< executed after that, each once the previous one has taken place
 };
 
-/// Throws InputError for no or too many tables, a bad tick, or, unless the goal is to download
-/// only, tables whose axes or units do not fit the mode, or a bad coupling.
+/// Throws InputError for no or too many tables, or a bad tick. Unless the goal is download, also
+/// for tables whose axes or units do not fit the mode, and a bad coupling.
 void require_valid(const StreamPlan& plan);
 
-/// All that the plan arms and starts: the first tables at their tick, then the swaps.
+/// All starts of the plan: the first tables at their tick, then the swaps.
 std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
-/// Header of this table as number `index` of a session, in chunks of up to so many doubles;
+/// Header of this table as number `index` of a session, in chunks of at most `values` doubles;
 /// without its hash if the plan has none. Throws InputError for too many knots.
 wire::Header header_of(const StreamPlan::Item& item, std::size_t index,
                        std::size_t values = wire::message_values);

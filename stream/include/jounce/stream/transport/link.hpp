@@ -10,7 +10,7 @@
 #include "jounce/stream/message/wire.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
-/// Messages over a link: what every program around the state machines does with one.
+/// Messages over a link: functions for all programs around the state machines.
 namespace jounce {
 
 /// Number of rejected packets, by reason.
@@ -23,13 +23,13 @@ struct Rejects {
   [[nodiscard]] std::size_t total() const;
 };
 
-/// The next message on this link, waiting at most `timeout` for a packet. A packet that is none is
-/// counted and dropped, and ends the wait.
+/// Returns the next message on this link, after waiting for at most `timeout` for a packet. A
+/// packet that is not a message is counted and dropped, and ends the wait.
 std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
                                           const std::optional<wire::Key>& key = {});
 
-/// Hands the messages that wait on the link to `take`, waiting for the first at most `timeout`; a
-/// bounded number of them.
+/// Passes the messages that wait on the link to `take`, up to a bounded number, after waiting for
+/// the first for at most `timeout`.
 void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, Rejects& rejects,
            const std::function<void(const wire::Message&)>& take);
 
@@ -37,7 +37,7 @@ void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, 
 void send_message(Transport& link, const wire::Message& message,
                   const std::optional<wire::Key>& key = {});
 
-/// Packets of a channel that may wait: more than a window's worth, for repeats and other streamers.
+/// Waiting packets of a channel, at most: more than a window, for repeats and other streamers.
 inline constexpr int queue_capacity = 64;
 
 /// A random number > 0, for sessions, boots and an operator's commands.

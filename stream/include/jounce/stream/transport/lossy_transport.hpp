@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// A time during which a link is cut: [from, to) since it was made. Packets sent then are lost.
+/// A period during which a link is cut: [from, to) since its construction. Packets sent then are
+/// lost.
 struct Partition {
   enum class Way { both, out, in };
   Nanos from{};
@@ -17,18 +18,18 @@ struct Partition {
   Way way = Way::both;  ///< `out`: packets of this side are lost, but it receives
 };
 
-/// Faults of packets, each way. Shares are probabilities from 0 to 1.
+/// Faults of packets, in each direction. Shares are probabilities from 0 to 1.
 struct LossSpec {
   std::uint64_t seed = 1;
   double lost = 0;
   double doubled = 0;
-  double corrupted = 0;  ///< one bit of it turned over
+  double corrupted = 0;  ///< one bit of it inverted
   double delayed = 0;    ///< for up to `delay`: later ones overtake it
   Nanos delay = std::chrono::milliseconds(5);
   std::vector<Partition> partitions = {};
 };
 
-/// A link made worse, both ways, in a way that the seed repeats anywhere. The link below and the
+/// A degraded link, in both directions; the seed makes it reproducible. The link below and the
 /// clock must outlive it.
 class LossyTransport : public Transport {
  public:
@@ -44,7 +45,7 @@ class LossyTransport : public Transport {
     Nanos until{};
     Packet packet;
   };
-  using Queue = std::list<Held>;  // in the order in which they go on
+  using Queue = std::list<Held>;  // in the order of delivery
 
   double draw();
   [[nodiscard]] bool cut(Partition::Way way) const;

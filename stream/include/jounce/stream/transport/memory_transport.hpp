@@ -13,12 +13,12 @@ namespace jounce {
 
 class MemoryTransport;
 
-/// Connects the links of one process: a message sent on one reaches all that subscribe,
-/// the sender included, at once and whole.
+/// Connects the links of one process: a message sent on one reaches all subscribers, the sender
+/// included, at once and complete.
 class MemoryNetwork {
  public:
-  /// Called where a real link would wait, with the longest time to wait: here a test lets its
-  /// virtual clock and the other side go on. May be empty.
+  /// Called at the points at which a real link would wait, with the longest time to wait: a test
+  /// advances its virtual clock and the other side here. May be empty.
   std::function<void(Nanos)> on_wait;
 
  private:
@@ -26,8 +26,7 @@ class MemoryNetwork {
   std::vector<MemoryTransport*> links_;
 };
 
-/// One link of a MemoryNetwork, which must outlive it. All links of a network are used by one
-/// thread.
+/// One link of a MemoryNetwork, which must outlive it. One thread uses all links of a network.
 class MemoryTransport : public Transport {
  public:
   explicit MemoryTransport(MemoryNetwork& network);

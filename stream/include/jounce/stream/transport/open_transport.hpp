@@ -8,13 +8,13 @@
 
 namespace jounce {
 
-/// The link that an address names, the only place where an address chooses one:
+/// Opens the link for an address:
 ///
-///     udpm://239.255.76.67:7667    LCM's multicast, on this machine; ?ttl=1: on its network. See UdpTransport
+///     udpm://239.255.76.67:7667    LCM multicast on this machine, ?ttl=1: network (UdpTransport)
 ///     memq://                      this object alone
-///     unix://FOLDER                Unix sockets in a folder, see UnixTransport
+///     unix://FOLDER                Unix sockets in a folder (UnixTransport)
 ///
-/// Throws InputError for any other, and what that transport throws.
+/// Throws InputError for any other address, and the exceptions of that transport.
 std::unique_ptr<Transport> open_transport(const std::string& url);
 
 }  // namespace jounce

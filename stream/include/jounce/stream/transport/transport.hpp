@@ -14,13 +14,13 @@ namespace jounce {
 
 using Nanos = std::chrono::nanoseconds;
 
-/// The time since any fixed instant; it never goes back.
+/// The time since a fixed instant; it is monotonic.
 using Clock = std::function<Nanos()>;
 
 /// The machine's monotonic clock.
 Nanos steady_now();
 
-/// Bytes as they came from a channel.
+/// Bytes received on a channel.
 struct Packet {
   std::string channel;
   std::vector<std::byte> bytes;
@@ -32,21 +32,21 @@ class TransportError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Moves bytes on named channels. It may lose, double, delay and reorder them: the protocol above
-/// copes. Used by one thread.
+/// Moves bytes on named channels. It may lose, duplicate, delay and reorder them: the protocol
+/// above tolerates that. One thread uses it.
 class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on, once. At most `capacity` >= 1 packets of it wait for receive();
-  /// later ones are lost while they wait. (LCM keeps the oldest ones: for the newest state,
-  /// drain the link, then wait.)
+  /// Receives this channel from now on, once. At most `capacity` >= 1 packets of it wait for
+  /// receive(); further ones are lost. (LCM keeps the oldest ones: for the newest state, drain the
+  /// link, then wait.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 
   virtual void send(const std::string& channel, std::span<const std::byte> bytes) = 0;
 
-  /// The next packet; waits for one at most `timeout` >= 0. Throws TransportError if the link is
-  /// gone.
+  /// Returns the next packet, after waiting for at most `timeout` >= 0. Throws TransportError if
+  /// the link has failed.
   virtual std::optional<Packet> receive(Nanos timeout) = 0;
 
  protected:

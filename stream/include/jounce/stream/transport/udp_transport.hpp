@@ -13,28 +13,30 @@
 
 namespace jounce {
 
-/// A link over UDP multicast that carries LCM's packets (lcm-proj.github.io, "UDP Multicast Protocol"): LCM's
-/// own programs, and others that use LCM, send to it and receive from it. A message is one datagram; one in
-/// fragments, which LCM makes above 65 499 bytes, is longer than any of this protocol and is dropped.
+/// A link over UDP multicast that carries LCM's packets (lcm-proj.github.io, "UDP Multicast
+/// Protocol"): LCM's own programs, and others that use LCM, send to it and receive from it. A
+/// message is one datagram. LCM splits messages above 65 499 bytes into fragments: these are longer
+/// than any message of this protocol and are dropped.
 ///
-/// It receives what is sent to its group and port through its own interface, and nothing else:
-/// - with ttl 0 that interface is loopback, so that packets come from this machine alone. LCM's own library
-///   limits with ttl 0 what it sends, and receives from every machine.
-/// - its socket is bound to the group: a datagram that is sent to this machine's own address is not taken.
-/// - what another program of this machine has joined on another interface is not taken either
+/// It receives only packets to its group and port through its own interface:
+/// - with ttl 0 that interface is loopback, so that packets come from this machine alone. LCM's own
+///   library, with ttl 0, limits only its output, and receives from every machine.
+/// - its socket is bound to the group: it does not receive datagrams to this machine's own address.
+/// - it does not receive groups that another program has joined on another interface
 ///   (IP_MULTICAST_ALL is off).
 class UdpTransport : public Transport {
  public:
-  /// Throws TransportError where the interface is missing or down, or where there is no route to the group.
+  /// Throws TransportError if the interface is missing or down, or if there is no route to the
+  /// group.
   explicit UdpTransport(const MulticastAddress& address);
   ~UdpTransport() override;
   UdpTransport(const UdpTransport&) = delete;
   UdpTransport& operator=(const UdpTransport&) = delete;
 
-  /// At most 63 characters, LCM's limit. A * stands for any text without a dot: "JOUNCE2.*.status" are
-  /// those of all executors.
+  /// At most 63 characters, LCM's limit. A * stands for any text without a dot: "JOUNCE2.*.status"
+  /// matches those of all executors.
   void subscribe(const std::string& channel, int capacity) override;
-  /// A packet that the network does not take is lost, as others are. At most 65 499 bytes with the channel.
+  /// A packet that the network rejects is lost, like others. At most 65 499 bytes with the channel.
   void send(const std::string& channel, std::span<const std::byte> bytes) override;
   std::optional<Packet> receive(Nanos timeout) override;
 
