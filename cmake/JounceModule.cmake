@@ -13,7 +13,7 @@
 #
 # PKGCONFIG names the libraries that a program needs beside a static module, for pkg-config.
 #
-# The sources of a UNITY module are compiled five at a time, but those in APART (see jounce_unity).
+# The sources are compiled five at a time, but those in APART (see jounce_unity).
 #
 # A LIGHT module reads, writes and prints. It is compiled at -O1, in three quarters of the time of -O3.
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
@@ -86,7 +86,7 @@ function(jounce_add_modules)
 endfunction()
 
 function(jounce_module name)
-  cmake_parse_arguments(MODULE "LIGHT;UNITY" "" "SOURCES;APART;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
+  cmake_parse_arguments(MODULE "LIGHT" "" "SOURCES;APART;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
   set_property(GLOBAL PROPERTY JOUNCE_PKGCONFIG_${name} "${MODULE_PKGCONFIG}")
   if(NOT MODULE_PRECOMPILE AND MODULE_LIGHT)
     set(MODULE_PRECOMPILE REUSE jounce_parsed_light)
@@ -103,9 +103,7 @@ function(jounce_module name)
     jounce_light_options(jounce_${name})
   endif()
   jounce_precompile(jounce_${name} ${MODULE_PRECOMPILE})
-  if(MODULE_UNITY)
-    jounce_unity(jounce_${name} ${MODULE_APART})
-  endif()
+  jounce_unity(jounce_${name} ${MODULE_APART})
   target_compile_features(jounce_${name} PUBLIC cxx_std_20)
   target_include_directories(jounce_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

@@ -81,12 +81,14 @@ class Temporary {
   /// The file that a link points to, which need not exist: the link itself is kept.
   static std::string target(std::filesystem::path path) {
     std::error_code error;
-    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++links) {
+    for (int links = 0; std::filesystem::is_symlink(std::filesystem::symlink_status(path, error));
+         ++links) {
       if (links == most_links) {
         errno = ELOOP;
         fail("cannot write " + path.string());
       }
-      path = path.parent_path() / std::filesystem::read_symlink(path);  // an absolute one replaces it
+      path =
+          path.parent_path() / std::filesystem::read_symlink(path);  // an absolute one replaces it
     }
     return path.string();
   }
@@ -130,7 +132,7 @@ int opened_pipe(const std::string& path) {
 }
 
 void write_directly(const Output& file) {
-  const Handle handle(file.path == "-"                            ? dup(STDOUT_FILENO)
+  const Handle handle(file.path == "-"                      ? dup(STDOUT_FILENO)
                       : std::filesystem::is_fifo(file.path) ? opened_pipe(file.path)
                                                             : open(file.path.c_str(), O_WRONLY));
   if (handle.number < 0) fail("cannot write " + file.path);
@@ -231,7 +233,7 @@ struct KeptInputs::Files {
 
 namespace {
 
-std::atomic<const KeptInputs*> kept = nullptr;
+std::atomic<const KeptInputs*> kept_inputs = nullptr;
 
 /// Names what stands where text was meant.
 void require_text(const std::string& path, const std::string& bytes) {
@@ -246,16 +248,16 @@ void require_text(const std::string& path, const std::string& bytes) {
 }  // namespace
 
 KeptInputs::KeptInputs() : files_(std::make_unique<Files>()) {
-  assert(kept == nullptr);
-  kept = this;
+  assert(kept_inputs == nullptr);
+  kept_inputs = this;
 }
 
 KeptInputs::~KeptInputs() {
-  kept = nullptr;
+  kept_inputs = nullptr;
 }
 
 void require_not_read(const std::string& path, const std::string& option) {
-  const KeptInputs* const inputs = kept;
+  const KeptInputs* const inputs = kept_inputs;
   const auto id = KeptInputs::Files::id_of(path);
   if (inputs == nullptr || !id) return;
   const std::lock_guard lock(inputs->files_->mutex);
@@ -266,7 +268,7 @@ void require_not_read(const std::string& path, const std::string& option) {
 std::string read_file(const std::string& path) {
   std::string bytes = read_bytes(path);
   require_text(path, bytes);
-  const KeptInputs* const inputs = kept;
+  const KeptInputs* const inputs = kept_inputs;
   if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
     const std::lock_guard lock(inputs->files_->mutex);
     inputs->files_->read.insert(*id);

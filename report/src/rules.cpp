@@ -30,6 +30,11 @@ constexpr std::array rules{
              "let `jounce optimize` choose."},
     RuleInfo{"unlimited/*", "The named quantity has no limit; the finding states how far it goes.",
              "Give a limit if the machine has one."},
+    RuleInfo{
+        "objective/*",
+        "The minimized figure takes its value here; an optimizer lists this place among what is "
+        "active.",
+        "Nothing is wrong. Free knots or segments near this place to gain more."},
     RuleInfo{"continuity/*", "The named derivative steps at a joint of two segments.",
              "Make the values at the joint equal, or lower the required order with --continuity."},
     RuleInfo{"table/position", "The table differs from the exact curve by more than its tolerance.",

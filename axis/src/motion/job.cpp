@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
 
-constexpr double same = 1e-9;  // relative: tolerates rounded input, like check_continuity
+using detail::rounded_input;
 
 double seconds(std::int64_t ns) {
   return static_cast<double>(ns) / 1e9;
@@ -93,7 +94,8 @@ Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
   Jump largest;
   double sum = 0;  // sum of the magnitudes of steps [first, next)
   for (std::size_t first = 0, next = 0; first < steps.size(); ++first) {
-    while (next < steps.size() && steps[next].where < steps[first].where + tick * (1 - same))
+    while (next < steps.size() &&
+           steps[next].where < steps[first].where + tick * (1 - rounded_input))
       sum += std::abs(steps[next++].step);
     const bool alone = next == first + 1;
     if (sum > std::abs(largest.step))
@@ -122,7 +124,7 @@ Extremum excess(const Table& cam, const Placement& placement, const Range& maste
   const double above = placement.at(master.max.value) - cam.end();
   const Extremum worst = below > above ? Extremum{below, master.min.where, Side::right}
                                        : Extremum{above, master.max.where, Side::right};
-  return worst.value > same * cam.length() ? worst : Extremum{};
+  return worst.value > rounded_input * cam.length() ? worst : Extremum{};
 }
 
 Cause cause_of(CouplingStatus status) {
@@ -203,7 +205,7 @@ Setpoint Job::at(double t) const {
 
 double Job::tolerance() const {
   const double stroke = ranges_[0].max.value - ranges_[0].min.value;
-  return same * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
+  return rounded_input * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
 }
 
 Cause Job::begin(const MotionState& axis, const Moment& now) noexcept {
@@ -256,7 +258,7 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
     if (!holds && !refusal) refusal = Refusal{cause, value, limit, where - job.start()};
   };
   const auto within = [&](Cause cause, double value, double limit, double where) {
-    rule(std::abs(value) <= limit * (1 + same), cause, value, limit, where);
+    rule(std::abs(value) <= limit * (1 + rounded_input), cause, value, limit, where);
   };
   const auto peak = [&](Cause cause, const Range& range, const std::optional<double>& limit) {
     if (limit) within(cause, range.peak().value, *limit, range.peak().where);

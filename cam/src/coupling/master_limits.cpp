@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 // Over all signs of the master's rates, the slave's greatest velocity, acceleration and jerk at a
@@ -33,7 +34,7 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 constexpr int most_steps = 100;
 
 using Sizes = std::array<double, 3>;  // values for |f'|, |f''|, |f'''|, or their weights
@@ -162,7 +163,7 @@ MasterLimit greatest(const Transfers& f, const Constraint& c) {
 /// A step of the nth derivative, so that the next one is infinite.
 std::optional<double> step_of(const Cam& cam, int n, double peak) {
   const Jump jump = largest_jump(cam, n);
-  if (std::abs(jump.step) <= rounding * peak) return std::nullopt;
+  if (std::abs(jump.step) <= rounded_input * peak) return std::nullopt;
   return jump.where;
 }
 

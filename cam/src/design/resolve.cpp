@@ -11,12 +11,13 @@
 #include <cmath>
 #include <string>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::camming {
 namespace {
 
-constexpr double same = 1e-9;      // tolerates rounded input
+using detail::rounded_input;
 constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
 
 class Resolver {
@@ -160,7 +161,7 @@ void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field
                          double demanded, std::size_t segment, double scale) {
   auto& value = knots_[knot].*field;
   if (!value) value = demanded;
-  if (std::abs(*value - demanded) > same * scale)
+  if (std::abs(*value - demanded) > rounded_input * scale)
     throw InputError(key_of(knot, name), *value,
                      "must be " + number(demanded) + ", which the law `" +
                          jounce::name(law(segment)) + "` beside it has there");

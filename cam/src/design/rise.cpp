@@ -5,12 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-9;  // share of a derivative's peak: tolerates rounded input
+using detail::rounded_input;
 
 using Jet5 = std::array<double, 5>;  // value and four derivatives
 
@@ -100,7 +101,7 @@ void classify(Rise& rise, const Row& row, std::size_t last) {
   else if (row.rests_outside())
     widen(edge, final, {});
   const auto scale = [&](std::size_t k) {
-    return rounding * std::abs(rise.ranges[k].peak().value);
+    return rounded_input * std::abs(rise.ranges[k].peak().value);
   };
   rise.smooth = highest([&](std::size_t k) { return std::max(inside[k], ends[k]) <= scale(k); });
   rise.continuous =
@@ -126,7 +127,7 @@ bool rests(const Row& row, std::size_t i, double zero) {
 /// The breaks at which the slave rests, ascending, each by the segment that begins there. A row
 /// that wraps repeats the first at its end.
 std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
-  const double zero = rounding * std::abs(extrema(cam, 1).peak().value);
+  const double zero = rounded_input * std::abs(extrema(cam, 1).peak().value);
   std::vector<std::size_t> breaks;
   for (std::size_t i = 0; i < row.size() + (row.cyclic() ? 0 : 1); ++i)
     if (rests(row, i, zero)) breaks.push_back(i);
@@ -141,7 +142,7 @@ std::vector<Rise> rises(const Cam& cam) {
   const Range travel = extrema(cam, 0);
   // A stroke within rounding does not count.
   const double still =
-      std::max(rounding * (travel.max.value - travel.min.value),
+      std::max(rounded_input * (travel.max.value - travel.min.value),
                1e-14 * std::max(std::abs(travel.max.value), std::abs(travel.min.value)));
   const auto breaks = resting(cam, row);
   std::vector<Rise> all;

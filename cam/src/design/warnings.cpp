@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 
 // The quintic from rest to the slope k (or back) with stroke h over length b, accelerations zero:
 // with z = x / b and rho = k b / h,
@@ -27,7 +28,7 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 constexpr double ripple = 1e-3;
 constexpr double rho_least = 5.0 / 3;
 constexpr double rho_most = 5.0 / 2;
@@ -80,7 +81,7 @@ class Inspection {
     g.quintic = first == last && head.sines == 0 && head.degree <= 5;
     for (Jet* end : {&g.begin, &g.end})
       for (std::size_t k = 1; k < 4; ++k)
-        if (std::abs((*end)[k]) <= rounding * scale_[k]) (*end)[k] = 0;
+        if (std::abs((*end)[k]) <= rounded_input * scale_[k]) (*end)[k] = 0;
     return g;
   }
 
@@ -97,7 +98,7 @@ class Inspection {
   /// Reports a position beyond the end value `edge` on the side `s` (1: above, -1: below).
   void overshoot(const Group& g, const Extremum& reached, double edge, int s) {
     const double beyond = s * (reached.value - edge);
-    if (beyond <= rounding * scale_[0]) return;
+    if (beyond <= rounded_input * scale_[0]) return;
     const bool inevitable =
         (g.begin[0] == edge && s * g.begin[1] > 0) || (g.end[0] == edge && s * g.end[1] < 0);
     add("warning/overshoot", g, 0, reached, edge, beyond,
@@ -112,7 +113,7 @@ class Inspection {
     const int way = v0 != 0 ? v0 : (v1 != 0 ? v1 : sign(g.end[0] - g.begin[0]));
     if (way == 0) return;
     const bool inevitable = sign(g.end[0] - g.begin[0]) != way;  // it ends behind its start
-    against("warning/reversal", g, 1, way, rounding,
+    against("warning/reversal", g, 1, way, rounded_input,
             inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
 
@@ -138,7 +139,7 @@ class Inspection {
     if (!wanted) return;
     const Extremum& reached = *wanted > 0 ? g.range[1].max : g.range[1].min;
     const double beyond = std::abs(reached.value) - std::abs(*wanted);
-    if (beyond > rounding * scale_[1])
+    if (beyond > rounded_input * scale_[1])
       add("warning/velocity_overshoot", g, 1, reached, *wanted, beyond, Severity::warning,
           window(g));
   }
@@ -195,7 +196,8 @@ class Inspection {
              std::size_t segment) {
     for (std::size_t k = lowest; k < left.size(); ++k) {
       const double step = std::abs(right[k] - left[k]);
-      const double limit = std::max(rounding * scale_[k], 1e-14 * std::abs(all_[k].peak().value));
+      const double limit =
+          std::max(rounded_input * scale_[k], 1e-14 * std::abs(all_[k].peak().value));
       if (step <= limit) continue;
       Finding f;
       f.rule = std::string("joint/") + OverMaster::names[k];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 // The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. The requirement x = y everywhere gives
@@ -18,8 +19,8 @@
 namespace jounce {
 namespace {
 
-constexpr double two_pi = 6.28318530717958647692;
-constexpr double rounding = 1e-9;  ///< relative to a derivative's peak: not a step
+using detail::rounded_input;
+using detail::two_pi;
 
 /// Equation (1) on one segment. A derivative has no sines or powers that its function lacks.
 Segment driving(const Segment& y, double by_velocity, double by_acceleration) {
@@ -32,7 +33,7 @@ Segment driving(const Segment& y, double by_velocity, double by_acceleration) {
 Jump step_of(const Cam& f, int order) {
   const Jump step = largest_jump(f, order);
   const double peak = std::abs(extrema(f, order).peak().value);
-  return std::abs(step.step) > rounding * peak ? step : Jump{};
+  return std::abs(step.step) > rounded_input * peak ? step : Jump{};
 }
 
 /// Throws if the cam itself or its geo_velocity is not continuous.

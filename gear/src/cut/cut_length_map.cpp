@@ -10,12 +10,12 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-13;
+constexpr double resolution = 1e-13;  ///< relative, of a bisection
 
 /// The place in [from, to] from which on `above` is true, given that it is at `to` and not at `from`.
 template <class Above>
 double boundary(double from, double to, Above&& above) {
-  while (to - from > rounding * to) {
+  while (to - from > resolution * to) {
     const double middle = from + (to - from) / 2;
     if (middle == from || middle == to) break;
     (above(middle) ? to : from) = middle;

@@ -12,7 +12,7 @@ namespace jounce {
 namespace {
 
 /// The cam while it is put together, stretch by stretch.
-struct Build {
+struct ShearBuild {
   std::vector<Segment> segments = {};
   std::vector<std::string> names = {};
 
@@ -24,7 +24,7 @@ struct Build {
 };
 
 /// The slope is k f, or k (1 - f): equation (2) of shear_plan.cpp. Integrated from where the slave is.
-void add_ramp(Build& build, const FlyingShear& shear, double from, double length, bool up,
+void add_ramp(ShearBuild& build, const FlyingShear& shear, double from, double length, bool up,
               double k) {
   for (Segment& speed : gearing::placed(shear.ramp, {}, from, length, shear.cut_length)) {
     speed = up ? scaled(speed, k) : scaled(speed, -k, k);
@@ -33,7 +33,7 @@ void add_ramp(Build& build, const FlyingShear& shear, double from, double length
 }
 
 /// The slope itself, not the difference of two positions: it is k to the last digit.
-void add_sync(Build& build, double length, double k) {
+void add_sync(ShearBuild& build, double length, double k) {
   Segment sync;
   sync.length = length;
   sync.degree = 1;
@@ -48,7 +48,7 @@ SyncCam flying_shear(const FlyingShear& shear) {
   const ShearPlan plan = shear_plan(shear);
   const double begin = plan.accelerate;
   const double end = begin + plan.sync;
-  Build build;
+  ShearBuild build;
   add_ramp(build, shear, 0, plan.accelerate, true, plan.ratio);
   add_sync(build, plan.sync, plan.ratio);
   add_ramp(build, shear, end, plan.decelerate, false, plan.ratio);

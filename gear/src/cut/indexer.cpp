@@ -28,7 +28,7 @@ void require_valid(const Indexer& spec) {
 }
 
 /// The cam while it is put together; all positions on the cycle's grid, so that it closes to the bit.
-struct Build {
+struct IndexerBuild {
   const Indexer& spec;
   double master = 0;
   double slave = 0;
@@ -59,7 +59,7 @@ struct Build {
 
 SyncCam indexer(const Indexer& spec) {
   require_valid(spec);
-  Build build{.spec = spec};
+  IndexerBuild build{.spec = spec};
   const double room = spec.cycle / spec.count;
   for (int i = 0; i < spec.count; ++i) {
     const double part_end = i + 1 == spec.count ? spec.cycle : (i + 1) * room;

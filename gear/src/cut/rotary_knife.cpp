@@ -52,8 +52,8 @@ namespace {
 using detail::KnifeShape;
 using detail::KnifeSync;
 
-constexpr double pi = std::numbers::pi;
-constexpr double rounding = 1e-12;
+using std::numbers::pi;
+constexpr double same_length = 1e-12;  ///< relative
 
 /// A spec made into numbers; angles in rad.
 struct Knife {
@@ -163,7 +163,7 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
 /// The cut that is a straight line: with surface matching alone.
 bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
   return spec.matching == KnifeMatching::surface &&
-         std::abs(spec.cut_length - synchronous) <= rounding * synchronous;
+         std::abs(spec.cut_length - synchronous) <= same_length * synchronous;
 }
 
 double synchronous_length(const RotaryKnifeSpec& spec) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using detail::FollowPass;
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 constexpr std::size_t most_segments = 1'000'000;
 
 std::string prefix(const FollowSpec& spec, std::size_t table) {
@@ -65,7 +66,7 @@ std::int64_t shown(const FollowTable& table, const FollowPass& first) {
   const bool continued = table.segments.front().type == PtType::continued;
   const double end = first.ratios.back().end;
   const double scale = std::max(std::abs(end), std::abs(first.entry));
-  return continued && std::abs(end - first.entry) > rounding * scale ? 2 : 1;
+  return continued && std::abs(end - first.entry) > rounded_input * scale ? 2 : 1;
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ std::string table_name(const FollowSpec& spec, std::size_t table) {
 std::vector<SyncZone> zones_of(const Cam& cam, const std::vector<PtRate>& ratios) {
   double peak = 0;
   for (const PtRate& r : ratios) peak = std::max({peak, std::abs(r.start), std::abs(r.end)});
-  const auto same = [&](double a, double b) { return std::abs(a - b) <= rounding * peak; };
+  const auto same = [&](double a, double b) { return std::abs(a - b) <= rounded_input * peak; };
   std::vector<SyncZone> zones;
   for (std::size_t i = 0; i < ratios.size(); ++i) {
     const auto& [start, end] = ratios[i];

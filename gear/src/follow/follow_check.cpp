@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/gear/follow.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 using detail::FollowPass;
 using detail::rounded;
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 
 /// The increments of a segment.
 struct Travel {
@@ -90,7 +91,7 @@ class Inspection {
   [[nodiscard]] Report report() && { return std::move(report_); }
 
  private:
-  [[nodiscard]] bool counts(double ratio) const { return std::abs(ratio) > rounding * peak_; }
+  [[nodiscard]] bool counts(double ratio) const { return std::abs(ratio) > rounded_input * peak_; }
 
   void inspect(const FollowPass& pass, double before) {
     const auto& segments = spec_.tables[pass.table].segments;
@@ -191,7 +192,7 @@ class Inspection {
       if (!table.end) continue;
       const PtPoint& last = table.segments.back();
       const auto differ = [](double a, double b) {
-        return std::abs(a - b) > rounding * std::max(std::abs(a), std::abs(b));
+        return std::abs(a - b) > rounded_input * std::max(std::abs(a), std::abs(b));
       };
       if (!differ(last.x, table.end->master) && !differ(last.position, table.end->slave)) continue;
       add(end_finding(i, {table.end->master - last.x, table.end->slave - last.position}));
@@ -222,9 +223,10 @@ class Inspection {
   static std::string as_segment(const FollowTable& table, const Travel& missing) {
     for (std::size_t i = 0; i < table.segments.size(); ++i) {
       const Travel t = travel_of(table, i);
-      const double scale = rounding * table.segments.back().x;
+      const double scale = rounded_input * table.segments.back().x;
       if (std::abs(t.master - missing.master) <= scale &&
-          std::abs(t.slave - missing.slave) <= rounding * std::abs(table.segments.back().position))
+          std::abs(t.slave - missing.slave) <=
+              rounded_input * std::abs(table.segments.back().position))
         return ", as much as segment " + std::to_string(i + 1) + " has: is one left out?";
     }
     return "";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/detail/local_velocities.hpp"
 
@@ -13,14 +14,14 @@ namespace {
 
 using Knot = FollowKnot;
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 
 std::string key(const char* list, std::size_t i, const char* name) {
   return std::string(list) + "[" + std::to_string(i + 1) + "]." + name;
 }
 
 bool near(double a, double b) {
-  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= rounded_input * std::max(std::abs(a), std::abs(b));
 }
 
 /// A sync point or a zone, by its place.
@@ -141,7 +142,7 @@ class Knots {
       if (p.master < z.from || p.master > z.to) continue;
       const double expected = p.slave - z.ratio * (p.master - z.from);
       const double scale = std::abs(p.slave) + std::abs(z.ratio * z.to);
-      if (slave && std::abs(*slave - expected) > rounding * scale)
+      if (slave && std::abs(*slave - expected) > rounded_input * scale)
         throw InputError(key("point", k, "slave"), p.slave,
                          "must be " + number(*slave + z.ratio * (p.master - z.from)) +
                              ", where zone " + std::to_string(i + 1) + " leads");

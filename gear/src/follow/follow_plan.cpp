@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "gear/src/follow/follow_gap.hpp"
@@ -21,7 +22,7 @@ using Gap = detail::FollowGap;
 using Knot = detail::FollowKnot;
 using Piece = detail::FollowPiece;
 
-constexpr double rounding = 1e-9;
+using detail::rounded_input;
 
 }  // namespace
 
@@ -126,7 +127,7 @@ Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
   }();
   const Range r = extrema(cam, 1);
   const Extremum& worst = s > 0 ? r.min : r.max;
-  const bool against = -s * worst.value > rounding * std::abs(r.peak().value);
+  const bool against = -s * worst.value > rounded_input * std::abs(r.peak().value);
   return against ? worst : Extremum{};
 }
 

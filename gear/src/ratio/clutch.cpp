@@ -22,7 +22,7 @@ namespace {
 
 using detail::Wide;
 
-constexpr Wide most = Wide{1} << 62;
+constexpr Wide widest = Wide{1} << 62;
 
 Wide absolute(Wide a) {
   return a < 0 ? -a : a;
@@ -39,7 +39,7 @@ struct Shared {
   }
   [[nodiscard]] bool fits(Wide scale) const {
     const Wide greatest = std::max({common, absolute(from), absolute(to)});
-    return greatest < most && greatest * scale < most;
+    return greatest < widest && greatest * scale < widest;
   }
 };
 
@@ -67,7 +67,7 @@ Gear begun(const Gear& r0, const Gear& r1, Wide scale) {
   if (Shared(r0, r1).fits(scale)) return r0;
   const Wide whole = 1 + std::max(absolute(r0.numerator()) / r0.denominator(),
                                   absolute(r1.numerator()) / r1.denominator());
-  const Wide limit = most / 2 / scale / whole / r1.denominator();
+  const Wide limit = widest / 2 / scale / whole / r1.denominator();
   return limit < (Wide{1} << 20) ? r0 : nearest(r0, limit);
 }
 

@@ -2,12 +2,13 @@
 #include "optimize/src/figures/band_peaks.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::optimizer {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+using detail::two_pi;
 constexpr double samples_per_radian = 4;  ///< samples per radian of phase over the motion
 constexpr int narrowings = 40;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "optimize/src/program/lifted.hpp"
@@ -24,7 +23,6 @@ using Eigen::VectorXd;
 constexpr double accuracy = 1e-10;   ///< of y, in what is natural: what joints leave
 constexpr double nothing = 1e-9;     ///< of the same
 constexpr Index to_begin_with = 32;  ///< instants
-constexpr std::array signs{1.0, -1.0};
 
 using Respond = std::function<std::vector<double>(const std::vector<Segment>&)>;
 
@@ -104,7 +102,7 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lif
   const Affine y = rows_in(respond, space, lift, rows);
   const Index every = std::max(y.constant.size() / to_begin_with, Index{1});
   for (Index i = 0; i < y.constant.size(); i += every)
-    for (const double sign : signs) rows.start.push_back(y.row(i, sign));
+    for (const double sign : {1.0, -1.0}) rows.start.push_back(y.row(i, sign));
   rows.cuts = [respond, y](const std::vector<Segment>& shape, double level) {
     const std::vector<double> now = respond(shape);
     std::vector<Form> planes;

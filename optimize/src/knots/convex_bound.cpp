@@ -68,7 +68,7 @@ class Tangent {
   /// At the extrema of a piece, and at so many Chebyshev points.
   void add_piece(const Shape& shape, std::size_t piece, int count) {
     const auto peak = peak_order(stage_.objective);
-    for (const Ceiling& c : stage_.ceilings)
+    for (const DerivativeBound& c : stage_.ceilings)
       for (const double s : places_of(shape, piece, shape.range(piece, c), count))
         add({sample(stage_.space.pieces, piece, c.order, s, c.lower), c.sign / c.scale,
              c.limit / c.scale, false});

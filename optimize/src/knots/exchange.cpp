@@ -2,7 +2,6 @@
 #include "optimize/src/knots/exchange.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +12,6 @@ constexpr int places = 7;  ///< Chebyshev points a piece to begin with
 constexpr int max_sharpened = 30;
 constexpr double same_place = 1e-7;  ///< positions in a piece that are one
 constexpr double fixed = 1e-12;      ///< a row with no more slope than this cannot be changed
-constexpr std::array signs{1.0, -1.0};
 
 }  // namespace
 
@@ -41,14 +39,14 @@ int Exchange::exchange(const Shape& shape, const Point& z, double t) {
   for (std::size_t i = 0; i < space.pieces.size(); ++i) {
     if (!space.moves[space.pieces[i].segment]) continue;
     const Ranges& range = shape.ranges[i];
-    for (const Ceiling& c : stage_.ceilings) {
+    for (const DerivativeBound& c : stage_.ceilings) {
       const Range limited = shape.range(i, c);
       const double excess = excess_of(c, limited) - (stage_.objective ? 0 : t);
       if (excess > rounding)
         added += exclude(c, i, shape.place(i, worst(limited, c.sign)), z, excess);
     }
     if (const auto order = peak_order(stage_.objective))
-      for (const double sign : signs)
+      for (const double sign : {1.0, -1.0})
         if (sign * worst(range[*order], sign).value > reference_ * (t + precision()))
           added += add_peak(i, shape.place(i, worst(range[*order], sign)), *order, sign, z);
   }
@@ -64,14 +62,14 @@ void Exchange::add_spacing(std::size_t segment) {
 void Exchange::add_everywhere(std::size_t piece, const Point& z) {
   for (int k = 0; k < places; ++k) {
     const double s = (1 - std::cos(std::numbers::pi * k / (places - 1))) / 2;
-    for (const Ceiling& c : stage_.ceilings) add(row_of(c, piece, s, z), z);
+    for (const DerivativeBound& c : stage_.ceilings) add(row_of(c, piece, s, z), z);
     if (const auto order = peak_order(stage_.objective))
-      for (const double sign : signs) add_peak(piece, s, *order, sign, z);
+      for (const double sign : {1.0, -1.0}) add_peak(piece, s, *order, sign, z);
   }
 }
 
 /// A new row, or a sharper one where the rounding of the solver left a violation.
-bool Exchange::exclude(const Ceiling& ceiling, std::size_t piece, double s, const Point& z,
+bool Exchange::exclude(const DerivativeBound& ceiling, std::size_t piece, double s, const Point& z,
                        double excess) {
   const Row row = row_of(ceiling, piece, s, z);
   Row* known = find(row);
@@ -94,7 +92,8 @@ bool Exchange::add(const Row& row, const Point& z) {
 }
 
 /// Near a fixed knot a row can hardly be changed: the margin shrinks with its slope.
-Row Exchange::row_of(const Ceiling& ceiling, std::size_t piece, double s, const Point& z) const {
+Row Exchange::row_of(const DerivativeBound& ceiling, std::size_t piece, double s,
+                     const Point& z) const {
   Row row{sample(stage_.space.pieces, piece, ceiling.order, s, ceiling.lower),
           ceiling.sign / ceiling.scale, ceiling.limit / ceiling.scale, !stage_.objective};
   row.offset -= margin_ * std::min(1.0, largest_slope(row, z));

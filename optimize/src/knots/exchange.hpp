@@ -27,11 +27,12 @@ class Exchange {
  private:
   void add_spacing(std::size_t segment);
   void add_everywhere(std::size_t piece, const Point& z);
-  bool exclude(const Ceiling& ceiling, std::size_t piece, double s, const Point& z, double excess);
+  bool exclude(const DerivativeBound& ceiling, std::size_t piece, double s, const Point& z,
+               double excess);
   bool add_peak(std::size_t piece, double s, std::size_t order, double sign, const Point& z);
   bool add(const Row& row, const Point& z);
 
-  [[nodiscard]] Row row_of(const Ceiling& ceiling, std::size_t piece, double s,
+  [[nodiscard]] Row row_of(const DerivativeBound& ceiling, std::size_t piece, double s,
                            const Point& z) const;
   [[nodiscard]] double largest_slope(const Row& row, const Point& z) const;
   [[nodiscard]] Row* find(const Row& row);

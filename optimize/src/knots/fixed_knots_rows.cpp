@@ -11,18 +11,17 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double kept_by = 1e-9;  ///< that limits are kept by: SLSQP leaves as much rounding
-constexpr std::array signs{1.0, -1.0};
 
 /// Gauss's nodes and weights over a piece: the mean that a search sees; the result is judged by value_of().
-struct Place {
+struct Node {
   double s, weight;
 };
-constexpr std::array quadrature{Place{0.033765242898423975, 0.085662246189585178},
-                                Place{0.16939530676686776, 0.18038078652406930},
-                                Place{0.38069040695840156, 0.23395696728634552},
-                                Place{0.61930959304159844, 0.23395696728634552},
-                                Place{0.83060469323313224, 0.18038078652406930},
-                                Place{0.96623475710157603, 0.085662246189585178}};
+constexpr std::array quadrature{Node{0.033765242898423975, 0.085662246189585178},
+                                Node{0.16939530676686776, 0.18038078652406930},
+                                Node{0.38069040695840156, 0.23395696728634552},
+                                Node{0.61930959304159844, 0.23395696728634552},
+                                Node{0.83060469323313224, 0.18038078652406930},
+                                Node{0.96623475710157603, 0.085662246189585178}};
 
 }  // namespace
 
@@ -66,7 +65,7 @@ void FixedKnots::list_rows() {
     if (part.figure.over != Pointwise::Over::peak) continue;
     for (std::size_t i = 0; i < model_.space.pieces(); ++i)
       for (const double s : {0.0, 0.25, 0.5, 0.75})
-        for (const double direction : signs)
+        for (const double direction : {1.0, -1.0})
           add_peak(part, t, i, s, sign_at(part, i, s), direction);
     if (!part.at_most) ++t;
   }
@@ -141,7 +140,7 @@ int FixedKnots::add_peaks(const SearchedFigure& part, std::size_t t,
   int added = 0;
   for (const Wave& wave : part.figure.waves(shape, problem_.begin)) {
     const Range range = range_of(wave, 1e-9 * level * part.unit);
-    for (const double direction : signs) {
+    for (const double direction : {1.0, -1.0}) {
       const Extremum& e = direction > 0 ? range.max : range.min;
       if (direction * e.value <= level * part.unit) continue;
       const double from = model_.space.knots()[wave.piece];

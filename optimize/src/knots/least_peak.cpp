@@ -43,7 +43,7 @@ using optimizer::Form;
 constexpr double licence = 1e-6;  ///< share of the peak that is given for less jerk
 constexpr double met = 1e-9;      ///< what a peak may be exceeded by, relative
 constexpr int max_exchanges = 30;
-constexpr std::array places{0.0, 0.067, 0.25, 0.5, 0.75, 0.933, 1.0};  ///< to begin with
+constexpr std::array first_places{0.0, 0.067, 0.25, 0.5, 0.75, 0.933, 1.0};  ///< to begin with
 
 /// A place where |f''| is bounded.
 struct Place {
@@ -58,7 +58,7 @@ class Exchange {
   explicit Exchange(const AffineCam& affine, std::size_t segments) : cam_(affine) {
     for (std::size_t i = 0; i < segments; ++i) {
       if (!affine.moves(i)) continue;
-      for (const double s : places)
+      for (const double s : first_places)
         for (const double sign : {1.0, -1.0}) places_.push_back({i, s, sign});
     }
   }

@@ -18,7 +18,7 @@ namespace {
 
 using optimizer::Attempt;
 using optimizer::brief;
-using optimizer::Ceiling;
+using optimizer::DerivativeBound;
 using optimizer::Point;
 using optimizer::Space;
 using optimizer::Stage;
@@ -275,7 +275,7 @@ class Search {
   const RampedLimits& ramped_;
   const KeepGoing& keep_going_;
   Space space_;
-  std::vector<Ceiling> ceilings_;
+  std::vector<DerivativeBound> ceilings_;
   std::vector<Point> pool_;
   std::optional<Attempt> least_violated_;
   std::optional<Finding> broken_where_fixed_;  ///< a limit, where nothing free reaches

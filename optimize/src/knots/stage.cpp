@@ -8,9 +8,9 @@
 
 namespace jounce::optimizer {
 
-std::vector<Ceiling> ceilings_of(const Limits& limits, const RampedLimits& ramped,
-                                 const Space& space) {
-  std::vector<Ceiling> all;
+std::vector<DerivativeBound> ceilings_of(const Limits& limits, const RampedLimits& ramped,
+                                         const Space& space) {
+  std::vector<DerivativeBound> all;
   if (limits.position_max) all.push_back({0, 1, *limits.position_max, space.stroke});
   if (limits.position_min) all.push_back({0, -1, -*limits.position_min, space.stroke});
   const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
@@ -21,8 +21,8 @@ std::vector<Ceiling> ceilings_of(const Limits& limits, const RampedLimits& rampe
   return all;
 }
 
-std::vector<std::vector<Ceiling>> ramped_ceilings(const RampedLimits& ramped) {
-  std::vector<std::vector<Ceiling>> all;
+std::vector<std::vector<DerivativeBound>> ramped_ceilings(const RampedLimits& ramped) {
+  std::vector<std::vector<DerivativeBound>> all;
   const auto add = [&](std::size_t order, const std::optional<double>& limit, double lower) {
     if (!limit || lower == 0) return;
     auto& four = all.emplace_back();
@@ -34,7 +34,7 @@ std::vector<std::vector<Ceiling>> ramped_ceilings(const RampedLimits& ramped) {
   return all;
 }
 
-Range range_of(const Cam& cam, std::size_t segment, const Ceiling& ceiling) {
+Range range_of(const Cam& cam, std::size_t segment, const DerivativeBound& ceiling) {
   if (ceiling.lower == 0) return segment_range(cam, segment, static_cast<int>(ceiling.order));
   Segment below = cam.segments()[segment];
   for (std::size_t k = 1; k < ceiling.order; ++k) below = derivative(below);
@@ -52,11 +52,11 @@ double Shape::place(std::size_t piece, const Extremum& e) const {
   return e.side == Side::left ? 1 : std::clamp(s, 0.0, 1.0);
 }
 
-Range Shape::range(std::size_t piece, const Ceiling& ceiling) const {
+Range Shape::range(std::size_t piece, const DerivativeBound& ceiling) const {
   return ceiling.lower == 0 ? ranges[piece][ceiling.order] : range_of(cam, piece, ceiling);
 }
 
-double excess_of(const Ceiling& ceiling, const Range& range) {
+double excess_of(const DerivativeBound& ceiling, const Range& range) {
   return (ceiling.sign * worst(range, ceiling.sign).value - ceiling.limit) / ceiling.scale;
 }
 
@@ -69,7 +69,7 @@ std::optional<std::size_t> peak_order(const std::optional<Objective>& objective)
 Standing standing(const Stage& stage, const Shape& shape) {
   double excess = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
-    for (const Ceiling& ceiling : stage.ceilings)
+    for (const DerivativeBound& ceiling : stage.ceilings)
       if (stage.space.moves[stage.space.pieces[i].segment])
         excess = std::max(excess, excess_of(ceiling, shape.range(i, ceiling)));
   if (stage.rms_ceiling)

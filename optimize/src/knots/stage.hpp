@@ -13,7 +13,7 @@
 namespace jounce::optimizer {
 
 /// sign * (f^(order) + lower * f^(order - 1)) <= limit all along the cam; `scale` is what violations are measured in.
-struct Ceiling {
+struct DerivativeBound {
   std::size_t order = 0;
   double sign = 1;
   double limit = 0;
@@ -22,18 +22,18 @@ struct Ceiling {
 };
 
 /// What limits per master unit ask for, both signs of a rate.
-std::vector<Ceiling> ceilings_of(const Limits& limits, const RampedLimits& ramped,
-                                 const Space& space);
+std::vector<DerivativeBound> ceilings_of(const Limits& limits, const RampedLimits& ramped,
+                                         const Space& space);
 
 /// Those of RampedLimits alone: of each limit its four.
-std::vector<std::vector<Ceiling>> ramped_ceilings(const RampedLimits& ramped);
+std::vector<std::vector<DerivativeBound>> ramped_ceilings(const RampedLimits& ramped);
 
 /// The exact extrema of what a ceiling limits, over one segment of a cam.
-Range range_of(const Cam& cam, std::size_t segment, const Ceiling& ceiling);
+Range range_of(const Cam& cam, std::size_t segment, const DerivativeBound& ceiling);
 
 struct Stage {
   const Space& space;
-  std::vector<Ceiling> ceilings;
+  std::vector<DerivativeBound> ceilings;
   std::optional<double> rms_ceiling;
   std::optional<Objective> objective;  ///< none: the violation of the ceilings
   double insignificant = 0;            ///< a value of the objective that is as good as zero
@@ -57,7 +57,7 @@ struct Shape {
   [[nodiscard]] double place(std::size_t piece, const Extremum& e) const;
 
   /// The exact extrema of what a ceiling limits, over a piece.
-  [[nodiscard]] Range range(std::size_t piece, const Ceiling& ceiling) const;
+  [[nodiscard]] Range range(std::size_t piece, const DerivativeBound& ceiling) const;
 
   Cam cam;
   std::vector<Ranges> ranges;
@@ -69,7 +69,7 @@ inline const Extremum& worst(const Range& range, double sign) {
 }
 
 /// By how much a piece breaks the ceiling, relative; <= 0: it does not.
-double excess_of(const Ceiling& ceiling, const Range& range);
+double excess_of(const DerivativeBound& ceiling, const Range& range);
 
 /// 2 or 3 for a peak, nothing for the others.
 std::optional<std::size_t> peak_order(const std::optional<Objective>& objective);

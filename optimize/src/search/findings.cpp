@@ -12,12 +12,12 @@ namespace {
 constexpr double met = 1e-6;  ///< relative: closer than this is there
 
 /// What a ceiling limits, and its rule.
-std::string quantity_of(const Ceiling& ceiling) {
+std::string quantity_of(const DerivativeBound& ceiling) {
   const std::string name = OverMaster::names[ceiling.order];
   return ceiling.lower == 0 ? name : name + " while the master accelerates";
 }
 
-std::string rule_of(const Ceiling& ceiling) {
+std::string rule_of(const DerivativeBound& ceiling) {
   const char* end = ceiling.order > 0 ? "" : ceiling.sign > 0 ? "_max" : "_min";
   return std::string(ceiling.lower == 0 ? "limit/" : "limit/ramped_") +
          OverMaster::names[ceiling.order] + end;
@@ -28,10 +28,10 @@ Finding at(std::string rule, const std::string& quantity, const Extremum& e, dou
   return {std::move(rule), "", quantity, e.where, e.value, limit, margin, false, segment, ""};
 }
 
-void add_limits(const Shape& shape, const Space& space, std::span<const Ceiling> ceilings,
+void add_limits(const Shape& shape, const Space& space, std::span<const DerivativeBound> ceilings,
                 std::vector<Finding>& active) {
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
-    for (const Ceiling& c : ceilings) {
+    for (const DerivativeBound& c : ceilings) {
       const Range range = shape.range(i, c);
       const double excess = excess_of(c, range);
       if (std::abs(excess) > met) continue;
@@ -88,7 +88,7 @@ Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& ca
   Report report = check(cam, limits);
   for (const auto& four : ramped_ceilings(ramped)) {
     std::optional<Finding> least;
-    for (const Ceiling& c : four)
+    for (const DerivativeBound& c : four)
       for (std::size_t i = 0; i < cam.segments().size(); ++i) {
         const Range range = range_of(cam, i, c);
         const double excess = excess_of(c, range);
@@ -102,7 +102,7 @@ Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& ca
   return report;
 }
 
-std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
+std::vector<Finding> active_findings(const Space& space, std::span<const DerivativeBound> ceilings,
                                      const Point& z, std::span<const ObjectiveResult> objectives) {
   const Shape shape(space, z);
   std::vector<Finding> active;

@@ -25,7 +25,7 @@ std::string broken_sentence(const Finding& finding);
 Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam);
 
 /// Outcome::active for the cam at z.
-std::vector<Finding> active_findings(const Space& space, std::span<const Ceiling> ceilings,
+std::vector<Finding> active_findings(const Space& space, std::span<const DerivativeBound> ceilings,
                                      const Point& z, std::span<const ObjectiveResult> objectives);
 
 }  // namespace jounce::optimizer

@@ -125,7 +125,8 @@ void Trials::settle_scales() {
   for (double& value : objectives) value = std::abs(value - middle);
   spread_ = median(std::move(objectives));
   for (Trial& trial : all_) trial.violation = violation(trial.answer);
-  const auto first = std::min_element(all_.begin(), all_.end(), better);
+  const auto first = std::min_element(all_.begin(), all_.end(),
+                                      [](const Trial& a, const Trial& b) { return better(a, b); });
   best_ = static_cast<std::size_t>(first - all_.begin());
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include "optimize/src/solvers/forms.hpp"
+
 // With equalities K is indefinite. With a little on its diagonal, plus where x is and minus where the
 // multipliers are, it is quasidefinite, so that L D L' exists in any order (Vanderbei 1995) and the order
 // can be chosen for sparsity alone. What was added is taken out again by iterative refinement.
@@ -23,13 +25,6 @@ Kkt::Matrix rows_of(const std::vector<Form>& forms, std::size_t unknowns) {
   Kkt::Matrix rows(static_cast<Eigen::Index>(forms.size()), static_cast<Eigen::Index>(unknowns));
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
-}
-
-Kkt::Vector constants_of(const std::vector<Form>& forms) {
-  Kkt::Vector c(static_cast<Eigen::Index>(forms.size()));
-  for (std::size_t k = 0; k < forms.size(); ++k)
-    c[static_cast<Eigen::Index>(k)] = forms[k].constant;
-  return c;
 }
 
 /// Calls visit(i, j, product) for the lower half of row' row.

@@ -6,6 +6,8 @@
 
 #include "jounce/cam/detail/pivoted_qr.hpp"
 
+#include "optimize/src/solvers/forms.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
@@ -13,18 +15,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd rows_of(const std::vector<Form>& forms, std::size_t unknowns) {
+MatrixXd dense_rows_of(const std::vector<Form>& forms, std::size_t unknowns) {
   MatrixXd rows = MatrixXd::Zero(static_cast<Index>(forms.size()), static_cast<Index>(unknowns));
   for (std::size_t k = 0; k < forms.size(); ++k)
     for (const Form::Term& t : forms[k].terms)
       rows(static_cast<Index>(k), static_cast<Index>(t.index)) += t.factor;
   return rows;
-}
-
-VectorXd constants_of(const std::vector<Form>& forms) {
-  VectorXd c(static_cast<Index>(forms.size()));
-  for (std::size_t k = 0; k < forms.size(); ++k) c[static_cast<Index>(k)] = forms[k].constant;
-  return c;
 }
 
 /// Roots of M of (1).
@@ -34,7 +30,7 @@ MatrixXd measure(const SplineSpace& space) {
     LinearQuantity q = derivative_of_shape(order);
     for (Form& f : space.squares(q)) all.push_back(scaled(std::move(f), 1 / space.natural(q)));
   }
-  return rows_of(all, space.size());
+  return dense_rows_of(all, space.size());
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ MatrixXd measure(const SplineSpace& space) {
 ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& equalities,
                            const Coordinates& near) {
   const auto n = static_cast<Index>(space.size());
-  const MatrixXd a = rows_of(equalities, space.size());
+  const MatrixXd a = dense_rows_of(equalities, space.size());
   const jounce::detail::PivotedQr qr(a.transpose(), 1e-11);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(n);

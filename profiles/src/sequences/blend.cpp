@@ -105,7 +105,7 @@ double jerk_limit(const Dynamics& d) {
   return d.jerk == 0 ? Bounds::none : d.jerk;
 }
 
-Bounds mirrored(Bounds b) {
+Bounds with_swapped_acceleration(Bounds b) {
   b.acceleration_min = -std::exchange(b.acceleration_max, -b.acceleration_min);
   return b;
 }
@@ -141,7 +141,7 @@ Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
 Profile halt(const MotionState& from, const Dynamics& dynamics) {
   const Bounds bounds = forward(dynamics);
   const bool backwards = natural_velocity(from, bounds) < 0;
-  return ramp(from, 0, backwards ? mirrored(bounds) : bounds);
+  return ramp(from, 0, backwards ? with_swapped_acceleration(bounds) : bounds);
 }
 
 double highest_entry(double length, double exit, double cap, const Bounds& bounds) {

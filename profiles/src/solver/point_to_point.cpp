@@ -14,8 +14,6 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double ulps = 0x1p-49;  // eight units in the last place of whatever it is a share of
-
 /// 1/jp, 1/jd and the like of the upward family.
 Extremals::Jerks upward_jerks(const Bounds& b) {
   const double per_rise = 1 / b.jerk_max;
@@ -35,7 +33,7 @@ double velocity_difference(const MotionState& from, const MotionState& to,
   // Of jerks far apart the larger: with that one, what rounding leaves of the velocity is made good.
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
                        2 * (a0 * a0 + af * af) * std::min(j.per_rise, j.per_fall);
-  return std::abs(dv - ramp) <= ulps * scale ? ramp : dv;
+  return std::abs(dv - ramp) <= detail::rounding * scale ? ramp : dv;
 }
 
 /// How far the natural velocity of an end, where its acceleration a (seen forwards in time from the
@@ -85,7 +83,7 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
 
 /// How well a distance is known that is covered in t.
 double PointToPoint::rounding(double t) const noexcept {
-  return ulps * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
+  return detail::rounding * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
 }
 
 Extremals PointToPoint::family(bool upwards) const noexcept {
@@ -311,13 +309,13 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   if (cruises(t, out)) return true;
   const Families both = families();
   const double main = both.up.duration(both.up.first(Branch::main));
-  const bool is_early =
-      both.early && t < main && t <= both.up.duration(both.up.last_early()) * (1 + ulps);
-  if (!is_early && t < main * (1 - ulps)) return false;
+  const bool is_early = both.early && t < main &&
+                        t <= both.up.duration(both.up.last_early()) * (1 + detail::rounding);
+  if (!is_early && t < main * (1 - detail::rounding)) return false;
   // At the edge of a blocked interval both sides have rounded, also what the accelerations at the ends add.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
-  const double slack =
-      3 * (rounding(t) + ulps * std::abs(d_)) + ulps * cube(scale_.acceleration) * square(per_jerk);
+  const double slack = 3 * (rounding(t) + detail::rounding * std::abs(d_)) +
+                       detail::rounding * cube(scale_.acceleration) * square(per_jerk);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (const bool upwards : {true, false}) {
@@ -347,7 +345,7 @@ bool PointToPoint::reachable(const Families& both, double t) const noexcept {
   const bool is_main = t >= up.duration(up.first(Branch::main));
   if (!is_main && !(both.early && t <= up.duration(up.last_early()))) return false;
   const Branch b = is_main ? Branch::main : Branch::early;
-  const double slack = rounding(t) + ulps * std::abs(d_);
+  const double slack = rounding(t) + detail::rounding * std::abs(d_);
   return up.distance(up.lasting(b, t)) >= d_ - slack &&
          -both.down.distance(both.down.lasting(b, t)) <= d_ + slack;
 }
@@ -370,7 +368,7 @@ void PointToPoint::find_blocked(Events events, Durations& out, Possible possible
   for (std::size_t i = 0; i + 1 < events.count; ++i) {
     const double from = std::max(events.at[i], out.minimum);
     const double to = events.at[i + 1];
-    if (!(to > from * (1 + ulps)) || possible(from + (to - from) / 2)) continue;
+    if (!(to > from * (1 + detail::rounding)) || possible(from + (to - from) / 2)) continue;
     block({from, to}, out);
   }
 }

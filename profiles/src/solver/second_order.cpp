@@ -10,12 +10,10 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double ulps = 0x1p-49;
-
 /// The rounding of the distance that the direct change covers.
 double rounding_of(const MotionState& from, const MotionState& to, double direct) {
-  return ulps * (std::abs(from.position) + std::abs(to.position) +
-                 direct * (std::abs(from.velocity) + std::abs(to.velocity)));
+  return rounding * (std::abs(from.position) + std::abs(to.position) +
+                     direct * (std::abs(from.velocity) + std::abs(to.velocity)));
 }
 
 }  // namespace
@@ -138,7 +136,7 @@ bool SecondOrder::is_direct() const noexcept {
 bool SecondOrder::lasting(double t, Profile& out) const noexcept {
   const Durations possible = durations();
   if (!possible.allows(t)) return false;
-  if (t <= possible.minimum * (1 + ulps)) {
+  if (t <= possible.minimum * (1 + rounding)) {
     shortest(out);
     return true;
   }

@@ -34,7 +34,7 @@ Segment integrated(const Segment& f, double start_value) {
 /// A piece as long as the window carries the rounding of f, about 1e-16 of its stroke, as a change
 /// of velocity over T: the acceleration is out by 1e-16 * stroke / T^2.
 constexpr double shortest = 1e-5;
-constexpr double longest = 1e4;
+constexpr double longest_window = 1e4;
 
 void require_window(double window, double length) {
   require_positive("window", window);
@@ -42,10 +42,10 @@ void require_window(double window, double length) {
     throw InputError("window", window,
                      "must be at least 1e-5 of the curve's length, " + number(shortest * length) +
                          ": rounding dominates a shorter one");
-  if (window > longest * length)
+  if (window > longest_window * length)
     throw InputError(
         "window", window,
-        "must not be more than 10000 times the curve's length, " + number(longest * length));
+        "must not be more than 10000 times the curve's length, " + number(longest_window * length));
 }
 
 /// (1) at the right end of the window f.

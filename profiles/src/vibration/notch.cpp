@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 // H - 1 = -2 (D - D0) w s / (s^2 + 2 D w s + w^2), so that the filtered motion is
@@ -32,7 +33,7 @@
 namespace jounce {
 namespace {
 
-constexpr double two_pi = 6.28318530717958647692;
+using detail::two_pi;
 constexpr double widest_step = 0.125;  // rad, of the filter and of any sine in f
 constexpr std::size_t kept = 11;       // to degree 10, so that the result can still be integrated
 constexpr std::size_t terms = 32;      // beyond, (1/8)^32 / 32! is nothing

@@ -25,7 +25,8 @@
 namespace jounce {
 namespace {
 
-constexpr double longest = 1e4;  // a shaper, in lengths of the motion: beyond, no digits are left
+constexpr double longest_shaper =
+    1e4;  // a shaper, in lengths of the motion: beyond, no digits are left
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> weights(const ShaperSpec& spec, double K) {
@@ -94,7 +95,7 @@ Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
   require_shaper(impulses);
   require_resting_ends(f);
   const double last = impulses.back().time;
-  if (last > longest * f.length())
+  if (last > longest_shaper * f.length())
     throw InputError(
         "impulse[" + std::to_string(impulses.size()) + "].time", last,
         "must not be more than 10000 times the motion's length, " + number(f.length()));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
@@ -40,7 +41,7 @@ namespace jounce {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double two_pi = 6.28318530717958647692;
+using detail::two_pi;
 constexpr std::size_t moments = Segment::max_degree + 1;
 
 Complex pole(const Mode& mode) {

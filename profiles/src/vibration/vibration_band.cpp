@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 // vibration.cpp, (3): with the pole s = w (-D + i sqrt(1 - D^2)) and the time t left to the end,
@@ -31,7 +32,7 @@
 namespace jounce {
 namespace {
 
-constexpr double two_pi = 6.28318530717958647692;
+using detail::two_pi;
 
 /// M_0, M_1, M_2: a step of the position counts at its instant.
 struct Moments {

@@ -2,6 +2,7 @@
 #include "jounce/study/counter_random.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace jounce {
@@ -50,9 +51,8 @@ double uniform(const Draw& draw) {
 }
 
 double normal(const Draw& draw) {
-  constexpr double two_pi = 6.283185307179586;
   const auto [u, v] = two(draw);
-  return std::sqrt(-2 * std::log(u)) * std::cos(two_pi * v);
+  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
 }
 
 }  // namespace jounce

@@ -116,9 +116,9 @@ std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down,
   const auto both = [&](double rise) {
     return distance(up, v0, low - v0 + rise) + distance(down, v1, low - v1 + rise);
   };
-  const double rounding =
+  const double slack =
       4 * std::numeric_limits<double>::epsilon() * low;  // low of the end velocities
-  if (both(-rounding) > h * (1 + 1e-14)) return std::nullopt;
+  if (both(-slack) > h * (1 + 1e-14)) return std::nullopt;
   const double rise = greatest(velocity - low, h, both);
   const double left = h - both(rise);
   // What rounding leaves of h is no cruise.
