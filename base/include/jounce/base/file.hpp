@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The whole file as bytes, without a byte order mark; "-" is standard input. A file that cannot be read is an InputError with
-/// its name as document; so is text in UTF-16 and a compressed file.
+/// The whole file as bytes, without a byte order mark; "-" is standard input. Throws InputError with the
+/// file's name as document for a file that cannot be read, for text in UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
 /// Remembers, while it lives, which files read_file() reads; write_files() then refuses to replace one of them: what is

@@ -8,9 +8,9 @@ namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
 ///
-/// Known: m with mm, um, cm, in; rad with deg, arcmin, arcsec, rev; pulse (also count, inc); s with
-/// ms, us, ns, min, h; kg with g; N, J, W; Hz with kHz, MHz; A, V, ohm; and their products, quotients and powers. Metres,
-/// radians and pulses are different things here: none converts into another.
+/// Units: m with mm, um, cm, in; rad with deg, arcmin, arcsec, rev; pulse (also count, inc); s with
+/// ms, us, ns, min, h; kg with g; N, J, W; Hz with kHz, MHz; A, V, ohm; and their products, quotients and
+/// powers. Meters, radians and pulses are different dimensions: none converts into another.
 
 /// True if the text is a unit. The empty text is not.
 bool is_unit(std::string_view text);

@@ -16,8 +16,8 @@ inline constexpr std::size_t pt_fifo = 1024;  ///< segments in a FIFO, memory 1 
 
 inline constexpr double largest_long = 2147483647;  ///< largest long of 32 bits on the controller
 
-/// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers up to largest_long. A table that is played more often
-/// than once (loops other than 1) stands in one static FIFO.
+/// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers up to largest_long. A table that is
+/// played more than once (loops other than 1) must fit in one static FIFO.
 void require_pt(std::span<const PtPoint> points, std::size_t loops = 1);
 
 inline constexpr std::size_t follow_fifo =

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// The input's table through the [drive] of its spec, which it has. Findings say whose they are
+/// The input's table through the [drive] of its spec, which must exist. Findings name their part
 /// ("drive"), in seconds and with their units. Throws InputError where a cam has no [master].
 DriveResult driven(const Input& input, std::size_t samples = 0);
 

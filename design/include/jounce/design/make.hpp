@@ -39,12 +39,12 @@ std::vector<Made> make_axes(const Spec& spec);
 /// The same where there is one axis; several are an InputError.
 Made make(const Spec& spec);
 
-/// What a time table (kinds "pt" and "pvt", before any operator) plays without an error: warnings of
-/// steps, swings and overshoot; and of a polydyne cam where its acceleration steps. Nothing of others.
+/// Warnings for a valid time table (kinds "pt" and "pvt", before any operator): steps, swings and
+/// overshoot; for a polydyne cam: steps of its acceleration. Empty for all others.
 Report table_warnings(const Spec& spec);
 
-/// The master's motion of a cam spec over time in *seconds*; without a [master] it is an InputError
-/// that says what to add.
+/// The master's motion of a cam spec over time in *seconds*. Throws InputError, which names the section to
+/// add, where there is no [master].
 Trajectory make_master(const Spec& spec);
 
 /// Length of the time unit of the spec, s.
@@ -54,8 +54,8 @@ double seconds_per_unit(const Spec& spec);
 /// ...) where there is such a limit, but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
-/// The optimisation problem of a cam spec, under [limits] and [limits.slave] at full speed. Throws InputError, placed in the document, unless it is
-/// well posed.
+/// The optimization problem of a cam spec, under [limits] and [limits.slave] at full speed. Throws
+/// InputError, placed in the document, unless it is well posed.
 CamProblem make_problem(const Spec& spec);
 
 /// The same of one that leaves shapes open: spec.optimize.shape. Figures of a drive have no function yet

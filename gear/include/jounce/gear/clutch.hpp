@@ -28,8 +28,8 @@ namespace jounce {
 /// that trembles moves the slave nowhere. A distance of 0 changes the ratio at once: the slave's
 /// velocity steps.
 ///
-/// Exact: no count is lost or gained in any number of cycles; advance() does not allocate. What is
-/// rounded where clutches take over from each other is said below.
+/// Exact: no count is lost or gained in any number of cycles; advance() does not allocate. The
+/// constructor and after() name what they round.
 class Clutch {
  public:
   /// Counts are exact where 2 d r q stays below 2^62, q the common denominator of both ratios. `to`
@@ -54,8 +54,8 @@ class Clutch {
   /// (1), exactly.
   [[nodiscard]] Gear ratio(const State& state) const;
 
-  /// How this clutch takes over from one that is anywhere: what is left of a count is carried over,
-  /// rounded down to this clutch's own parts.
+  /// State in which this clutch takes over from one in any state. The remaining part of a count is
+  /// carried over, rounded down to this clutch's own parts.
   [[nodiscard]] State after(const Clutch& before, const State& state) const;
 
   [[nodiscard]] std::int64_t distance() const { return distance_; }
@@ -83,8 +83,8 @@ enum class Reversal : std::uint8_t {
 ///     slave += gear.advance(state, mask.advance(mask_state, master_increment));
 ///
 /// **hold**, the default, never steps: a master reverses through standstill, and so the slave's
-/// velocity is 0 where it stops and where it goes on. What the master goes back is lost, so a master
-/// that trembles to and fro creeps forward. **recover** keeps the phase (the slave follows the
+/// velocity is 0 where it stops and where it goes on. The distance that the master goes back is lost:
+/// a master that oscillates makes the slave creep forward. **recover** keeps the phase (the slave follows the
 /// furthest position its master has reached) and creeps nowhere, but its velocity steps where the
 /// master passes that position at speed.
 struct DirectionMask {

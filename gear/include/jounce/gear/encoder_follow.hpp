@@ -25,8 +25,8 @@ struct EncoderFollowSpec {
 /// The filter is the moving average over `filter` cycles: it is the smoothest of its delay, (filter - 1) / 2
 /// cycles, and unlike a first order lag it ends. Its sum is kept in whole counts and divided once,
 /// so no count is lost: `filter` - 1 cycles after the encoder stands, the slave has gone exactly floor(encoder *
-/// ratio), and what was added. The manual leaves the filter open. The third error, 5001 (another
-/// function block has the axis), is the caller's to know.
+/// ratio), and the pulses of add(). The manual leaves the filter open. The caller reports the third error,
+/// 5001 (another function block has the axis).
 ///
 /// Pure: `State` is a value; step() and add() do not allocate.
 class EncoderFollow {
@@ -43,7 +43,7 @@ class EncoderFollow {
     Gear::State gear{};
     std::int64_t additive = 0;  ///< pulses still to be added ...
     std::int64_t cycles = 0;    ///< ... in so many cycles
-    std::int64_t pulses = 0;    ///< what was to be added when add() was called last ...
+    std::int64_t pulses = 0;    ///< pulses of the last add() ...
     std::int64_t over = 1;      ///< ... in so many cycles
     std::int64_t part = 0;      ///< part of a pulse, in 1/over
   };
@@ -52,7 +52,8 @@ class EncoderFollow {
   std::int64_t step(State& state, std::int64_t encoder_increment) const;
 
   /// PosAdditive_Trig: pulses (not times the ratio) spread evenly over the next `cycles` >= 1 cycles:
-  /// floor(k pulses / cycles) after k of them, never a pulse from the line, all after the last. What is left of an earlier addition goes with them. Throws InputError "cycles".
+  /// floor(k pulses / cycles) after k of them, never a pulse from the line, all after the last. The rest
+  /// of an earlier addition is spread with them. Throws InputError "cycles".
   static void add(State& state, std::int64_t pulses, std::int64_t cycles);
 
  private:

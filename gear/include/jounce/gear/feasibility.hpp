@@ -24,8 +24,8 @@ struct MasterRange {
 ///
 /// One finding "feasible/velocity", "feasible/acceleration", "feasible/jerk" for each limit given:
 /// value is the master's greatest velocity, limit the fastest one with which this limit alone is
-/// kept, `where` the master position at which it binds. Exact (jounce/cam/coupling/master_limits.hpp). What a slow
-/// master asks for is less in every term, so only the greatest speed counts. Throws InputError for
+/// kept, `where` the master position at which it binds. Exact (jounce/cam/coupling/master_limits.hpp). Each
+/// term grows with the speed of the master, so only the greatest speed counts. Throws InputError for
 /// limits or a range that are out of range.
 Report feasibility(const Cam& cam, const Limits& slave, const MasterRange& master);
 

@@ -40,8 +40,8 @@ struct FollowTable {
 ///
 /// **The ratio from pass to pass.** A `continued` first segment begins with the end ratio of the
 /// pass before, be that of another table or of the same one; a `normal` first one begins at 0 in
-/// every pass, so that its ratio steps where the pass before ended at another. What the very first
-/// continued segment takes over is `start_ratio`.
+/// every pass, so that its ratio steps where the pass before ended at another. The very
+/// first continued segment begins with `start_ratio`.
 ///
 /// **Over the end.** An endless table repeats, and continues from its end (the cam
 /// advances; it wraps where the slave comes back). Where its first pass differs from the later ones,

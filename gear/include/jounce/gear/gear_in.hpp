@@ -18,7 +18,7 @@ namespace jounce {
 ///     const Released out = cam_out(now, t);                            // GearOut keeps the velocity
 ///
 /// From the state it is in, the slave ramps to the velocity that the gear gives it, k x'; from then on
-/// it goes k for every unit of its master. What it lost (or gained) while ramping is never made up:
+/// it goes k for every unit of its master. It never makes up the distance lost (or gained) in the ramp:
 ///
 ///     (1)  y(t) = y0 + k (x(t) - x0) + c(t)
 ///

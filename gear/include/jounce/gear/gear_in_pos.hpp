@@ -117,9 +117,9 @@ struct GearInPosStep {
 /// One cycle of an engagement that is ok, for a master that moves as [x, x', x'', x''']. Pure, does not allocate.
 ///
 /// The slave waits where it stands until the master passes the start in the engaging direction. A
-/// master that turns back while connecting is reported in each cycle in which it goes back (775); the slave stays on its
-/// curve, back to where it stood, and engages when the master comes again: no step, and nobody need
-/// act in that very cycle. Once in sync, (1) holds for any motion of the master.
+/// master that turns back while connecting is reported in each cycle in which it goes back (775). The
+/// slave stays on its curve, back to where it stood, and engages when the master comes again: without
+/// a step, and without an action of the caller in that cycle. Once in sync, (1) holds for any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
 /// The slave's motion where the master's is known: a Signal, exact.

@@ -19,7 +19,8 @@ namespace jounce {
 ///     slave += sum.advance(state, std::array{master_increment, correction_increment});
 ///
 /// Both ways agree bit for bit, for any number of counts of each master, forward and back. Exact
-/// for every 64-bit count whose slave count fits 64 bits (asserted in debug builds; not defined outside). Nothing allocates after of().
+/// for every 64-bit count whose slave count fits 64 bits (asserted in debug builds; not defined
+/// outside). Nothing allocates after of().
 class GearSum {
  public:
   /// Throws InputError "gears" where there is none, or where the ratios have no common denominator
@@ -42,8 +43,8 @@ class GearSum {
 };
 
 /// Distance of a counter that wraps at `period` > 0 (a modulo axis, a 32-bit encoder) between
-/// two readings in [0, period): the shorter way, exactly half a period counts forwards. What gears
-/// are to be fed with, so that nothing is lost at the wrap:
+/// two readings in [0, period): the shorter way; exactly half a period counts forwards. Use it as
+/// the input of a gear, so that no count is lost at the wrap:
 ///
 ///     slave += gear.advance(state, counter_increment(before, now, 360000));
 ///

@@ -15,7 +15,8 @@ Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {
 
-/// LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one line. Positions in pulses; velocity, acceleration, deceleration and jerk are the master's.
+/// LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one line.
+/// Positions are in pulses; velocity, acceleration, deceleration and jerk are the master's.
 ///
 ///     const LineFollowed both = line_follow({.end_master = 4000, .end_slave = 2000,
 ///         .velocity = 2000, .acceleration = 4000, .deceleration = 4000});      // example 6.7

@@ -15,8 +15,8 @@ struct SyncZone {
   std::string name = {};  ///< "sync", "cut", ...
 };
 
-/// The cam of a slave that works with its master: what gears, follow tables, knives and shears are
-/// made into. What is done with a cam (check, table, stream, coupling, switches) is done with it.
+/// The cam of a slave that works with its master: the result of gears, follow tables, knives and
+/// shears. All functions of a cam (check, table, stream, coupling, switches) accept its `cam`.
 struct SyncCam {
   Cam cam;
   std::vector<std::string> segments = {};  ///< a name for each segment of the cam; none: numbered

@@ -14,7 +14,7 @@ struct PointColumn {
   std::string unit;  ///< "" where the header gives none
   std::vector<double> values = {};
   std::vector<std::string> words =
-      {};  ///< of a column of words, such as "type"; then without values
+      {};  ///< cells of a column of words, such as "type"; `values` is then empty
 };
 
 /// Points as a spreadsheet, a measuring device or another program writes them: CSV with a header that

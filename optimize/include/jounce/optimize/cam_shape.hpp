@@ -41,8 +41,8 @@ struct FreeShape {
 ///
 /// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
 /// has them, and so does geo_jerk where the given cam has none of its steps there, unless the shape's
-/// end_jerk differs; `active` of the run then lists it as "kept/geo_jerk". What `knots` lists
-/// is free within its bounds, which may be infinite: at knots inside a run, and where a cam that is not
+/// end_jerk differs; `active` of the run then lists it as "kept/geo_jerk". The values in `knots`
+/// are free within their bounds, which may be infinite: at knots inside a run, and where a cam that is not
 /// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum; where there are several, each is one figure

@@ -75,12 +75,12 @@ struct SearchOutcome {
 /// **Global phase.** Local searches from the best of random places that are far from where others
 /// went, until no more basins are to be expected (Boender and Rinnooy Kan) or half of the
 /// evaluations are used. Then, and without it, the best is polished until nothing gains more than the
-/// tolerance: no probe in any direction, and no step of the linearised problem. Methods, and what was measured to choose
-/// them: docs/optimize/parameters.md.
+/// tolerance: no probe in any direction, and no step of the linearized problem. The methods,
+/// and the measurements behind their choice: docs/optimize/parameters.md.
 ///
-/// **One variable** is looked at in up to 257 equally spaced places; each edge of what is feasible is
-/// bisected to 1e-3 of the tolerance, each dip narrowed down to the tolerance. Nothing is assumed to be monotone or convex; an
-/// island narrower than a 256th of the range can be missed.
+/// **One variable** is looked at in up to 257 equally spaced places; each edge of a feasible
+/// range is bisected to 1e-3 of the tolerance, each dip narrowed down to the tolerance. The search needs
+/// neither monotonicity nor convexity; it can miss an island narrower than a 256th of the range.
 ///
 /// **Several variables** with a bound that is feasible only within a hair's breadth, or a best in a
 /// narrow curved valley, may end early: the status is `stalled` if that was detected.

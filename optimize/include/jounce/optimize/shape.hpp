@@ -90,8 +90,8 @@ struct EnergyOf {
 };
 
 /// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
-/// torque of a drive at every millisecond. Sampled: only at the places of the list. What is not affine,
-/// finite and always as many numbers is refused.
+/// torque of a drive at every millisecond. Sampled: only at the places of the list. Throws for a
+/// response that is not affine, not finite, or of varying size.
 struct ResponseOf {
   std::string name;
   std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size

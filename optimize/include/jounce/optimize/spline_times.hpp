@@ -34,9 +34,9 @@ enum class TimeObjective {
 /// **Units.** u and s; limits u/s, u/s^2, u/s^3. Position limits are checked, not planned for.
 ///
 /// **Throws** InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for fewer than
-/// two points or more than 60, points of different size, numbers that are not finite, joints that all stand still, an
-/// invalid limit, a joint without a limit of jerk (shortest: its first and last interval would shrink to nothing), a duration
-/// given to `shortest` or not given to the others.
+/// two points or more than 60, points of different size, numbers that are not finite, joints that all
+/// stand still, an invalid limit, a joint without a limit of jerk (shortest: its first and last interval
+/// would shrink to nothing), a duration given to `shortest` or not given to the others.
 struct SplineTimesSpec {
   std::vector<std::vector<double>> points;  ///< u; at least two, one position a joint each
   std::vector<Limits> limits = {};          ///< one a joint; for `shortest`, and checked for all

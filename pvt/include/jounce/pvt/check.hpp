@@ -6,10 +6,10 @@
 
 namespace jounce {
 
-// What extrema.hpp and limits.hpp say of a table's curve, said of the table itself: the same values at
-// the same places (these to rounding: a table keeps where its knots are, a curve sums lengths), some
+// The functions of extrema.hpp and limits.hpp for a table itself: the same values at the same places
+// (the places within rounding: a table keeps the positions of its knots, a curve sums lengths), some
 // ten to a hundred times as fast and without making the curve. A bound of every interval, from its
-// Bernstein coefficients, tells which few can matter; those are searched as a curve's segments are.
+// Bernstein coefficients, selects the few that can matter; those are searched like a curve's segments.
 //
 //     Report report = check(table, {.velocity = 2, .acceleration = 50});
 //     Ranges all = extrema(table);          // position to third derivative: least, greatest, where

@@ -70,8 +70,8 @@ class LiveCompare {
   bool armed_ = false;
   bool placed_ = false;
   std::size_t next_ = 0;
-  Segment piece_;                 // the way since the last position that was known
-  double s_ = 0;                  // how far of it is looked at, 0 to 1
+  Segment piece_;                 // the way since the last given position
+  double s_ = 0;                  // part of it searched so far, 0 to 1
   std::optional<double> side_;    // side of the next point, where the axis was last
   std::optional<double> off_in_;  // s after the last step: the end of a pulse
   double position_ = 0, velocity_ = 0;

@@ -13,9 +13,10 @@
 
 namespace jounce {
 
-/// Two FIFOs of rows and what plays them: the common core of Googol's PT and follow modes
-/// (jounce/controllers/googol/googol_pt.hpp, jounce/controllers/googol/googol_follow.hpp) and of rolling streams (jounce/axis/fifo_movement.hpp).
-/// A state machine without a clock: its memory is allocated when it is made, nothing throws or waits.
+/// Two FIFOs of rows and their player: the common core of Googol's PT and follow modes
+/// (jounce/controllers/googol/googol_pt.hpp, googol_follow.hpp) and of rolling streams
+/// (jounce/axis/fifo_movement.hpp). A state machine without a clock: its constructor allocates all
+/// memory, and nothing throws or waits.
 ///
 ///     SegmentFifos fifos(1024);
 ///     fifos.reset({.each = 32, .total = 64, .stream = true});
@@ -37,14 +38,14 @@ namespace jounce {
 /// again when started again. A queued switch waits for the end of the pass; then the other FIFO takes
 /// over and the old one is emptied.
 /// As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied and the other goes on, with
-/// the rate it was left with. So space comes back in blocks of a FIFO. Which FIFO is named does not
-/// matter. A stream that has ended is cleared before the next one is pushed.
-/// An *open* stream ends with its `last` row alone: where it runs out of rows before, it stands at
-/// the end of what it knows, still moving, and goes on when more is pushed.
+/// the rate it was left with. So space comes back in blocks of a FIFO. The FIFO that a call names
+/// has no effect. A stream that has ended is cleared before the next one is pushed.
+/// An *open* stream ends with its `last` row alone: where it runs out of rows before, it waits at
+/// the end of the rows pushed so far, still moving, and continues when more rows are pushed.
 ///
-/// **Numbers.** What the producer does can be numbered (stamp(), ascending), and the player told up to
-/// which number it is there for it (see()): so that what is played depends on that number alone, and
-/// not on when the threads met. Without numbers all is there at once. A clear() is not numbered.
+/// **Numbers.** The producer can number its actions (stamp(), ascending); see() makes those up to a
+/// number visible to the player. The motion then depends on that number alone, and not on the timing of
+/// the threads. Without numbers every action is visible at once. A clear() has no number.
 ///
 /// **Rates** are as in SegmentRow: one left open goes on at the end rate of the row before, that of
 /// the pass before for the first of a pass (0 in the first one).
@@ -116,8 +117,8 @@ class SegmentFifos {
   RowRule push(int fifo, const SegmentRow& row);
   /// Result that push() would return.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
-  /// What was pushed of an open stream is all of it, as if its last row had said so. False where it is
-  /// none, has no rows, or does not end at rest.
+  /// Ends an open stream with the rows pushed so far, as if its last row were marked `last`. False where
+  /// the stream is not open, has no rows, or does not end at rest.
   bool complete();
   /// Empties a FIFO, or the whole stream; false, and nothing, where it is in use.
   bool clear(int fifo);
@@ -241,7 +242,7 @@ class SegmentFifos {
 
   // The player's.
   std::uint64_t sight_ = std::numeric_limits<std::uint64_t>::max();
-  State before_ = State::idle;  // what a take() is given back to
+  State before_ = State::idle;  // state before take(), restored when it is undone
   Origin table_;                // table of the first pass of its period
   std::int64_t turns_ = 0;
   Origin origin_;         // origin of this pass: table_ + turns_ times the table

@@ -16,7 +16,7 @@ namespace jounce {
 ///
 /// Of a table: the same of its curve, without making it.
 ///
-/// Over a master read geo_velocity for velocity. What is below `tolerance` (of the travel, resp. of the
+/// Over a master read geo_velocity for velocity. A value below `tolerance` (of the travel or of the
 /// greatest velocity) is rounding.
 
 /// "warning/overshoot" for each segment that leaves the range of its two knots' positions. value: the

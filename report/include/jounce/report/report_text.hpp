@@ -67,7 +67,7 @@ std::string full_text(const Report& report, const Labels& labels, std::size_t mo
 /// extrema_json() from 1, `piece` those of the curve; `limit` and `margin` are null where it has no limit.
 std::string to_json(const Report& report, const Labels& labels);
 
-/// The exact extrema of every segment as a table for people (rows_for_people at the most), and as a
+/// The exact extrema of every segment as a table for people (at most rows_for_people), and as a
 /// JSON list.
 template <class Over>
 std::string extrema_text(const Curve<Over>& curve, const Labels& labels);

@@ -16,7 +16,7 @@ std::string with_knots(const Spec& spec, const CamSpec& cam);
 
 /// The same with the laws of its free shapes replaced by those of `cam`, hermite with their points:
 /// a list in place of `points`, or below the law. Of the knots, only numbers that stand in the text
-/// change. What belongs to the old law goes: inflection, straight, shares.
+/// change. The keys of the old law are removed: inflection, straight, shares.
 std::string with_shapes(const Spec& spec, const CamSpec& cam);
 
 }  // namespace jounce

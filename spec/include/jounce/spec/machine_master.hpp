@@ -34,7 +34,7 @@ struct MachineMasterSpec {
   struct External {
     TrackingSpec tracking = {};
   };
-  /// Read in every cycle: where an axis's drive says that it is, or a drive in shared memory that nobody moves.
+  /// Read in every cycle: the actual position of an axis's drive, or of a passive drive in shared memory.
   struct Encoder {
     TrackingSpec tracking = {};
     std::string axis = {};                            ///< axis of the machine; empty: `drive`

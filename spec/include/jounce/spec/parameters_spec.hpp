@@ -18,8 +18,8 @@ struct SpecParameter {
   double upper = 0;
 };
 
-/// [[optimize.require]]: a key figure (jounce/design/key_figures.hpp) held within bounds. They are as
-/// written, "400" or "40 cm": what the figure is counted in, only the design tells.
+/// [[optimize.require]]: a key figure (jounce/design/key_figures.hpp) held within bounds. They are kept as
+/// written, "400" or "40 cm": only the design gives the figure its unit.
 struct FigureBound {
   std::string figure;
   std::optional<std::string> at_least = {};

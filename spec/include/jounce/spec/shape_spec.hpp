@@ -49,8 +49,8 @@ struct LoadSpec {
 /// True if (1) is linear in the shape: no dry friction, no lever.
 bool is_linear(const LoadSpec& load);
 
-/// What is linear in the torque of (1), and the motor's speed, as quantities of a shape over the master,
-/// which runs at `speed` units of it in 1 s; `unit` is the slave's.
+/// The linear part of the torque of (1), and the motor's speed, as quantities of a shape over the master,
+/// which runs at `speed` of its units in 1 s; `unit` is the slave's.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
@@ -81,7 +81,7 @@ struct ShapeSpec {
   std::optional<LoadSpec> load = {};
   std::vector<std::vector<WeightedFigure>> minimize = {};
   std::vector<Ceiling> ceilings = {};
-  /// Of `minimize`, then of `ceilings`: in the order of CamRunOutcome::figures.
+  /// Figures of `minimize`, then of `ceilings`: in the order of CamRunOutcome::figures.
   std::vector<ShapeFigureSpec> figures = {};
   std::vector<Corridor> corridors = {};
   bool refine = false;

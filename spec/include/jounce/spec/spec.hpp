@@ -111,7 +111,7 @@ struct AxisSpec {
 
   double cycle = 1e-3;  ///< s
   double position = 0;  ///< position at the start
-  // How it stops, and what it watches, as jounce/axis/axis_config.hpp; 0: left out. u and the spec's time.
+  // Stops and supervision, see jounce/axis/axis_config.hpp; 0: not given. In u and the spec's time.
   double modulo = 0;
   double stop_acceleration = 0;
   double stop_jerk = 0;

@@ -49,10 +49,10 @@ struct AgainstOutcome {
 ///     if (outcome.usable()) use(outcome.shapes.best);
 ///
 /// A linear drive is convex in the shape: the result is the least value over the splines, at 500
-/// instants of the cam and as many of the standstill, at most 1000, and at the peaks between them. A drive that is not linear, and one
-/// whose torque meets its limit, is solved by rounds around its own run (equation (2) in against.cpp);
-/// the slopes are those of the linear drive, so that what is found is better, not proven best. Either way
-/// both cams are integrated (drive_through) and that alone counts.
+/// instants of the cam and as many of the standstill, at most 1000, and at the peaks between
+/// them. A drive that is not linear, and one whose torque meets its limit, is solved by rounds around its
+/// own run (equation (2) in against.cpp); the slopes are those of the linear drive, so that the result is
+/// better, not proven best. Either way both cams are integrated (drive_through), and these runs decide.
 ///
 /// A periodic one needs a linear drive.
 ///

@@ -12,7 +12,7 @@ namespace jounce {
 ///     for (const std::string& line : journal.lines()) ...      // of a run before, if any
 ///     journal.append("17 0 3.5");
 ///
-/// The file begins with a line that says what it is of. Each line goes to the system in one piece, so
+/// The first line of the file is its heading. Each line goes to the system in one piece, so
 /// that a killed process loses none that append() returned from; a machine without power may lose the
 /// last ones. Lines that do not match their checksum are left out, a torn last one is cut off.
 ///

@@ -37,9 +37,10 @@ class MpiWorld {
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// Rank 0 hands out cases, more at once the cheaper they are (20 ms of work at most), and takes the lines; a thread of
-  /// its own makes cases, too. The others make them, and take nothing. Rank 0 throws InputError if another's `identity` is not its own: it sees
-  /// other files. A world of one works on its own threads.
+  /// Rank 0 distributes cases, more at once the cheaper they are (at most 20 ms of work), and collects the
+  /// lines; one thread of it makes cases, too. The other ranks only make cases. Rank 0 throws InputError
+  /// if the `identity` of a rank differs from its own: that rank reads other files. A world of one works on
+  /// its own threads.
   [[nodiscard]] Farm farm(std::string identity) const;
 
   /// Ends all processes at once.

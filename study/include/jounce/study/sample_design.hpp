@@ -11,7 +11,7 @@ namespace jounce {
 /// Distribution of the samples of a Monte Carlo analysis over the ranges of its random parameters.
 enum class Design {
   random,           ///< independently
-  latin_hypercube,  ///< of N samples one in each N-th of every parameter's distribution
+  latin_hypercube,  ///< N samples, one in each N-th of every parameter's distribution
   sobol,  ///< Sobol's sequence: the same for powers of two, and even over several parameters at once
 };
 

@@ -40,8 +40,8 @@ using MakeLine = std::function<std::string(std::size_t number)>;
 /// Takes a case's line; false: no more is wanted. Called by one thread at a time.
 using TakeLine = std::function<bool(std::size_t number, const std::string& line)>;
 
-/// Has all these cases made and taken, in any order. Returns when all are, or no more is wanted. What
-/// `make` throws ends the work and comes out.
+/// Makes and takes all these cases, in any order. Returns after the last, or when `take` returns false.
+/// An exception of `make` ends the work and is rethrown.
 using Farm =
     std::function<void(const std::vector<std::size_t>& numbers, const MakeLine&, const TakeLine&)>;
 

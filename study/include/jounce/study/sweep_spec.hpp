@@ -84,10 +84,10 @@ struct SweepSpec {
   std::uint64_t seed = 1;
   SampleDesign design = {};
   bool optima =
-      false;  ///< each case is optimised by the [optimize] of the spec, before it is looked at
+      false;  ///< each case is optimised by the [optimize] of the spec, before its figures are computed
   std::size_t chosen =
-      0;  ///< how many of the last of `given` are numbers that each case chooses, with `optima`
-  std::vector<KeyFigure> given;  ///< the figures that are looked at, of the spec as given
+      0;  ///< count of the last figures in `given` that each case chooses itself, with `optima`
+  std::vector<KeyFigure> given;  ///< the figures of interest, of the spec as given
   bool given_ok = false;         ///< true if it is within all limits
   std::vector<SweepObjective> objectives;
   std::vector<SweepLimit> limits;

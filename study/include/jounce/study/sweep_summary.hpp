@@ -29,8 +29,8 @@ struct Share {
   double high = 0;
 };
 
-/// Of `hits` among `n` > 0 independent draws: E. B. Wilson, "Probable inference, the law of
-/// succession, and statistical inference", J. Am. Stat. Assoc. 22 (1927).
+/// Share with confidence interval, from `hits` among `n` > 0 independent draws: E. B. Wilson, "Probable
+/// inference, the law of succession, and statistical inference", J. Am. Stat. Assoc. 22 (1927).
 Share share_of(std::size_t hits, std::size_t n);
 
 /// Summary of the rows of a sweep.

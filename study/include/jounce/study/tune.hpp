@@ -53,9 +53,9 @@ struct TuneOutcome {
 /// everything still holds and the figure loses no more than half the tolerance.
 ///
 /// Each rule of the report is a constraint of its own, a limit of a curve one for each bound and segment.
-/// Where the generator refuses a choice, its reason is kept: it is what limits the best beside it. Throws
-/// InputError, placed in the document, where the spec has no [[optimize.parameter]], for a figure that it does not have, for a
-/// bound that is no quantity of the figure's unit, for a number outside its range.
+/// Where the generator refuses a choice, its reason is kept: it limits the best choice beside it. Throws
+/// InputError, placed in the document, where the spec has no [[optimize.parameter]], for a figure that it
+/// does not have, for a bound that is no quantity of the figure's unit, for a number outside its range.
 TuneOutcome tune(const Spec& spec,
                  const std::function<bool(const SearchProgress&)>& keep_going = {});
 

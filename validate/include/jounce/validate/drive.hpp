@@ -215,9 +215,9 @@ struct DriveResult {
   /// "drive/end_following_error", "drive/sync_following_error", "drive/residual",
   /// "drive/settling_time" against the limits given; "drive/i2t", "drive/rated_torque" (rms) and
   /// "drive/max_velocity" where the motor has these; always "drive/saturation", broken where the
-  /// torque limit was reached at all; "drive/stability", broken, where the loop is unstable (loop.hpp); "drive/exact" where there are samples and exact_opinion() has one;
-  /// and "drive/integration" where the integration did not end well: then limits that were not exceeded by
-  /// its end are no findings.
+  /// torque limit was reached at all; "drive/stability", broken, where the loop is unstable (loop.hpp);
+  /// "drive/exact" where there are samples and exact_opinion() returns a finding; and "drive/integration"
+  /// where the integration failed: then limits that were not exceeded by its end are no findings.
   Report report;
 };
 
@@ -250,7 +250,8 @@ struct DriveResult {
 /// stronger motor.
 ///
 /// Throws InputError for a drive, option or limit out of range, for a Table over master
-/// position, and, if periodic, as exact_period() does and for a signal without segments. An integration that fails is an outcome: see DriveResult::integration.
+/// position, and, if periodic, as exact_period() does and for a signal without segments. An integration
+/// that fails is an outcome: see DriveResult::integration.
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 

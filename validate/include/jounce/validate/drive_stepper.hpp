@@ -19,9 +19,10 @@ namespace jounce {
 ///
 /// Between two setpoints the reference is the quintic that meets position, velocity and acceleration of
 /// both; a straight line where these do not go together, as at a corner. So after step(r(t_k)) the sample
-/// is what the drive does at t_k: a motion with a continuous acceleration is followed as drive_through() says
-/// within 1e-7 of the stroke at a thousand setpoints (pinned by tests); each step of the acceleration
-/// between two setpoints adds an error of the size of that step times period^2 for as long as the drive remembers it.
+/// is the drive's state at t_k. For a motion with a continuous acceleration it agrees with drive_through()
+/// within 1e-7 of the stroke at a thousand setpoints (pinned by tests). Each step of the acceleration
+/// between two setpoints adds an error of the size of that step times period^2, which decays with the
+/// drive's own time constants.
 ///
 /// The drive itself is solved by exponentials made by the constructor, exact except for rounding; where its torque
 /// meets the motor's limit, the instant is found within 1/256 of a period. A controller with a cycle is read, limited,

@@ -63,8 +63,8 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 ///     const ExactRun turn = exact_period(period, drive, times);    // times within the period
 ///
 /// Exact as exact_run() is: the start is solved for, x(0) = (I - exp(A T))^-1 c, not waited for (periodic.cpp).
-/// The sample at the period's end is the limit from within. Throws InputError as exact_run(), for a controller with a cycle, for times after the period's end, and for
-/// loops that do not calm down.
+/// The sample at the period's end is the limit from within. Throws InputError as exact_run(), for a
+/// controller with a cycle, for times after the period's end, and for loops that do not decay.
 ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times);
 
 /// The run of drive_through() without an integrator, some ten times as fast: what a thousand cases of a
@@ -91,12 +91,13 @@ std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& 
 /// The modes alone, nothing left in them.
 std::vector<DriveMode> modes(const Drive& drive);
 
-/// A second opinion on a run of drive_through(): the finding "drive/exact", how far its samples are from
-/// the exact solution, as a share of the stroke and of the peak torque, whichever is worse (of a sampled
-/// controller, which differentiates the angle, the share of torque is of what it makes of the stroke in a cycle). Broken
-/// beyond a hundred times the tolerance of the run. Nothing where there is none: for a drive that is
-/// not linear, a torque that met its limit, a signal without segments, an integration that failed, a
-/// run without samples, a disagreement in an unstable loop, where rounding grows as the motion does. `periodic`: whether the run was that of a period of the steady state.
+/// A second opinion on a run of drive_through(): the finding "drive/exact", the distance of its samples from
+/// the exact solution, as a share of the stroke and of the peak torque, whichever is worse. (A sampled
+/// controller differentiates the angle: its share of torque refers to its torque for the whole stroke in
+/// one cycle.) Broken beyond a hundred times the tolerance of the run. Nothing for a drive that is not
+/// linear, a torque that met its limit, a signal without segments, an integration that failed, a run
+/// without samples, and a disagreement in an unstable loop, where rounding grows with the motion.
+/// `periodic`: true if the run was a period of the steady state.
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
                                      const DriveResult& run, double tolerance = 1e-8,
                                      bool periodic = false);

@@ -26,9 +26,9 @@ struct LoopPole {
 struct LoopStability {
   bool stable = true;
   std::vector<LoopPole> poles;  ///< poles of each conjugate pair one, the one that grows most first
-  /// By which factor the gain may rise (positive) or fall (negative) until the loop becomes unstable, whichever is
-  /// less. Of an unstable loop: how far the gain is from the nearest factor at which a pole crosses, always negative. Nothing
-  /// where no factor brings a pole across.
+  /// Factor by which the gain may rise (positive) or fall (negative) until the loop becomes unstable,
+  /// whichever is less. For an unstable loop: the distance to the nearest factor at which a pole crosses,
+  /// always negative. Nothing where no factor brings a pole across.
   std::optional<LoopMargin> gain;
   /// By how much the phase may lag (or lead) more where |L| = 1; of an unstable loop negative.
   std::optional<LoopMargin> phase;
@@ -46,8 +46,9 @@ struct LoopStability {
 /// drive with dry friction, backlash, a gear's loss or an arm is looked at without these. The torque limit and encoder
 /// counts do not count. Stable means that no pole grows by more than rounding of the eigenvalues.
 ///
-/// Margins: crossings of |L| = 1 and of the negative real axis are bracketed on a grid of 200 frequencies a decade, finer
-/// about each pole, and bisected to rounding. Two crossings between neighbours of that grid are missed.
+/// Margins: crossings of |L| = 1 and of the negative real axis are bracketed on a grid of 200 frequencies
+/// a decade, finer about each pole, and bisected to rounding. Two crossings between neighbors of that grid
+/// are missed.
 ///
 /// Source: K. J. Astrom, R. M. Murray, *Feedback Systems*, 2nd ed. 2021, 10.3 (margins).
 /// Throws InputError as require_valid(drive), and for a delay of more than 100 cycles.

@@ -73,12 +73,13 @@ struct ToleranceResult {
   std::size_t failed = 0;     ///< cases whose integration did not end well
   std::size_t unstable = 0;   ///< cases whose loop is unstable (loop.hpp)
   std::vector<ToleranceSpread> figures;
-  /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error", ...: the worst case against the limits given;
-  /// "tolerance/integration" where a case failed, "tolerance/stability" where a case has an unstable loop.
+  /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error",
+  /// ...: the worst case against the limits given; "tolerance/integration" where a case failed,
+  /// "tolerance/stability" where a case has an unstable loop.
   Report report;
 };
 
-/// Does body(0) ... body(count - 1), each once, in any order and on as many threads as it likes.
+/// Runs body(0) ... body(count - 1), each once, in any order and on any number of threads.
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 

@@ -50,8 +50,7 @@ struct Witness {
 /// at every break and four places between two breaks.
 ///
 /// **What it proves**: that the four columns of the signal are derivatives of each other,
-/// everywhere and not only at knots. **What it does not**: that they are the motion that was
-/// wanted.
+/// everywhere and not only at knots. **It does not prove** that they are the intended motion.
 ///
 /// **Accuracy**: laws, S-curves and cams agree within 1e-12, a followed cam within 2e-11 (pinned by
 /// tests). The limit is raised to the rounding of the signal's own values and breaks where that has

@@ -5,8 +5,8 @@
 
 #include "jounce/profiles/moves/dynamics.hpp"
 
-/// The point-to-point motions of an Agito controller, in its keywords. User units and s; times set
-/// in ms say so. Agito PCSuite IDE manual 5.3, 4.1, 4.6, 4.10, 4.11.
+/// The point-to-point motions of an Agito controller, in its keywords. In user units and s; a time in
+/// ms is marked. Agito PCSuite IDE manual 5.3, 4.1, 4.6, 4.10, 4.11.
 ///
 ///     using namespace jounce::agito;
 ///     const Settings axis{.accel = 100000, .decel = 100000, .speed = 1000};

@@ -19,7 +19,7 @@ namespace jounce {
 /// | format | file | a knot is | rule | read |
 /// |---|---|---|---|---|
 /// | `xyva` | .xyva | a line X Y V A: the columns of the cam editors of CODESYS and PMC600 | quintic_hermite | yes |
-/// | `codesys` | .st | an SMC_CAMXYVA of a declaration in Structured Text, also as "Display generated code" shows it | quintic_hermite | yes |
+/// | `codesys` | .st | an SMC_CAMXYVA in Structured Text, also "Display generated code" | quintic_hermite | yes |
 /// | `pairs` | .txt | a line X Y: CODESYS "Cam Data from ASCII Table", Lenze, ISG | linear | yes |
 /// | `sew` | | a line X;Y after a line with their number: SEW MOVI-C curve point table | linear | yes |
 /// | `kollmorgen` | | a line X;Y;SPLINE between TABLE_BEGIN and TABLE_END: KAS | linear | no |

@@ -51,11 +51,11 @@ Trajectory stop(const Trajectory& running, double t, const AxisProfile& axis);
 /// Whose filter it is: an axis's or a group's.
 enum class FilterOf { axis, group };
 
-/// What SetAxisInShape and SetGrpInShape take (15.1): NORMAL (zv) or ROBUST (zvd); an axis 1.5 to 300 Hz,
+/// Range of SetAxisInShape and SetGrpInShape (15.1): NORMAL (zv) or ROBUST (zvd); an axis 1.5 to 300 Hz,
 /// a group 3 to 300 Hz; damping 0 to 0.3. Throws InputError with the controller's error.
 void require_in_shape(const ShaperSpec& shaper, FilterOf of);
 
-/// What SetAxisVsf takes (15.1): 0.1 to 200 Hz, damping 0.7 to 1.5. Throws InputError likewise.
+/// Range of SetAxisVsf (15.1): 0.1 to 200 Hz, damping 0.7 to 1.5. Throws InputError likewise.
 void require_vsf(const NotchSpec& notch);
 
 }  // namespace jounce::himc

@@ -52,8 +52,8 @@ struct GearAnswer {
   GearError error = GearError::ok;
 };
 
-/// Several slaves may have one master; a slave has one, and is nobody's. The same pair again is no
-/// error.
+/// Several slaves may have one master. A slave has one master and is the master of no axis. The same
+/// pair again is no error.
 GearAnswer enable_gear(const Gears& gears, int master, int slave);
 
 /// Engages at the command positions of both axes, or changes the ratio (from those on). There is no

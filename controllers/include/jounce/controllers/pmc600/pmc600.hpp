@@ -21,8 +21,8 @@
 /// 16#FFFFFF7 to 9).
 namespace jounce::pmc600 {
 
-/// How velocity changes (4.1, "velocity mode"; the laws are CODESYS's SMC_INT_VELMODE, from which
-/// the names are).
+/// Law of a change of velocity (4.1, "velocity mode"). The laws and their names are those of
+/// SMC_INT_VELMODE in CODESYS.
 enum class VelocityMode {
   trapezoid = 0,
   /// The trapezoid's edges as sin^2 of velocity, in the same time: the peak of the acceleration is
@@ -113,8 +113,9 @@ struct JogInput {
   bool backward = false;
 };
 
-/// MC_Jog from standstill; times ascend, none equal to the one before. The velocity is clipped to `max_velocity`, if given. Begins
-/// with the first input and ends where what the last one asks for is reached.
+/// MC_Jog from standstill; times ascend, none equal to the one before. The velocity is clipped to
+/// `max_velocity`, if given. Begins with the first input and ends where the velocity of the last one is
+/// reached.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});
 

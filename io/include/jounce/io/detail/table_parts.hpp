@@ -9,7 +9,7 @@
 
 #include "jounce/io/table_file.hpp"
 
-/// What the CSV and the JSON form of a table have in common.
+/// Parts that the CSV and the JSON form of a table share.
 namespace jounce::detail {
 
 inline constexpr int schema_version = 1;

@@ -52,12 +52,12 @@ std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin);
 /// `tolerance` is missed (by a bound of its second derivative).
 Range range_of(const Wave& wave, double tolerance);
 
-/// The figure of a shape: a peak as range_of() says, with 1e-8 of itself as tolerance; the others by
+/// The figure of a shape: a peak by range_of(), with 1e-8 of itself as tolerance; the others by
 /// quadrature between the places where T is not smooth, to about 1e-10; energy, whose integrand has a
 /// kink wherever T changes its sign, to about 1e-6.
 double value_of(const Pointwise& figure, const std::vector<Segment>& shape, double begin);
 
-/// Where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the others.
+/// Places where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the others.
 std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segment>& shape,
                                 double begin, double level);
 

@@ -12,10 +12,10 @@ namespace jounce {
 ///     const Trajectory first_second = between(move, 0, 1);       // a part of it
 ///     const Trajectory delayed = between(move, -0.5, move.end());  // at rest for half a second
 ///
-/// What lies outside f comes by f's policy: its end values at rest (hold), or the turns before and
-/// after (wrap; at most 1e6 segments of them). The result has f's policy, a part of a wrapping curve holds. Exact: no break is
-/// added but the two ends. Throws InputError unless from < to, where f refuses what is asked,
-/// and where a wrapping curve would need more segments.
+/// f's policy gives the parts outside f: its end values at rest (hold), or the turns before and
+/// after (wrap; at most 1e6 segments of them). The result has f's policy; a part of a wrapping curve
+/// holds. Exact: only the two ends become new breaks. Throws InputError unless from < to, where f
+/// refuses a part outside, and where a wrapping curve would need more segments.
 template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 
@@ -24,7 +24,7 @@ Curve<Over> between(const Curve<Over>& f, double from, double to);
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
 
-/// What a filter needs where f does not wrap: throws InputError unless f begins and ends at rest, to
+/// Requirement of a filter where f does not wrap: throws InputError unless f begins and ends at rest, to
 /// 1e-9 of its peak velocity. A curve that is held after a moving end stops in no time.
 template <class Over>
 void require_resting_ends(const Curve<Over>& f);

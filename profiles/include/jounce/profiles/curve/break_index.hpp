@@ -20,7 +20,7 @@ namespace jounce {
 ///     std::size_t last = index.find(breaks, 1e9, Side::right);                   // 2: clamped
 ///
 /// **Vocabulary.** The breaks' whole length is cut into equal *cells*, two an interval; the index
-/// says how many interior breaks lie in the cells before. It does not keep the breaks, which stay
+/// holds the number of interior breaks in the cells before. It does not keep the breaks, which stay
 /// with their owner: 8 bytes an interval, none for up to `few` intervals. At most 2^32 - 1 of them.
 ///
 /// **Intervals** are counted from 0, half-open, [breaks[i], breaks[i + 1]) to the right and
@@ -65,7 +65,7 @@ class BreakIndex {
 inline std::size_t BreakIndex::cell(double x) const {
   const double at = (x - start_) * cells_per_unit_;
   return static_cast<std::size_t>(static_cast<std::int64_t>(
-      at < last_cell_ ? (at > 0 ? at : 0) : last_cell_));  // last also where `at` is no number
+      at < last_cell_ ? (at > 0 ? at : 0) : last_cell_));  // NaN: the last
 }
 
 template <Side side>

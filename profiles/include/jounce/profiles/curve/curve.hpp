@@ -30,7 +30,8 @@ namespace jounce {
 /// **Outside [start, end]** the policy named at construction rules: refuse, hold, wrap, or advance.
 ///
 /// **Throws** InputError if there is no segment, a length is not finite and positive, a coefficient
-/// is not finite, or start is not finite or so far out that no length is left. Nothing else throws; evaluation never allocates.
+/// is not finite, or start is not finite or so far out that rounding takes a whole length. Nothing else
+/// throws; evaluation never allocates.
 template <class Over>
 class Curve {
  public:

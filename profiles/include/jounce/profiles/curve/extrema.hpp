@@ -57,8 +57,8 @@ struct Jump {
 };
 
 /// The largest step (in magnitude) at the interior breaks; where the curve wraps, also from its end
-/// to its start (where it advances, of the derivatives alone); where it holds, of the derivatives also from rest at its start and to rest at its
-/// end. Zero if there is none.
+/// to its start (where it advances, of the derivatives alone); where it holds, of the derivatives also
+/// from rest at its start and to rest at its end. Zero if there is none.
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order);
 

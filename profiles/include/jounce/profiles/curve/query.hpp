@@ -10,7 +10,7 @@ namespace jounce {
 /// steps from its root): no profile is built.
 ///
 ///     const Ramp ramp{.acceleration = 20, .jerk = 100};               // u/s^2, u/s^3
-///     const auto room = stopping({.velocity = 10}, ramp);             // 0.7 s, 3.5 u
+///     const auto stop = stopping({.velocity = 10}, ramp);             // 0.7 s, 3.5 u
 ///     const auto entry = entry_velocity(3.5, 0, ramp);                // 10 u/s stops in 3.5 u
 ///     const auto peak = peak_velocity(20, {}, ramp);                  // fastest over 20 u
 ///     const auto time = minimum_duration(20, {.velocity = 10}, ramp); // s, rest to rest

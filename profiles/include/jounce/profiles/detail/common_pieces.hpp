@@ -23,7 +23,7 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
   double x = near(f.start(), g.start()) ? f.start() : std::max(f.start(), g.start());
   const auto first = [&](const Curve<Over>& c) {
     std::size_t n = 0;
-    // What ends at x but for rounding is over; where c begins at x, its first segment is just short.
+    // A segment that ends at x within rounding is over; where c begins at x, its first segment is just short.
     const auto over = [&](double end) { return end <= x || (x != c.start() && near(end, x)); };
     while (n < c.segments().size() && over(c.breaks()[n + 1])) ++n;
     return n;

@@ -17,7 +17,7 @@ namespace jounce::detail {
 template <std::size_t n>
 using Series = std::array<double, n>;
 
-/// As many as each end of a piece gives; and up to the twelfth, which bounds the error.
+/// Coefficients that each end of a piece gives; and those up to the twelfth, which bounds the error.
 using EndSeries = Series<6>;
 using Majorant = Series<13>;
 
@@ -45,17 +45,17 @@ Series<n> substituted(const Series<n>& F, const Series<n>& d) {
 /// The segment of degree 11 with these coefficients at its ends.
 Segment hermite(double length, const EndSeries& at0, const EndSeries& at1);
 
-/// How far a function may be from its `hermite`, and their derivatives by u, where its twelfth
-/// coefficient by s is at most `twelfth`.
+/// Bounds of the distance of a function from its `hermite`, and of their derivatives by u, where its
+/// twelfth coefficient by s is at most `twelfth`.
 Jet hermite_error(double length, double twelfth);
 
-/// Throws InputError "tolerance" unless the tolerance is positive and can be told from the rounding of
-/// `magnitude`; and where a fit has come to more than a million pieces.
+/// Throws InputError "tolerance" unless the tolerance is positive and exceeds the rounding of
+/// `magnitude`; and where a fit has more than a million pieces.
 void require_tolerance(double tolerance, double magnitude);
 void require_fitting(std::size_t pieces);
 
 /// Appends the fit of a piece, halved until it strays at most by `tolerance`, and widens `error`. A
-/// Piece tells its length(), end(0 or 1) as EndSeries, twelfth(), and halves().
+/// Piece has length(), end(0 or 1) as EndSeries, twelfth(), and halves().
 template <class Piece>
 void fit(const Piece& piece, double tolerance, std::vector<Segment>& out, Jet& error) {
   const Jet here = hermite_error(piece.length(), piece.twelfth());

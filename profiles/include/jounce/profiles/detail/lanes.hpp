@@ -72,7 +72,7 @@ JOUNCE_INLINE Real root_of(Real x) {
   return x;
 }
 template <class Real>
-JOUNCE_INLINE Real square_root(Real x) {  // of what rounding makes negative: 0
+JOUNCE_INLINE Real square_root(Real x) {  // 0 for an x that rounding made negative
   return root_of(greatest(x, every<Real>(0)));
 }
 

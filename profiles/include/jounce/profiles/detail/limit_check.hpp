@@ -10,8 +10,8 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-// What `check` says of extrema, wherever they come from: a curve's, one segment after another, or only
-// those of a table's that can matter.
+// Findings of `check` from extrema: those of a curve, one segment after another, or only the extrema of
+// a table that can matter.
 namespace jounce::detail {
 
 /// One bound on one derivative: it must stay below `limit` (upper), or above.
@@ -20,10 +20,10 @@ struct Bound {
   std::string rule;
   double limit;
   bool upper;
-  double scale;  ///< what a margin of 1 means
+  double scale;  ///< value of a margin of 1
 };
 
-/// The room between a bound and the worst value of a range, in the bound's scale.
+/// Distance from the worst value of a range to a bound, in the bound's scale.
 double room_of(const Bound& bound, const Range& range);
 
 /// A limit that is met exactly is met: what may be passed is this share, the rounding of the evaluation.

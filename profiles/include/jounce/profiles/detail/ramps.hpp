@@ -9,7 +9,7 @@
 #include "jounce/profiles/moves/profile.hpp"
 
 // Moves made of two velocity ramps and a cruise, v0 -> peak -> v1, with no acceleration at the joints.
-// A law says what a ramp over dv >= 0 looks like; the end ramp is one run backwards in time. A ramp
+// A law gives the shape of a ramp over dv >= 0; the end ramp is one run backwards in time. A ramp
 // from v (or, run backwards, to v) covers
 //
 //   (1)  D(v, dv) = v T(dv) + W(dv),   W = integral of (T - t) a(t) dt
@@ -107,8 +107,8 @@ struct RampedMove {
   double cruise = 0;        ///< s
 };
 
-/// Solves (2) up to `velocity` >= v0, v1. Nothing where h does not suffice to get from v0 to v1. What
-/// is solved for is the rise above the faster end, which may be far below the rounding of the peak.
+/// Solves (2) up to `velocity` >= v0, v1. Nothing where h does not suffice to get from v0 to v1. The
+/// unknown is the rise above the faster end, which may be far below the rounding of the peak.
 template <class Law>
 std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down, double v1,
                                       double velocity, double h) {
@@ -121,7 +121,7 @@ std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down,
   if (both(-slack) > h * (1 + 1e-14)) return std::nullopt;
   const double rise = greatest(velocity - low, h, both);
   const double left = h - both(rise);
-  // What rounding leaves of h is no cruise.
+  // A rest of h within rounding is no cruise.
   const double cruise = left > 1e-14 * h ? left / (low + rise) : 0;
   return RampedMove<Law>{up, down, v0, v1, low - v0 + rise, low - v1 + rise, cruise};
 }
@@ -130,7 +130,7 @@ std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down,
 template <class Law>
 Profile profile(const RampedMove<Law>& move, double from, double to);
 
-/// As a curve from 0.
+/// The same as a curve from 0.
 Trajectory curve(const RampedMove<SineLaw>& move, double from, double to);
 
 }  // namespace jounce::detail

@@ -9,14 +9,14 @@
 
 namespace jounce {
 
-/// The room that each segment of a curve leaves to one bound: where check() gives the worst of a limit,
+/// Margin of each segment of a curve to one bound: check() gives the least margin of a limit,
 /// these are all of them. A limit of a rate has two bounds, and so two of these with the same rule.
 struct LimitMargin {
-  std::string rule;              ///< as in Finding
+  std::string rule;              ///< the rule of a Finding
   std::vector<double> segments;  ///< margin of each segment, as in Finding
 };
 
-/// The rooms of a curve under its limits, in the order of the limits. Exact, as check() is. Throws
+/// Margins of a curve under its limits, in the order of the limits. Exact, as check() is. Throws
 /// InputError as require_valid(Limits) does.
 template <class Over>
 std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limits);

@@ -25,8 +25,9 @@ struct MoveColumns {
 };
 
 /// The least duration of every move, s; NaN where there is none (a limit not > 0, an end above the
-/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp). `peak`, if not empty, receives the velocity at which
-/// the move cruises or turns over, signed. Spans of equal size (asserted).
+/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp). `peak`,
+/// if not empty, receives the velocity at which the move cruises or turns over, signed. Spans of equal
+/// size (asserted).
 ///
 /// Uses the widest vectors that the processor has (AVX-512, AVX2, or what every x86-64 or other
 /// machine has). Within 1e-12 of the scalar answer, relative. Does not allocate, does not throw.

@@ -110,7 +110,7 @@ class Profile {
   std::array<double, capacity> duration_{};
   Values level_{};  ///< level of which phases have one, or the sum of two
   MotionState start_, end_;
-  std::array<std::uint8_t, capacity> code_{};  ///< which two terms a phase's value is the sum of
+  std::array<std::uint8_t, capacity> code_{};  ///< the two terms whose sum is a phase's value
   std::uint8_t count_ = 0;
   std::uint8_t order_ = 3;
 };

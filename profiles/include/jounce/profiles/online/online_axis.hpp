@@ -26,7 +26,7 @@ class OnlineAxis {
   [[nodiscard]] bool arrived() const noexcept;
   [[nodiscard]] double remaining() const noexcept { return ended() ? 0 : duration_ - elapsed_; }
 
-  // What a plan of several axes needs.
+  // For a plan of several axes.
   /// Compares the motion under way with the orders. True: it must be planned again.
   bool look() noexcept { return stale_ = is_stale(); }
   [[nodiscard]] bool stale() const noexcept { return stale_; }
@@ -116,7 +116,7 @@ class OnlineAxis {
   MoveStatus status_ = MoveStatus::ok;
 };
 
-/// How strictly a motion is judged: one that is to be chosen, and one for want of which another is.
+/// Strictness of the test of a motion: strict for a candidate, mild for the last resort.
 enum class Judged : std::uint8_t { strictly, mildly };
 /// True if a motion towards a goal passes it or turns round on its way (for a goal that is a velocity:
 /// the velocity does), by more than rounding.

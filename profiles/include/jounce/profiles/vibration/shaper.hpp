@@ -47,9 +47,9 @@ std::vector<Impulse> shaper(const ShaperSpec& spec);
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
 /// The curve through a shaper: the sum of its copies, each delayed and scaled by an impulse. Exact;
-/// longer by the last impulse's time; f must begin and end at rest, and the axis
-/// rests before and after (also where f refuses); a wrapping curve is shaped through its seam. Through positive impulses, limits that hold for f
-/// hold for the result.
+/// longer by the last impulse's time. f must begin and end at rest, and the axis rests before and after
+/// (also where f refuses); a wrapping curve is shaped through its seam. If all impulses are positive,
+/// limits that hold for f hold for the result.
 ///
 /// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add
 /// up to 1, the last comes later than 10000 lengths of f, f begins or ends moving (a jog: append the

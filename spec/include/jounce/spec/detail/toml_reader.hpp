@@ -15,8 +15,8 @@
 
 namespace jounce::detail {
 
-/// One table of a TOML document while it is read. Every getter remembers the key as known and
-/// records its place; finish() rejects whatever was not asked for.
+/// One table of a TOML document while it is read. Every getter records the key and its
+/// place; finish() rejects all keys that no getter read.
 class TomlReader {
  public:
   TomlReader(const toml::table& table, std::string path, Document& document);
@@ -62,8 +62,8 @@ class TomlReader {
   [[nodiscard]] std::vector<std::string> keys() const;
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
-  /// Throws InputError where a key that nobody has read is `key` but for a slip of the pen: before
-  /// saying that it is missing.
+  /// Throws InputError where an unread key is a misspelling of `key`. Called before `key` is reported as
+  /// missing.
   void refuse_misspelt(const char* key) const;
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   void finish();
