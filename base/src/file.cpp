@@ -92,7 +92,7 @@ class Temporary {
     }
     return path.string();
   }
-  static constexpr int most_links = 40;  ///< as of the kernel
+  static constexpr int most_links = 40;  ///< limit of the kernel
 
   /// mkstemp makes a private file; a file keeps its rights, a new one gets those the user asked for.
   [[nodiscard]] mode_t rights() const {
@@ -107,7 +107,7 @@ class Temporary {
   Unlinked at_;
 };
 
-/// Whether the name stands for something that must not be replaced: a device, a pipe, a terminal.
+/// True if the name stands for something that must not be replaced: a device, a pipe, a terminal.
 bool is_special(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
@@ -139,7 +139,7 @@ void write_directly(const Output& file) {
   write_all(handle.number, file);
 }
 
-/// Whether both names lead to one file.
+/// True if both names lead to one file.
 bool is_same(const std::string& a, const std::string& b) {
   std::error_code error;
   const auto one = std::filesystem::weakly_canonical(a, error);
@@ -274,7 +274,7 @@ std::string read_file(const std::string& path) {
     inputs->files_->read.insert(*id);
   }
   if (bytes.starts_with("\xEF\xBB\xBF"))
-    bytes.erase(0, 3);  // a byte order mark says nothing in UTF-8
+    bytes.erase(0, 3);  // a byte order mark has no meaning in UTF-8
   return bytes;
 }
 

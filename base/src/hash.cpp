@@ -92,7 +92,7 @@ Sha256 content_hash(const Table& table, const Units& units) {
   if (table.size() < large) {
     hasher.add({x, p, v, a});
   } else {
-    // Where there is no thread to be had, get() does the work.
+    // If no thread can be started, get() does the work.
     const auto alone = [&hasher](std::size_t column, std::span<const double> values) {
       return std::async(std::launch::async | std::launch::deferred, [&hasher, column, values] {
         std::array<std::span<const double>, 4> all;

@@ -6,7 +6,7 @@
 namespace jounce {
 namespace {
 
-/// What stands at the beginning of a text: a character of so many bytes; 0: none begins here.
+/// First character of a text: its length in bytes; 0: no character begins here.
 struct Character {
   std::size_t length = 0;
   std::uint32_t code = 0;

@@ -108,7 +108,7 @@ class Reader {
            });
   }
 
-  /// Whether the line is a spreadsheet's note of what stands between the columns: sep=;
+  /// True if the line is a spreadsheet's note of its separator: sep=;
   bool read_separator() {
     const auto note = unquoted(trimmed({begin_, static_cast<std::size_t>(line_end_ - begin_)}));
     if (note.size() != 5 || !note.starts_with("sep=")) return false;
@@ -182,7 +182,7 @@ class Reader {
     points_.lines.push_back(line_);
   }
 
-  /// A cell that is no number as it stands: words, a decimal comma, or a mistake.
+  /// Reads a cell that is not a plain number: words, a decimal comma, or a mistake.
   const char* read_otherwise(const char* cell, std::size_t i) {
     const char* to = std::find(cell, line_end_, separator_);
     const std::string_view text = unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)}));
@@ -215,7 +215,7 @@ class Reader {
     return number.value;
   }
 
-  /// Whether a number before this line was written with a decimal point.
+  /// True if a number before this line was written with a decimal point.
   bool has_points() const {
     for (const char* line = first_row_; line < begin_;) {
       const char* to = std::find(line, begin_, '\n');
@@ -225,7 +225,7 @@ class Reader {
     return false;
   }
 
-  /// Says so where the row is longer or shorter than the header.
+  /// Throws where the row is longer or shorter than the header.
   void require_length(std::string_view cell) {
     const std::size_t wanted = points_.columns.size();
     const auto cells = static_cast<std::size_t>(std::count(begin_, line_end_, separator_)) + 1;

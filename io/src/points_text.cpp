@@ -23,14 +23,14 @@ void require_quadratic(const Columns& c, std::size_t i) {
       "ends a piece that is not a parabola: use --controller googol_pt or googol_follow");
 }
 
-/// Whether the first velocity is rest, to the rounding that a law leaves where it begins.
+/// True if the first velocity is zero within the rounding of a law at its begin.
 bool begins_at_rest(const Columns& c) {
   double peak = 0;
   for (const double v : c.v) peak = std::max(peak, std::abs(v));
   return std::abs(c.v.front()) <= 1e-12 * peak;
 }
 
-/// Of the piece that ends at knot i.
+/// Type of the piece that ends at knot i.
 PtType type_of(const Table& table, std::size_t i) {
   if (table.rule() == Interpolation::linear) return PtType::even;
   const Columns& c = table.columns();

@@ -32,7 +32,7 @@ std::string names_line(const TableFile& file) {
   return text;
 }
 
-/// As many instants start + k step as lie before the end, and the end.
+/// Number of instants start + k step before the end, and the end.
 std::size_t rows_of(const Table& table, double step) {
   require_positive("every", step);
   const double steps = std::ceil(table.length() / step * (1 - 1e-12));

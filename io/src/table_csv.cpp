@@ -26,7 +26,7 @@ void append(std::string& text, double value) {
   text.append(digits, end.ptr);
 }
 
-/// Reads a text line by line and knows where it is.
+/// Reads a text line by line and counts the lines.
 class Lines {
  public:
   Lines(const std::string& text, std::string name) : rest_(text), name_(std::move(name)) {}

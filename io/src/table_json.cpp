@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// An object of the document while it is read: knows its path, demands types, rejects what is left.
+/// An object of the document while it is read: holds its path, requires types, rejects unread keys.
 class JsonReader {
  public:
   JsonReader(const Json& object, std::string path, const std::string& document)

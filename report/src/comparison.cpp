@@ -24,7 +24,7 @@ std::string text_of(const std::optional<double>& value) {
   return value ? number(*value) : "";
 }
 
-/// Collects what is said differently.
+/// Collects differences of text.
 class Remarks {
  public:
   void say(const std::string& what, const std::string& before, const std::string& after) {
@@ -71,7 +71,7 @@ std::vector<Remark> remarks_of(const Curve<Over>& a, const Curve<Over>& b, const
   return std::move(remarks.all);
 }
 
-/// Whether the tolerance lets this quantity pass.
+/// True if this quantity is within the tolerance.
 bool tolerated(const Change& change, std::size_t order, const Tolerance& tolerance) {
   if (change.none()) return true;
   if (tolerance.of[order]) return std::abs(change.largest.value) <= *tolerance.of[order];

@@ -21,7 +21,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
-/// Two numbers for people, with as many digits as tell them apart, six at the least.
+/// Two numbers for people, with enough digits to differ, at least six.
 std::pair<std::string, std::string> apart(double a, double b) {
   std::string first = rounded(a);
   std::string second = rounded(b);

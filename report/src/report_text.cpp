@@ -32,12 +32,12 @@ std::string percent(double share) {
   return fmt::format("{:.3g} %", 100 * std::abs(share));
 }
 
-/// Whether the limit is a lower one: a radius that a disc cam must have.
+/// True if the limit is a lower one: a radius that a disc cam must have.
 bool is_least(const Finding& finding) {
   return finding.rule == "disc/profile_radius" || finding.rule == "disc/cutter_radius";
 }
 
-/// What a curve does against a limit, with its margin.
+/// Verdict of a curve against a limit, with its margin.
 std::string verdict(const Finding& finding) {
   const std::string limit = rounded(finding.limit);
   if (finding.broken && finding.rule.starts_with("limit/position"))
@@ -61,7 +61,7 @@ std::string verdict(const Finding& finding) {
   return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
 }
 
-/// How far above what is possible at all.
+/// Distance above the proven bound.
 std::string of_bound(const Finding& f, const std::string& where) {
   if (f.rule == "bound/duration")
     return fmt::format("{} = {}: {} {} the whole rise, the greatest possible value", f.quantity,
@@ -74,7 +74,7 @@ std::string of_bound(const Finding& f, const std::string& where) {
                      percent(f.margin), f.broken ? "below" : "above", rounded(f.limit), whose);
 }
 
-/// What is allowed but perhaps not meant.
+/// Findings that are allowed but perhaps not intended.
 std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "warning/overshoot")
     return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
@@ -85,7 +85,7 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
   return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
 }
 
-/// What a time table plays without a word.
+/// Warnings of a time table.
 std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "pt/oscillation")
     return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
@@ -94,7 +94,7 @@ std::string of_table(const Finding& f, const std::string& value, const std::stri
   return fmt::format("{} is {} at {}", f.quantity, value, where);
 }
 
-/// What would keep an output from firing as it is meant.
+/// Findings that prevent an output from firing as intended.
 std::string of_compare(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "compare/missed")
     return fmt::format("{} of {} points fire", rounded(f.value), rounded(f.limit));
@@ -103,7 +103,7 @@ std::string of_compare(const Finding& f, const std::string& value, const std::st
   return fmt::format("the output is up to {} late, at {}", value, where);
 }
 
-/// What a coupling does where it has no limit to keep: a step, a figure, or a start that it refuses.
+/// Findings of a coupling without a limit: a step, a figure, or a start that it refuses.
 std::string of_coupling(const Finding& f, const std::string& value, const std::string& where) {
   const bool steps = f.value != 0;
   if (f.rule == "coupling/start")
@@ -151,13 +151,13 @@ Json to_object(const Finding& finding, const Labels& labels) {
   return object;
 }
 
-/// Whether one computation is compared with another: its limit is not one of the machine.
+/// True if one computation is compared with another: its limit is not one of the machine.
 bool is_proof(const Finding& f) {
   return f.rule.starts_with("witness/") || f.rule.starts_with("played/") ||
          f.rule.ends_with("/integration") || f.rule == "drive/exact";
 }
 
-/// Whether it is a limit that holds, as opposed to a joint, the table's own error, a proof, or a fact.
+/// True for a limit of the machine, not for a joint, the table's own error, a proof, or a fact.
 bool is_limit(const Finding& f) {
   return f.has_limit && f.severity == Severity::required && !f.rule.starts_with("continuity/") &&
          !f.rule.starts_with("table/") && !is_proof(f);
@@ -257,7 +257,7 @@ std::string sentence(const Finding& finding, const Labels& labels) {
                        place(finding, labels), with_unit(finding.value, labels.units.x));
   if (finding.rule.starts_with("fill/"))
     return fmt::format(
-        "{} {} at the knots of {} leaves no room for {}", finding.quantity,
+        "{} {} at the knots of {} rules out {}", finding.quantity,
         with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
         finding.rule == "fill/convex" ? "the bend of the data" : "a way without turning back");
   if (finding.rule.starts_with("compare/") && finding.rule != "compare/speed")
@@ -355,7 +355,7 @@ std::string to_json(const Report& report, const Labels& labels) {
 
 namespace {
 
-/// What the two lists below need of a curve or of a table.
+/// Names of a curve or of a table for the two lists below.
 template <class Over>
 const auto& names_of(const Curve<Over>&) {
   return Over::names;

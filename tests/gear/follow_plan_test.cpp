@@ -272,7 +272,7 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {40, 60, 1}}}),
             "zone[2].from = 40: must be at least 50, where the one before ends");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {50, 60, 2}}}),
-            "zone[2].ratio = 2: must be 1, the ratio there: leave room to change it before");
+            "zone[2].ratio = 2: must be 1, the ratio there: change the ratio earlier");
   EXPECT_EQ(text({.zones = {{0, 50, 1, 3}}}),
             "zone[1].slave = 3: must be 0, where the slave is then");
   EXPECT_EQ(text({.points = {{20, 30}, {30, 35}}, .zones = {{10, 40, 1}}}),

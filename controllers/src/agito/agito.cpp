@@ -32,7 +32,7 @@ void set_jerks(Dynamics& d, int exponent) {
   d.deceleration_jerk = d.deceleration / time;
 }
 
-/// What Stop takes: Accel only where an acceleration is in force still, and if it is given.
+/// Dynamics of Stop: Accel applies only while an acceleration is in force, and if it is given.
 Dynamics stopping(const Settings& settings) {
   require_rate("decel", settings.decel);
   if (settings.accel != 0) require_rate("accel", settings.accel);

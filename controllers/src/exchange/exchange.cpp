@@ -22,11 +22,11 @@ constexpr std::array formats{Format::xyva, Format::codesys, Format::pairs, Forma
 constexpr std::array note_keys{"master", "position", "outside", "knots", "sha256"};
 
 bool begins_with_number(std::string_view cell) {
-  cell = cell.substr(0, cell.find(','));  // of a decimal comma
+  cell = cell.substr(0, cell.find(','));  // cuts a decimal comma
   return csv_number(cell).has_value();
 }
 
-/// Units and policy outside, as the comments say.
+/// Units and policy outside, from the comments.
 void take_notes(const detail::Exchanged& read, const detail::Place& place, TableFile& file,
                 Extrapolation& outside) {
   for (const auto& [key, target] :
@@ -78,7 +78,7 @@ ExchangeCam cam_of(detail::Exchanged& read, const detail::Place& place) {
   return {read.name, std::move(file), std::move(read.unread)};
 }
 
-/// Of several cams each has the comments above its last knot and below the cam before.
+/// Lines of one of several cams: the comments above its last knot and below the cam before.
 std::vector<detail::Line> own_lines(const detail::Exchanged& cam,
                                     const std::vector<detail::Exchanged>& all,
                                     const std::vector<detail::Line>& lines) {

@@ -9,7 +9,7 @@
 
 #include "jounce/controllers/exchange/exchange.hpp"
 
-/// What the formats of other makers have in common.
+/// Parts that the formats of other makers share.
 namespace jounce::detail {
 
 /// A line of a file, counted from 1.
@@ -36,17 +36,17 @@ bool is_comment(std::string_view line);
 /// The comments themselves, each line begun with `mark`.
 std::string notes_text(const TableFile& file, const std::string& mark);
 
-/// What was read of one cam: a column entry and a line for each knot.
+/// One cam as read: a column entry and a line for each knot.
 struct Exchanged {
-  std::string name = {};  ///< where the format names its cams
+  std::string name = {};  ///< empty where the format has no names of cams
   Interpolation rule = Interpolation::quintic_hermite;
   Columns columns = {};
   std::vector<int> lines = {};
   Notes notes = {};
-  std::vector<std::string> unread = {};  ///< what the file holds beside the knots
+  std::vector<std::string> unread = {};  ///< parts of the file beside the knots
 };
 
-/// Where in a file something is wrong.
+/// Place of an error in a file.
 class Place {
  public:
   Place(std::string name, bool decimal_comma)

@@ -71,7 +71,7 @@ void read_points(StReader& code, Exchanged& cam) {
   }
 }
 
-/// How many points `[0..4]` has.
+/// Number of points of `[0..4]`.
 double points_of_range(StReader& code) {
   code.expect("[");
   const double first = code.number("ARRAY");
@@ -86,14 +86,14 @@ std::string unqualified(const std::string& name) {
   return name.substr(name.find_last_of('.') + 1);
 }
 
-/// What an MC_CAM_REF says of its cam.
+/// Fields of an MC_CAM_REF.
 struct Reference {
   struct Stated {
     double value = 0;
     int line = 0;
   };
   std::string name;
-  std::string array;      ///< of ADR(...), in lower case; empty where none is named
+  std::string array;      ///< name in ADR(...), in lower case; empty if not given
   std::size_t after = 0;  ///< arrays declared before it
   bool xyva = true;       ///< its byType
   int line = 0;
@@ -128,7 +128,7 @@ Reference read_reference(StReader& code) {
   return reference;
 }
 
-/// What a file declares, in its order.
+/// Declarations of a file, in its order.
 struct Declared {
   std::vector<Exchanged> arrays;
   std::vector<Reference> references;
@@ -207,7 +207,7 @@ void require_consistent(const Reference& reference, const Exchanged& cam, const 
   require("xend", "xEnd", x.back(), near, "the last point is at " + number(x.back()) + rule);
 }
 
-/// What the file has beside the points, and a table has not.
+/// Parts of the file that a table does not have.
 std::vector<std::string> unread(const Reference& reference) {
   const auto tappets = reference.numbers.find("ntappets");
   if (tappets == reference.numbers.end() || tappets->second.value == 0) return {};

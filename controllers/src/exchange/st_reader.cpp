@@ -7,7 +7,7 @@
 namespace jounce::detail {
 namespace {
 
-/// Where the comment or pragma that begins at `i` ends, `i` where none begins. Comments nest.
+/// End of the comment or pragma that begins at `i`; `i` where none begins. Comments nest.
 std::size_t end_of_comment(const std::string& text, std::size_t i) {
   if (text.compare(i, 2, "//") == 0) return std::min(text.find('\n', i), text.size());
   if (text[i] == '{') {
@@ -25,7 +25,7 @@ std::size_t end_of_comment(const std::string& text, std::size_t i) {
   return text.size();
 }
 
-/// Where the string that begins at `i` ends; `$` takes the next character as it is.
+/// End of the string that begins at `i`; `$` escapes the next character.
 std::size_t end_of_string(const std::string& text, std::size_t i) {
   const char quote = text[i];
   for (++i; i < text.size() && text[i] != quote && text[i] != '\n'; ++i)

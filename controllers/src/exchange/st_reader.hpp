@@ -26,7 +26,7 @@ class StReader {
 
   /// The next word in lower case, string with its quotes as it is, `:=`, `..` or sign; empty at the end.
   std::string next();
-  /// What next() returns, which stays the next one.
+  /// The next token, without consuming it.
   std::string peek();
   void expect(const std::string& wanted);
   /// A number literal with its signs and without its type. fail() with `key` for anything else.

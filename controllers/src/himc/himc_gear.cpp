@@ -21,7 +21,7 @@ const GearAxis& at(const Gears& gears, int axis) {
   return gears.axis[static_cast<std::size_t>(axis)];
 }
 
-/// What is wrong with the two axes of a pair, whether there is one or not.
+/// Error in the two axes of a pair, whether or not it is engaged.
 GearError wrong_with(const Gears& gears, int master, int slave) {
   if (!is_axis(slave)) return GearError::bad_slave;
   if (!is_axis(master) || master == slave) return GearError::bad_link;

@@ -10,7 +10,7 @@
 namespace jounce::pmc600 {
 namespace {
 
-/// Where a running motion is to end; nothing for a velocity command, which ends moving.
+/// Target of a running motion; nothing for a velocity command, which ends moving.
 std::optional<double> target_of(const Trajectory& running) {
   const MotionState last = state_at(running, running.end());
   if (last.velocity != 0) return std::nullopt;

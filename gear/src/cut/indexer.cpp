@@ -19,7 +19,7 @@ void require_valid(const Indexer& spec) {
   require_not_negative("before", spec.before);
   if (spec.count < 1) throw InputError("count", std::to_string(spec.count), "must be at least 1");
   const double room = spec.cycle / spec.count;
-  // The rounding of cycle / count is no dwell that anybody asked for.
+  // The rounding of cycle / count is not a dwell.
   if (spec.before + spec.motion > room * (1 + 1e-12))
     throw InputError("motion", spec.motion,
                      "must be at most " + number(room - spec.before) + ": each of the cycle's " +

@@ -52,7 +52,7 @@ Finding contact(const RotaryKnifeFigures& f) {
   return finding;
 }
 
-/// How much slower the blade is along the web than asked, where it cuts.
+/// Deficit of the blade's velocity along the web, where it cuts.
 Finding slip(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f) {
   const double unit = spec.turn / (2 * std::numbers::pi);
   const double angle = f.contact_angle > 0 ? f.contact_angle : f.sync_angle / 2;

@@ -77,7 +77,7 @@ struct AsinPiece {
   }
 };
 
-/// Whether the rise starts without jerk, to rounding of its greatest.
+/// True if the rise starts without jerk, to rounding of its greatest.
 bool starts_without_jerk(const std::vector<Segment>& rise) {
   const double most = std::abs(extrema(Cam(rise), 3).peak().value);
   return std::abs(evaluate(rise.front(), 0)[3]) <= 1e-12 * most;
@@ -117,7 +117,7 @@ std::pair<double, double> KnifeShape::bend(double b) const {
 std::vector<Segment> KnifeShape::recovery(double b, double start) const {
   const auto [c0, c1] = bend(b);
   const double straight = sync_.velocity * b;
-  Segment rest;  // of (1), without f
+  Segment rest;  // equation (1) without f
   rest.length = b;
   rest.degree = c1 != 0 ? 7 : c0 != 0 ? 5 : 1;
   rest.c = {start, straight, c0, -4 * c0 + c1, 5 * c0 - 5 * c1, -2 * c0 + 9 * c1, -7 * c1, 2 * c1};

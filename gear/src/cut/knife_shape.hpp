@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-// What a rotary knife's cut is put together from; angles in rad.
+// Parts of a rotary knife's cut; angles in rad.
 
 namespace jounce::detail {
 

@@ -187,7 +187,7 @@ struct Parts {
 };
 
 /// The cam whose last break lies at the cut's length and whose last value is `end`, to the last
-/// digit: else a million cuts would drift. What is added is a rounding of the joints.
+/// digit: else a million cuts would drift. The correction is within the rounding of the joints.
 Cam closed(std::vector<Segment> segments, double length, double end) {
   Segment& last = segments.back();
   for (int i = 0; i < 6; ++i) {

@@ -20,7 +20,7 @@
 //     (2)  travel k xa / 2,   peak acceleration r k v^2 / xa,   peak jerk q k v^3 / xa^2
 //     (3)  xa >= r k v^2 / amax,   xa >= sqrt(q k v^3 / jmax)
 //
-// and the same braking over xd. With xs in step the carriage is from home at the most
+// and the same braking over xd. With xs in step the carriage is at most this far from home:
 //
 //     (4)  S = k ((xa + xd) / 2 + xs)
 //
@@ -36,7 +36,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What the generator works with: the spec, its ratio, and its laws' peaks.
+/// Input of the generator: the spec, its ratio, and its laws' peaks.
 struct Worked {
   const FlyingShear& spec;
   double ratio = 1;  // k of (1)
@@ -123,7 +123,7 @@ Cycle cycle_at(const Worked& shear, double v, double length) {
   return cycle;
 }
 
-/// What the cycle breaks that no cut length can help; "" if nothing. Each limit is forgiven `room`.
+/// Limit that the cycle breaks at any cut length; "" if none. Each limit has the tolerance `room`.
 std::string broken_at_any_length(const Worked& shear, const Cycle& cycle, double v, double room) {
   const FlyingShear& spec = shear.spec;
   const double more = 1 + room;

@@ -60,7 +60,7 @@ void require_valid(const FollowSpec& spec) {
   }
 }
 
-/// How many passes of a table its cam shows.
+/// Number of passes of a table in its cam.
 std::int64_t shown(const FollowTable& table, const FollowPass& first) {
   if (table.loops >= 1) return table.loops;
   const bool continued = table.segments.front().type == PtType::continued;

@@ -31,7 +31,7 @@ void require_room(const FollowTable& table, std::int64_t passes, std::size_t tak
                    "makes more than the " + std::to_string(most) + " rows that a bank holds");
 }
 
-/// Whether the first pass of the last table begins as all later ones do.
+/// True if the first pass of the last table begins as all later ones do.
 bool begins_alike(const FollowSpec& spec) {
   return spec.start_ratio == 0 || spec.tables.size() > 1 ||
          spec.tables.front().segments.front().type != PtType::continued;

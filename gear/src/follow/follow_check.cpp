@@ -50,7 +50,7 @@ bool is_odd(double travel, std::optional<double> usual) {
   return share >= often || share <= 1 / often;
 }
 
-/// What may be wrong with a segment in which the slave runs backwards.
+/// Possible cause for a segment in which the slave runs backwards.
 std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
   const auto [master, slave] = travel_of(spec.tables[table], i);
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
@@ -149,7 +149,7 @@ class Inspection {
     chained_ = true;
   }
 
-  /// Where the last pass ends with `ratio`.
+  /// Judges the end of the last pass with `ratio`.
   void after_the_last(double ratio) {
     const FollowPass& last = passes_.back();
     const FollowTable& table = spec_.tables[last.table];
@@ -213,13 +213,13 @@ class Inspection {
     f.limit = of_master ? table.end->master : table.end->slave;
     f.has_limit = true;
     f.margin = -std::abs((f.value - f.limit) / f.value);
-    f.advice = "the end is said to be master " + rounded(table.end->master) + ", slave " +
+    f.advice = "the spec gives the end as master " + rounded(table.end->master) + ", slave " +
                rounded(table.end->slave) + ": master " + rounded(missing.master) + " and slave " +
                rounded(missing.slave) + " are missing" + as_segment(table, missing);
     return f;
   }
 
-  /// Which segment has just that travel.
+  /// Names the segment with exactly that travel.
   static std::string as_segment(const FollowTable& table, const Travel& missing) {
     for (std::size_t i = 0; i < table.segments.size(); ++i) {
       const Travel t = travel_of(table, i);
@@ -262,10 +262,10 @@ class Inspection {
   const FollowSpec& spec_;
   std::vector<FollowPass> passes_;
   double peak_ = 0;
-  bool chained_ = false;   ///< what comes follows from a reversal that is told already
+  bool chained_ = false;   ///< the rest follows from a reversal that is reported already
   std::size_t first_ = 0;  ///< the cam's segment with which the pass begins
   Report report_;
-  std::vector<std::size_t> places_;  ///< of each finding
+  std::vector<std::size_t> places_;  ///< place of each finding
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ namespace {
 using Gap = FollowGap;
 using Piece = FollowPiece;
 
-// How the slave falls to rest, or to the ratio c, and leaves: (4), (5).
+// Deceleration of the slave to rest, or to the ratio c, and its start from there: (4), (5).
 struct Rest {
   double a;
   double b;
@@ -44,7 +44,7 @@ Rest rest_of(const Gap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
   const double a = std::abs(g.r0) / k;
   const double b = std::abs(g.r1) / k;
-  // Of an end at rest a unit leads to the ratio c.
+  // From an end at rest, one unit leads to the ratio c.
   const double p = a > 0 ? std::floor(a) : 1;
   const double q = b > 0 ? std::floor(b) : 1;
   if (!whole || p < 1 || q < 1 || p + q >= g.length) return {a, b, 0};

@@ -9,7 +9,7 @@
 
 namespace jounce::detail {
 
-/// What lies between two knots.
+/// Interval between two knots.
 struct FollowGap {
   double length;  // L
   double travel;  // S
@@ -30,7 +30,7 @@ struct FollowPiece {
 };
 
 /// The pieces of linear ratio that fill a gap and do not run backwards where its ends do not;
-/// `whole`: they begin and end at whole master units where the gap has room for it.
+/// `whole`: they begin and end at whole master units where the gap is long enough.
 std::vector<FollowPiece> pieces_of(const FollowGap& gap, bool whole);
 
 }  // namespace jounce::detail

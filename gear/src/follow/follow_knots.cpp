@@ -129,11 +129,11 @@ class Knots {
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
           key("zone", i, "ratio"), ratio,
-          "must be " + number(*before.ratio) + ", the ratio there: leave room to change it before");
+          "must be " + number(*before.ratio) + ", the ratio there: change the ratio earlier");
     before.ratio = ratio;
   }
 
-  /// Where the slave is when the zone begins.
+  /// Position of the slave at the begin of the zone.
   [[nodiscard]] double begin_of(std::size_t i) const {
     const FollowZone& z = plan_.zones[i];
     std::optional<double> slave = z.slave;
@@ -165,7 +165,7 @@ class Knots {
       if (!last.ratio) last.ratio = 0;
       return;
     }
-    // A start that nobody chose takes the ratio with which the plan ends.
+    // A start that is not given has the ratio with which the plan ends.
     if (!plan_.start_ratio && !begins_in_step() && last.ratio) first.ratio = last.ratio;
     if (!last.ratio) last.ratio = first.ratio;
     if (!near(*first.ratio, *last.ratio))

@@ -13,12 +13,12 @@ struct FollowPass {
   std::size_t table = 0;
   double master = 0;  ///< origin
   double slave = 0;
-  double entry = 0;    ///< what a continued first segment begins with
+  double entry = 0;    ///< ratio with which a continued first segment begins
   bool again = false;  ///< not the first pass of its table
   std::vector<PtRate> ratios;
 };
 
-/// All passes, validated. Of a table played for ever: one, or two where the second differs.
+/// All passes, validated. An endless table has one, or two where the second differs.
 std::vector<FollowPass> follow_passes(const FollowSpec& spec);
 
 /// True if the cam repeats: it has one endless table, which is the same in each pass.

@@ -40,7 +40,7 @@ FollowTable follow_table(const FollowPlan& plan) {
     PtPoint at{knots[i - 1].master, knots[i - 1].slave, PtType::normal};
     for (const Piece& piece : pieces)
       table.segments.push_back(at = {at.x + piece.length, at.position + piece.travel, piece.type});
-    // What is known is met, not what rounding makes of the pieces; the end of a motion is exactly at rest.
+    // The last point is the given knot, without the rounding of the pieces; a motion ends exactly at rest.
     PtPoint& last = table.segments.back();
     last = {to.master, to.slave,
             *to.ratio == 0 && last.type == PtType::normal ? PtType::stop : last.type};
@@ -52,7 +52,7 @@ FollowTable follow_table(const FollowPlan& plan) {
 
 CamSpec cam_spec(const FollowPlan& plan) {
   const auto knots = detail::follow_knots(plan);
-  // At a zone the line itself says the ratio: of far positions its own differs by their rounding.
+  // At a zone the line gives the ratio: the ratio of far positions differs by their rounding.
   const auto in_step = [&](std::size_t i) {
     return knots[i].zone || (i + 1 < knots.size() && knots[i + 1].zone);
   };
@@ -113,7 +113,7 @@ Cam gap_cam(const Gap& g, Law law) {
   return design(spec).cam;
 }
 
-/// How fast the slave runs backwards in a gap, at the worst; 0 if it does not.
+/// Greatest backward ratio of the slave in a gap; 0 if it does not run backwards.
 Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
   const int s = detail::way(g);
   if (s == 0 || (g.travel == 0 && g.r0 == 0 && g.r1 == 0)) return {};
@@ -157,7 +157,7 @@ std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, dou
          " on it does not turn back: move a point, or let form = \"table\" stand in between";
 }
 
-/// Whether a table that should be at whole master units is.
+/// Adds a finding for each segment that should be at whole master units and is not.
 void add_whole(Report& report, const FollowPlan& plan) {
   const auto segments = follow_table(plan).segments;
   const auto odd = std::find_if(segments.begin(), segments.end(),

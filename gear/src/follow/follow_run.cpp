@@ -14,7 +14,7 @@ void follow_from(FollowRun& run, SegmentFifos& fifos, double master) {
   fifos.start(0, run.slave);
 }
 
-/// How far along its tables the slave is: where one direction alone counts, as far as it ever was.
+/// Travel of the slave along its tables; where one direction alone counts, the furthest so far.
 double travel(FollowRun& run, double master) {
   const double gone = master - run.origin;
   if (run.dir == 0 || !std::isfinite(gone)) return gone;

@@ -11,7 +11,7 @@
 
 #include "gear/src/ratio/wide.hpp"
 
-// With the common denominator q of both ratios, P = r q, and d the distance, (2) of the header is
+// Let q be the common denominator of both ratios, P = r q, and d the distance. Then (2) of the header is
 //
 //   (3)  slave = N(u) / (2 d q),   N(u) = 2 d P0 u + (P1 - P0) u |u|,   |u| <= d
 //

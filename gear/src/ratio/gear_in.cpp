@@ -10,8 +10,8 @@
 #include "jounce/profiles/moves/dynamics.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// With the ramp P from the slave's state to the velocity w = k x0' that a steady master would have
-// it reach, and s = t - t0,
+// Let P be the ramp from the slave's state to the velocity w = k x0' of a steady master, and
+// s = t - t0. Then
 //
 //   (2)  c(s) = P(s) - w s
 //

@@ -21,8 +21,8 @@
 //   (2)  f(z) = (10 - 4 rho) z^3 - (15 - 7 rho) z^4 + (6 - 3 rho) z^5
 //
 // f' = z^2 (3 (10 - 4 rho) - 4 (15 - 7 rho) z + 5 (6 - 3 rho) z^2) stays >= 0 for 0 <= rho <= 5/2, and
-// <= rho for rho >= 5/3. Whether a law reverses is not read off (2) but found: the exact extrema of
-// its slope, for every law alike.
+// <= rho for rho >= 5/3. Reversal is not derived from (2): every law is tested by the
+// exact extrema of its slope.
 
 namespace jounce {
 namespace {
@@ -63,7 +63,7 @@ Cam curve_of(const GearInPos& gear, Law law) {
   return with(design(cam).cam, Extrapolation::hold);
 }
 
-/// Whether the slave anywhere goes the other way than the gear takes it.
+/// True if the slave moves against the direction of its gear anywhere.
 bool reverses(const GearInPos& gear) {
   const double way = gear.ratio > 0 ? 1 : -1;
   const Range slope = extrema(*gear.curve, 1);
@@ -71,7 +71,7 @@ bool reverses(const GearInPos& gear) {
   return back > 1e-9 * std::abs(slope.peak().value);
 }
 
-/// Of a modulo master: the next turn whose start is still ahead.
+/// For a modulo master: the next turn whose start is still ahead.
 double turns_ahead(const GearInPosSpec& spec, double start) {
   if (!spec.master_position || !spec.master_period) return 0;
   const double way = (*spec.master_position - start) / *spec.master_period;

@@ -11,7 +11,7 @@
 
 #include "gear/src/ratio/wide.hpp"
 
-// With D the least common multiple of the denominators q_i and P_i = p_i D / q_i,
+// Let D be the least common multiple of the denominators q_i, and P_i = p_i D / q_i. Then
 //
 //   (1)  sum of p_i n_i / q_i = (sum of P_i n_i) / D
 //

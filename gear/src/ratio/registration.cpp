@@ -10,7 +10,7 @@
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
-// With the errors e_n, the steps s_n, what is outstanding o_n and what is applied a_n:
+// Let e_n be the errors, s_n the steps, o_n the outstanding and a_n the applied correction. Then
 //
 //   (1)  s_n = clamp(o_n + e_n, -most, most)
 //   (2)  o_(n+1) = o_n + e_n - s_n,   a_(n+1) = a_n + s_n

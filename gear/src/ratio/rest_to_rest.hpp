@@ -21,7 +21,7 @@ struct Peaks {
 /// for a form that it does not take.
 void require_rest_to_rest(const char* key, Law law, const LawForm& form);
 
-/// Of such a law.
+/// Peaks of such a law.
 Peaks peaks(const char* key, Law law, const LawForm& form = {});
 
 /// For a law that a speed follows from 0 to 1: those, or the line.

@@ -31,7 +31,7 @@ Segment derivative_of(Segment f, int order) {
 void append(Series& series, const Segment& g, double start, double end, double step) {
   const Segment slope = derivative(g);
   std::vector<double> s;
-  const double flat = 2e-16 * magnitude(g) / g.length;  // as in extrema()
+  const double flat = 2e-16 * magnitude(g) / g.length;  // the same in extrema()
   if (flat > 0) roots(slope, flat, s);
   const bool straight = g.degree <= 1 && g.sines == 0;
   const int n = straight ? 1 : std::max(1, static_cast<int>(std::ceil(g.length / step)));
@@ -53,7 +53,7 @@ Series line_of(const Curve<Over>& f, int order, const std::string& label, Style 
   return series;
 }
 
-/// What rounding may make of the `order`th derivative: derivatives of a polynomial of degree d over
+/// Rounding of the `order`th derivative: derivatives of a polynomial of degree d over
 /// a length L grow with d / L each time, those of a sine with its angle / L.
 template <class Over>
 double noise_of(const Curve<Over>& f, int order) {
@@ -77,7 +77,7 @@ struct Band {
     const double under = lower ? *lower - value : 0;
     return std::max({over, under, 0.0});
   }
-  /// As check() decides: a limit that is met exactly is met.
+  /// The rule of check(): a limit that is met exactly is met.
   [[nodiscard]] bool broken(double value) const {
     const double size =
         std::max({std::abs(value), std::abs(lower.value_or(0)), std::abs(upper.value_or(0))});

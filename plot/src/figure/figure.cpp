@@ -22,7 +22,7 @@ constexpr double title_height = 24;  // px, of the rows that a figure may have
 constexpr double legend_height = 20;
 constexpr double header_height = 22;  // the y label above its panel
 constexpr double strip_height = 14;   // names of shades, positions of knots
-constexpr double least_name = 30;     // of a stretch that is named
+constexpr double least_name = 30;     // least width of a named interval
 constexpr double axis_height = 20;
 constexpr double panel_gap = 6;
 
@@ -48,7 +48,7 @@ double widest(const std::vector<std::string>& labels) {
   return width;
 }
 
-/// As many ticks as fit beside each other on `width` px.
+/// The greatest number of ticks that fit on `width` px.
 Ticks x_ticks(const Figure& figure, PlotRange extent, double width) {
   const auto of = figure.degrees ? angle_ticks : figure.decades ? decade_ticks : ticks;
   for (int most = figure.decades ? 20 : 12; most > 1; --most) {
@@ -59,7 +59,7 @@ Ticks x_ticks(const Figure& figure, PlotRange extent, double width) {
   return of(extent, 1);
 }
 
-/// One entry a label, in rows; none if there is nothing to tell apart.
+/// One entry a label, in rows; none if there is only one series.
 std::vector<Entry> legend(const Figure& figure, double left, double right) {
   std::vector<Entry> entries;
   const auto labels = line_labels(figure);
@@ -89,7 +89,7 @@ std::vector<Entry> legend(const Figure& figure, double left, double right) {
   return entries;
 }
 
-/// A name over its stretch, cut to its room if need be and allowed; nothing where that is too narrow.
+/// A name over its interval, shortened to its width where allowed; nothing where that is too narrow.
 struct Name {
   std::string label;
   double middle = 0;
@@ -114,19 +114,19 @@ std::vector<const std::vector<Shade>*> drawn_strips(const Figure& figure, const 
   return rows;
 }
 
-/// Where everything stands.
+/// Places of all parts.
 struct Layout {
   double left = 0;
   double right = 0;
   double height = 0;
   std::vector<PanelAxis> axes;
   std::vector<Box> plots;
-  double strip_top = 0;  ///< of the first panel
+  double strip_top = 0;  ///< top of the first panel's strip
   Scale x;
   Ticks x_ticks;
   std::vector<Entry> legend;
   std::vector<const std::vector<Shade>*> strips;
-  bool shade_names = false;  ///< whether shades have a row of their own
+  bool shade_names = false;  ///< true if shades have a row of their own
 };
 
 Layout lay_out(const Figure& figure, const SvgOptions& options) {

@@ -27,7 +27,7 @@ struct Scale {
   }
 };
 
-/// The y axis of a panel, and what is said above it.
+/// The y axis of a panel, and the text above it.
 struct PanelAxis {
   PlotRange extent;
   Ticks ticks;
@@ -42,7 +42,7 @@ PanelAxis panel_axis(const Panel& panel, double height);
 std::vector<std::string> line_labels(const Figure& figure);
 std::string series_class(const Series& series, const std::vector<std::string>& labels);
 
-/// The knots that are drawn: those inside the axis; none if they are too dense to tell apart.
+/// The knots that are drawn: those inside the axis; none if they are too dense.
 std::vector<double> drawn_knots(const Figure& figure, const Scale& x);
 
 /// The place of one panel: the plot, and how far above it shades reach.

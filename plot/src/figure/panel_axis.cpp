@@ -12,7 +12,7 @@
 namespace jounce {
 namespace {
 
-constexpr double padding = 17;  // px above and below the data: room for a marker's number
+constexpr double padding = 17;             // px above and below the data, for a marker's number
 constexpr double least_knot_distance = 4;  // px, on average
 
 /// A limit is drawn to scale unless it makes the axis this much longer than the data need.
@@ -63,7 +63,7 @@ PanelAxis panel_axis(const Panel& panel, double height) {
   const double room = padding * extent.span() / std::max(height - 2 * padding, 1.0);
   axis.extent = {extent.lo - room, extent.hi + room};
   const double middle = extent.lo + extent.span() / 2;
-  // A constant has no scale of its own: it is the only thing to say.
+  // A constant has no scale of its own: its value is the only tick.
   if (flat && !axis.upper && !axis.lower) {
     axis.ticks = {{middle}, {short_number(middle)}, 0};
   } else {

@@ -19,7 +19,7 @@ struct Box {
 bool overlap(const Box& a, const Box& b);
 bool crosses(const Box& box, Pixel from, Pixel to);
 
-/// What a label must keep clear of.
+/// Parts that a label must not cover.
 struct Surroundings {
   Box frame;                              ///< labels stay inside
   std::vector<Box> taken;                 ///< and off these,

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// How many line styles there are (colour and dashes together); further series begin again.
+/// Number of line styles (color and dashes together); further series begin again.
 constexpr int line_styles = 4;
 
 /// The rules for an SVG file of its own: light, or dark where the viewer prefers it.

@@ -16,7 +16,7 @@ std::string label_of(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-/// An interval with room beside it: what lies further out would squeeze all that matters.
+/// An interval with a margin. Outliers beyond it would compress the rest.
 struct Window {
   double lo = std::numeric_limits<double>::infinity();
   double hi = -std::numeric_limits<double>::infinity();
@@ -65,7 +65,7 @@ class Drawing {
     for (std::size_t o = 1; o < spec_.objectives.size(); ++o) {
       const std::size_t y = column_of(spec_, spec_.objectives[o].figure);
       Panel panel{.y_label = label_of(spec_.given[y].name, spec_.given[y].unit)};
-      // With more than two objectives the projection of the front is no line.
+      // The projection of a front of more than two objectives is not a line.
       Series best = of(summary_.front, x, y, "Pareto front",
                        spec_.objectives.size() > 2 ? Style::dots : Style::line);
       Series within = of(rows(Verdict::within), x, y, "within all limits", Style::dots);
@@ -150,7 +150,7 @@ class Drawing {
     return series;
   }
 
-  /// Those that say something: finite, and not the same in all cases.
+  /// Columns with information: finite, and not the same in all cases.
   [[nodiscard]] std::vector<std::size_t> shown_columns() const {
     std::vector<std::size_t> all;
     for (std::size_t c = 0; c < summary_.figures.size() && all.size() < most_panels; ++c) {

@@ -10,7 +10,7 @@ namespace jounce {
 /// entities; control characters and broken UTF-8, which XML 1.0 cannot hold, become U+FFFD.
 std::string escaped(std::string_view text);
 
-/// How wide the text is at most, in px, in any common sans-serif font of this size.
+/// Greatest width of the text in px, in any common sans-serif font of this size.
 double text_width(std::string_view text, double font_size);
 
 /// The text, cut with an ellipsis if it would be wider than `width` px.

@@ -24,7 +24,7 @@ bool drawable(double value);
 /// no more than `noise`, or than rounding, is taken for a constant.
 PlotRange axis_extent(PlotRange data, double noise = 0);
 
-/// Where an axis is marked, and with what.
+/// Positions and labels of the marks of an axis.
 struct Ticks {
   std::vector<double> at;           ///< ascending, within the axis
   std::vector<std::string> labels;  ///< one each, without the factor

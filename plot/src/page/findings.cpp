@@ -16,7 +16,8 @@ namespace {
 std::string margin(const Finding& f) {
   if (!f.has_limit) return "";
   if (f.limit == 0 && f.rule.starts_with("continuity/")) return short_number(f.margin, 3);
-  if (f.margin < -10) return "< −1000 %";  // a tolerance, not a limit: its multiples say nothing
+  if (f.margin < -10)
+    return "< −1000 %";  // a tolerance, not a limit: its multiples have no meaning
   if (!f.broken && std::abs(f.margin) < 1e-9) return "0 %";
   return short_number(100 * f.margin, 3) + " %";
 }

@@ -77,7 +77,7 @@ bool is_number(std::string_view cell) {
   return !cell.empty() && cell[0] >= '0' && cell[0] <= '9';
 }
 
-/// Whether the column holds numbers, and gaps at most.
+/// True if the column holds only numbers and gaps.
 bool is_numeric(const DataTable& table, std::size_t column) {
   bool any = false;
   for (const DataTable::Row& row : table.rows) {
@@ -88,7 +88,7 @@ bool is_numeric(const DataTable& table, std::size_t column) {
   return any;
 }
 
-/// Numbers stand to the right; long text gets room, so that it does not become a tall column.
+/// Numbers are aligned right; long text gets a wide column.
 const char* kind(const DataTable& table, std::size_t column) {
   constexpr std::size_t long_text = 30;
   const bool wide =
