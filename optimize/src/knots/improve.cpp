@@ -70,7 +70,7 @@ class Run {
   void move_to(const Point& z, const Standing& standing) {
     z_ = z;
     now_ = standing;
-    if (better(now_, best_.standing)) {
+    if (stands_before(now_, best_.standing)) {
       best_.z = z_;
       best_.standing = now_;
     }

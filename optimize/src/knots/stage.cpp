@@ -82,7 +82,7 @@ Standing standing(const Stage& stage, const Point& z) {
   return standing(stage, Shape(stage.space, z));
 }
 
-bool better(const Standing& a, const Standing& b) {
+bool stands_before(const Standing& a, const Standing& b) {
   const bool a_holds = a.excess <= rounding;
   const bool b_holds = b.excess <= rounding;
   if (a_holds != b_holds) return a_holds;

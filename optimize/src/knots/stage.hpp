@@ -77,8 +77,8 @@ std::optional<std::size_t> peak_order(const std::optional<Objective>& objective)
 Standing standing(const Stage& stage, const Shape& shape);
 Standing standing(const Stage& stage, const Point& z);
 
-/// Without violation before with; then by value, respectively by violation.
-bool better(const Standing& a, const Standing& b);
+/// True if a is the better one. A standing without violation comes first. The value decides next, or the violation.
+bool stands_before(const Standing& a, const Standing& b);
 
 /// The peak of the segments that no free quantity reaches: nothing below it counts.
 double floor_of(const Stage& stage);

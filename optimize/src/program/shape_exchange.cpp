@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "optimize/src/program/equalities.hpp"
 #include "optimize/src/program/shape_norms.hpp"
 #include "optimize/src/program/shape_program.hpp"
 #include "optimize/src/search/findings.hpp"
@@ -28,6 +29,7 @@ constexpr double hopeless = 1e-7;  ///< residual of a program that has no soluti
 constexpr double worthwhile = 1e-9;
 constexpr double coarse = 1e-6;  ///< residual of a program that is solved again anyway
 constexpr double fine = 1e-11;
+constexpr double joined = 1e-15;  ///< residual of an equality that rounding leaves
 
 class ShapeExchange {
  public:
@@ -46,6 +48,7 @@ class ShapeExchange {
       infeasible(std::move(*broken));
     else if (minimise() && licence > 0 && !norms_.any())
       smooth(licence);
+    if (worst_equality(model_, found_.z) > joined) found_.z = as_fixed(model_, found_.z);
     return std::move(found_);
   }
 

@@ -56,7 +56,7 @@ class Attempts {
       const std::lock_guard lock(mutex_);
       if (trouble) trouble_ = trouble;
       if (trouble) stopped_ = true;
-      if (result && (!best_ || better(result->standing, *best_))) best_ = result->standing;
+      if (result && (!best_ || stands_before(result->standing, *best_))) best_ = result->standing;
       if (result && options_.enough && options_.enough(*result)) last_ = std::min(last_.load(), i);
       results_[i] = std::move(result);
       ++done_;

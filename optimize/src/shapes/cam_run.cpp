@@ -10,7 +10,8 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double no_step = 1e-9;  // of the peak jerk: forgives rounded input
+constexpr double no_step = 1e-9;     // relative to the peak jerk: forgives rounded input
+constexpr double joined_to = 1e-12;  // relative, of positions: pieces of a spline join to this
 
 std::vector<std::vector<std::size_t>> grouped(const CamShapeProblem& problem) {
   std::vector<std::vector<std::size_t>> groups;
@@ -37,18 +38,41 @@ FreeKnot freedom(const CamShapeProblem& problem, std::size_t knot) {
   return {};
 }
 
-/// The jerk that the cam has on both sides of a run's end, if it does not step there. Outside a cam
-/// that holds it is 0.
-std::optional<double> steady_jerk(const Cam& cam, double master, double peak) {
+/// The pieces of a cam before and after a place; none outside a cam that holds.
+struct Sides {
+  const Segment* before = nullptr;
+  const Segment* after = nullptr;
+};
+
+/// By the nearest break: a break is a sum of lengths, and may differ from the master in the last digit.
+Sides sides(const Cam& cam, double master) {
+  const auto breaks = cam.breaks();
+  const auto nearest = std::min_element(breaks.begin(), breaks.end(), [&](double a, double b) {
+    return std::abs(a - master) < std::abs(b - master);
+  });
+  const auto i = static_cast<std::size_t>(nearest - breaks.begin());
+  const auto pieces = cam.segments();
   const bool wraps = cam.outside() != Extrapolation::hold;
-  const bool first = master == cam.start();
-  const bool last = master == cam.end();
-  const double before =
-      first ? (wraps ? cam.jet(cam.end(), Side::left)[3] : 0) : cam.jet(master, Side::left)[3];
-  const double after =
-      last ? (wraps ? cam.jet(cam.start(), Side::right)[3] : 0) : cam.jet(master, Side::right)[3];
-  if (std::abs(after - before) > no_step * peak) return std::nullopt;
-  return before;
+  Sides s;
+  if (i > 0 || wraps) s.before = &pieces[(i + pieces.size() - 1) % pieces.size()];
+  if (i < pieces.size() || wraps) s.after = &pieces[i % pieces.size()];
+  return s;
+}
+
+/// The jerk that the cam has on both sides of a run's end, if it does not step there. Outside a cam
+/// that holds it is 0. Rounding makes steps too: an error e of a position at one end of a piece of length h
+/// changes its jerk by 60 e / h^3.
+std::optional<double> steady_jerk(const Cam& cam, double master) {
+  const Sides beside = sides(cam, master);
+  const Range slave = extrema(cam, 0);
+  const double error = joined_to * std::max(std::abs(slave.min.value), std::abs(slave.max.value));
+  const double before = beside.before ? evaluate(*beside.before, 1)[3] : 0;
+  const double after = beside.after ? evaluate(*beside.after, 0)[3] : 0;
+  double step = no_step * std::abs(extrema(cam, 3).peak().value);
+  for (const Segment* piece : {beside.before, beside.after})
+    if (piece) step += 60 * error / std::pow(piece->length, 3);
+  if (std::abs(after - before) > step) return std::nullopt;
+  return std::max(std::abs(before), std::abs(after)) > step ? before : 0;
 }
 
 RunKnot knot_of(const CamShapeProblem& problem, const std::vector<CamKnot>& resolved,
@@ -82,12 +106,11 @@ CamRunOf run_of(const CamShapeProblem& problem, std::vector<std::size_t> segment
     run.knots.push_back(knot);
   }
   if (run.closed || problem.shapes.front().continuity < 3) return run;
-  const double peak = std::abs(extrema(cam, 3).peak().value);
   const auto fix = [&](RunKnot& end, std::size_t segment) {
     const EndJerk wanted = shape_of(problem, segment).end_jerk;
     if (wanted == EndJerk::zero) end.geo_jerk = 0;
     if (wanted == EndJerk::as_given && !end.free.geo_acceleration)
-      end.geo_jerk = steady_jerk(cam, end.master, peak);
+      end.geo_jerk = steady_jerk(cam, end.master);
   };
   fix(run.knots.front(), run.segments.front());
   fix(run.knots.back(), run.segments.back());

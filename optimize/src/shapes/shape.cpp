@@ -35,6 +35,7 @@ using Clock = std::chrono::steady_clock;
 using End = ShapeSolution::End;
 
 constexpr int max_refinements = 12;
+constexpr int max_lowerings = 3;  ///< of limits that a solution exceeds by rounding
 constexpr std::size_t most_new_knots = 24;
 constexpr double shortest_piece = 1e-7;  ///< of the shape
 
@@ -166,7 +167,7 @@ class ShapeSearch {
     std::vector<Segment> from = start_.empty() ? given_ : start_;
     for (int k = 0;; ++k) {
       const ShapeModel model(problem_, knots, given_, true, scale_);
-      ShapeSolution found = improve(model, from);
+      ShapeSolution found = improve(model, knots, from);
       const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
       if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
@@ -220,14 +221,32 @@ class ShapeSearch {
         "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
   }
 
-  ShapeSolution improve(const ShapeModel& model, const std::vector<Segment>& from) {
+  /// The pieces of a solution join exactly, which may take a limit beyond the last digits of the solver:
+  /// then once more, below it. The bound stays that of the problem.
+  ShapeSolution improve(const ShapeModel& model, const std::vector<double>& knots,
+                        const std::vector<Segment>& from) {
+    ShapeSolution found = improve(model, model.space.coordinates(from));
+    ShapeProblem held = problem_;
+    for (int k = 0; k < max_lowerings && found.end == End::solved; ++k) {
+      if (!optimizer::lower_exceeded(problem_, model, model.space.segments(found.z), held)) break;
+      const ShapeModel lower(held, knots, given_, true, scale_);
+      ShapeSolution again = improve(lower, found.z);
+      if (again.end != End::solved) break;
+      again.bound = found.bound;
+      again.rounds += found.rounds;
+      again.iterations += found.iterations;
+      found = std::move(again);
+    }
+    return found;
+  }
+
+  ShapeSolution improve(const ShapeModel& model, const Coordinates& from) {
     const auto go_on = [&](int round, double value) {
       out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
       return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value * scale_));
     };
     const double tolerance = problem_.tolerance;
-    return optimizer::minimised(model, model.space.coordinates(from), tolerance,
-                                problem_.refine ? 0 : tolerance / 2, go_on);
+    return optimizer::minimised(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
   }
 
   [[nodiscard]] double elapsed() const {

@@ -4,31 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/src/program/equalities.hpp"
 #include "optimize/src/program/shape_rows.hpp"
 #include "optimize/src/search/findings.hpp"
 
 namespace jounce::optimizer {
 namespace {
 
-/// Of an equality of size one, and of a wall that nothing changes: as far as as_fixed() can say.
+/// The residual of an equality, or of a wall that nothing changes, that as_fixed() may leave.
 constexpr double hopeless = 1e-7;
-constexpr int rounds = 3;
-
-/// A shape near z that has what is fixed and kept exactly: least squares, so that equalities may be said
-/// twice.
-Coordinates as_fixed(const ShapeModel& model, Coordinates z) {
-  ConvexProgram p{std::vector<double>(model.space.size(), 0), {}, {}, {}};
-  for (int round = 0; round < rounds; ++round) {
-    p.squares = model.equalities;
-    for (std::size_t k = 0; k < z.size(); ++k) p.squares.push_back({-1e-5 * z[k], {{k, 1e-5}}});
-    z = solve(p, z).x;
-  }
-  return z;
-}
 
 bool apart(const ShapeModel& model, const Coordinates& z) {
-  const auto off = [&](const Form& f) { return !(std::abs(f.at(z)) <= hopeless); };
-  return std::any_of(model.equalities.begin(), model.equalities.end(), off);
+  return !(worst_equality(model, z) <= hopeless);
 }
 
 }  // namespace

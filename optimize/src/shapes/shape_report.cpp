@@ -7,10 +7,11 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;        ///< relative: closer than this is there
-constexpr double missed = 1e-7;     ///< of a derivative's size: that is a step
-constexpr double forgiven = 1e-12;  ///< what rounding may break, as in profiles/limits
-constexpr double solved = 1e-9;     ///< share of a quantity's size: a solver leaves as much
+constexpr double met = 1e-6;               ///< relative: closer than this is there
+constexpr double missed = 1e-7;            ///< of a derivative's size: that is a step
+constexpr double forgiven = 1e-12;         ///< what rounding may break, as in profiles/limits
+constexpr double left_by_a_solver = 1e-4;  ///< relative: what lower_exceeded() takes for rounding
+constexpr double solved = 1e-9;            ///< share of a quantity's size: a solver leaves as much
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
                 double margin, std::size_t piece, double rounding = forgiven) {
@@ -153,6 +154,39 @@ Report checked(const ShapeProblem& problem, const ShapeModel& model,
   add_missed(problem, model, shape, report.findings);
   sort(report);
   return report;
+}
+
+bool lower_exceeded(const ShapeProblem& problem, const ShapeModel& model,
+                    const std::vector<Segment>& shape, ShapeProblem& held) {
+  const Report report = checked(problem, model, shape);
+  if (report.ok() || report.findings.front().margin < -left_by_a_solver) return false;
+  bool lowered = false;
+  for (std::size_t k = 0; k < problem.corridors.size(); ++k) {
+    const Corridor& c = problem.corridors[k];
+    if (is_exact(c)) continue;
+    double above = 0, below = 0;
+    each_approach(c, shape, problem.begin, model.space.natural(c.quantity),
+                  [&](std::size_t, double sign, const Finding& f) {
+                    double& excess = sign > 0 ? above : below;
+                    if (f.broken) excess = std::max(excess, std::abs(f.value - f.limit));
+                  });
+    const auto move = [&](std::optional<Edge>& edge, double by) {
+      if (by == 0 || !edge) return;
+      edge->at_from += by;
+      edge->at_to += by;
+      lowered = true;
+    };
+    move(held.corridors[k].upper, -2 * above);
+    move(held.corridors[k].lower, 2 * below);
+  }
+  for (std::size_t k = 0; k < problem.ceilings.size(); ++k) {
+    const jounce::Ceiling& c = problem.ceilings[k];
+    const double excess = figure_rows(c.figure, model.space).value(shape) - c.at_most;
+    if (excess <= solved * c.at_most || 2 * excess >= c.at_most) continue;
+    held.ceilings[k].at_most -= 2 * excess;
+    lowered = true;
+  }
+  return lowered;
 }
 
 std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model,

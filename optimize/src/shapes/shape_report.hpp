@@ -14,6 +14,11 @@ namespace jounce::optimizer {
 Report checked(const ShapeProblem& problem, const ShapeModel& model,
                const std::vector<Segment>& shape);
 
+/// Lowers the limits in `held` that the shape exceeds in `problem`, by twice the excess. Returns true if it
+/// lowered one. It lowers none where one is exceeded by more than a solver leaves, 1e-4 of itself.
+bool lower_exceeded(const ShapeProblem& problem, const ShapeModel& model,
+                    const std::vector<Segment>& shape, ShapeProblem& held);
+
 /// What became of the problem's figures, then of its ceilings.
 std::vector<FigureResult> figure_results(const ShapeProblem& problem, const SplineSpace& space,
                                          const std::vector<Segment>& given,

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "optimize/src/program/shape_model.hpp"
+
+/// The equalities of a shape: the joints of its pieces, the fixed ends, the values to keep exactly.
+namespace jounce::optimizer {
+
+/// The greatest residual of an equality at z; NaN if one is.
+double worst_equality(const ShapeModel& model, const Coordinates& z);
+
+/// The coordinates next to z that meet the equalities to rounding; what is fixed at an end, to the bit.
+///
+/// A solver of a program leaves residuals of 1e-9 and more. The written cam joins its pieces exactly: an
+/// error e of a position at one end of a piece of length h changes its jerk by 60 e / h^3.
+Coordinates as_fixed(const ShapeModel& model, Coordinates z);
+
+}  // namespace jounce::optimizer
