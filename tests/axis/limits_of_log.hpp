@@ -11,8 +11,8 @@
 
 namespace jounce::test {
 
-/// Conditions on the log of an axis, for all commands: docs/executor/axis.md, "What the log never
-/// shows". It reads the ticks and the configured limits, and nothing else of the axis.
+/// Conditions on the log of an axis, for all commands: docs/executor/axis.md, "Invariants of the
+/// log". It reads the ticks and the configured limits, and nothing else of the axis.
 class LimitsOfLog {
  public:
   explicit LimitsOfLog(const AxisConfig& config) : config_(resolved(config)) {}
