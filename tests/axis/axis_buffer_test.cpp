@@ -26,7 +26,7 @@ constexpr double a = 1000;  // u/s^2, of every move here
 
 struct Two : Bench {
   Two() : Bench({.limits = limits(200, a)}) { tell(Kind::enable); }
-  /// Until it rests; the ticks since the first move was told.
+  /// Runs until the axis rests; returns the ticks since the first move was commanded.
   std::int64_t finish() {
     const std::int64_t from = tick;
     while (last.state != State::standstill && tick < from + 20000) last = step();
@@ -35,7 +35,7 @@ struct Two : Bench {
   Tick last{.state = State::discrete_motion};
 };
 
-/// Of a motion from v0 to v1 at `a`, both > 0: how long, and how far.
+/// Duration and distance of a motion from v0 to v1 at `a`, both > 0.
 double time_between(double v0, double v1) {
   return std::abs(v1 - v0) / a;
 }
@@ -258,7 +258,8 @@ TEST(AxisBuffer, AnOverrideAndAHoldKeepBothTargets) {
     }
 }
 
-/// Any two moves the same way, with and without a jerk limit, told at any time on the way.
+/// Any two moves in one direction, with and without a jerk limit, commanded at any time of the
+/// first one.
 TEST(AxisBuffer, WhateverTheMovesBothTargetsAreMetWithinTheLimits) {
   test::Random random(49);
   for (int run = 0; run < 300; ++run) {

@@ -23,8 +23,8 @@ Command to(double position, double velocity, BufferMode buffer = BufferMode::abo
           .buffer = buffer};
 }
 
-// The move that waited for this tick has just begun, after a long rest: what is told about it is
-// planned from here, not from where the axis last moved.
+// The move that waited for this tick has just begun, after a long rest: a command about it is
+// planned from here, not from the place of the last motion.
 TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
   for (const Command& change :
        {Command{.kind = Kind::override_, .factor = 0.5}, to(20, 100),
@@ -48,7 +48,7 @@ TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
   }
 }
 
-// A target is a place of the axis, whatever was superimposed on the move before.
+// A target is a position of the axis, also after a superimposed move.
 TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
   Bench axis({.limits = limits(200, 1000)});
   axis.tell(Kind::enable);
@@ -115,7 +115,7 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
   }
 }
 
-// Something is to come, and it says so.
+// The tick reports the waiting command.
 TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
   Bench axis(wide);
   axis.tell(Kind::enable);

@@ -177,7 +177,7 @@ TEST(AxisFaults, TheWatchdogStopsOnThePathAndIsNoFaultAtRest) {
   EXPECT_EQ(tick.state, State::error_stop);
   EXPECT_EQ(tick.job, 1U);
   while (tick.job != 0) tick = bench.step({}, silent);
-  EXPECT_NEAR(tick.position, from + 0.01 + 3.75, 1e-9);  // as a stop: axis_test.cpp
+  EXPECT_NEAR(tick.position, from + 0.01 + 3.75, 1e-9);  // same distance as a stop: axis_test.cpp
   EXPECT_EQ(tick.velocity, 0);
   EXPECT_EQ(tick.state, State::error_stop);
 }
@@ -225,15 +225,15 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
   tick = bench.tell(Kind::reset);
   EXPECT_EQ(tick.fault, Cause::none);
   EXPECT_EQ(tick.state, State::discrete_motion);
-  EXPECT_EQ(bench.run(10).position, rest) << "held until it is told to resume";
+  EXPECT_EQ(bench.run(10).position, rest) << "held until resume";
   bench.tell(Kind::resume);
   tick = bench.run(300);
   EXPECT_EQ(tick.rate, 1);
   EXPECT_EQ(tick.fault, Cause::none);
 }
 
-// At twice the speed a stop has less to brake with than at once: 2000 of 22000 u/s^2 beside the path's
-// own. What is on its way there is stopped in time all the same.
+// At twice the speed a stop has less to brake with than at once: 2000 of 22000 u/s^2 beside the
+// path's own. An axis on its way to the higher rate still stops in time.
 TEST(AxisFaults, AnUnderrunOnTheWayToAHigherRateStopsOnThePathToo) {
   for (const double known : {0.2, 0.3, 0.4, 0.5}) {
     Feed feed(1, 0, 12.5, 20);  // 250 u/s, 5000 u/s^2

@@ -51,7 +51,8 @@ TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
   EXPECT_EQ(cam.run(500).state, State::standstill);
 }
 
-// A halt ends the motion: there is nothing to hold, to resume or to finish, and it says so.
+// A halt ends the motion: there is nothing to hold, to resume or to finish, and the answer states
+// this.
 TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
   for (const Kind kind : {Kind::hold, Kind::resume, Kind::finish}) {
     Job job(1, there_and_back(0, 10, 1, Extrapolation::wrap));

@@ -8,7 +8,7 @@
 
 #include "axis/tables.hpp"
 
-// A hold brings everything to rest in the time of a halt, whatever the motion under way asked for.
+// A hold brings everything to rest in the time of a halt, for every motion under way.
 
 namespace jounce::axis_hold_test {
 namespace {

@@ -85,8 +85,8 @@ bool known_or_not(double x) {
   return std::isfinite(x) || std::isnan(x);
 }
 
-// In the cycle nothing throws: a master that says nonsense is lost, in the very tick, and the axis
-// brakes with that cause.
+// In the cycle nothing throws: a master with invalid numbers is lost in that very tick, and the
+// axis brakes with that cause.
 TEST(AxisInputs, NoNumberOfAMasterBreaksACoupling) {
   int couplings_so_far = 0;
   for (const auto& make : couplings()) {

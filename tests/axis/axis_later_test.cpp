@@ -67,7 +67,7 @@ TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
   EXPECT_EQ(refusal(axis.step({.kind = Kind::halt, .at = 60})), Cause::buffer_full);
 }
 
-// Nobody waits for its answer any more: it is in what was dropped.
+// No caller waits for the answer any more: it is in Tick::dropped.
 TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
   Bench axis(wide);
   axis.tell(Kind::enable);
@@ -139,7 +139,7 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
   ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
   ASSERT_EQ(refusal(axis.tell(Kind::start)), Cause::none);
   axis.run(20);
-  ASSERT_EQ(refusal(axis.arm(job)), Cause::none) << "nobody knows yet where the rows end";
+  ASSERT_EQ(refusal(axis.arm(job)), Cause::none) << "the end of the rows is not known yet";
   ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
   rows.add(0.3004, 3, true);  // between two ticks
   Tick tick = axis.step();
@@ -257,7 +257,7 @@ TEST(AxisLater, AStreamThatIsDeclaredCompleteEndsWithoutAnUnderrun) {
     axis.run(50);
     if (declared) {
       EXPECT_TRUE(rows.path.fifos().complete());
-      EXPECT_TRUE(rows.path.fifos().complete()) << "said twice";
+      EXPECT_TRUE(rows.path.fifos().complete()) << "pushed twice";
       EXPECT_EQ(rows.path.fifos().push(0, row(0.3, 9)), RowRule::after_last);
     }
     const Tick tick = axis.run(300);

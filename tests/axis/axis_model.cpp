@@ -12,7 +12,7 @@ bool is_motion(State state) {
          state == State::stopping || state == State::continuous_motion;
 }
 
-/// A fault after which the setpoint stays where it is, whatever its velocity was.
+/// A fault that freezes the setpoint, at any velocity.
 bool freezes(Cause cause, const AxisConfig& config) {
   return cause == Cause::stalled || reaction_to(cause) == Reaction::power_off ||
          (cause == Cause::aborted && config.abort_acceleration == 0);

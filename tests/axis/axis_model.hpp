@@ -15,12 +15,12 @@
 
 namespace jounce::test {
 
-/// One input of a random run. What it is follows from its seed and the state the axis is in, so that
-/// a run is a list of numbers, and a shorter list is a run too.
+/// One input of a random run. The seed and the state of the axis determine it, so a run is a list
+/// of numbers, and a shorter list is a run too.
 using Seed = std::uint64_t;
 
-/// An axis under random commands, masters, drives and late ticks, and what must be true of every
-/// tick. step() says in words what was not; empty: all was well.
+/// An axis under random commands, masters, drives and late ticks, with the conditions that every
+/// tick must meet. step() returns the violated condition as text; empty: none.
 class AxisModel {
  public:
   explicit AxisModel(const AxisConfig& config, bool has_drive);
@@ -53,7 +53,7 @@ class AxisModel {
   double master_ = 0;
   double master_velocity_ = 0;
   bool master_lost_ = false;
-  double drive_ = 0;  // where it is, in its own count
+  double drive_ = 0;  // position of the drive, in its own count
   std::int64_t stop_began_ = -1;
   double stop_bound_ = 0;  // ticks
   std::uint64_t ids_ = 0;

@@ -49,7 +49,7 @@ TEST(AxisOverride, RaisedWhileLittleIsKnownItStaysOnThePath) {
   }
 }
 
-/// What is the path's at any rate: the place and the velocity are those of one path time, which rises.
+/// Holds at every rate: position and velocity are those of one path time, which rises.
 TEST(AxisOverride, WhateverIsAskedAndSuppliedTheSetpointIsOnThePath) {
   test::Random random(7);
   for (int run = 0; run < 100; ++run) {

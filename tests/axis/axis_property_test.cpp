@@ -38,7 +38,7 @@ std::vector<Variant> variants() {
           {"tight", tight, false}};
 }
 
-/// What was broken first in this run; empty: nothing.
+/// The first violated condition of this run; empty: none.
 std::string played(const Variant& variant, const std::vector<Seed>& seeds) {
   AxisModel model(variant.config, variant.has_drive);
   for (const Seed seed : seeds)
@@ -74,7 +74,7 @@ std::string told(const Variant& variant, const std::vector<Seed>& seeds) {
 }
 
 TEST(MotionAxisProperty, AMillionRandomInputs) {
-  constexpr int runs = 50;  // of each variant
+  constexpr int runs = 50;  // for each variant
   constexpr int inputs = 5'000;
   std::set<State> states;
   std::set<Cause> refusals;

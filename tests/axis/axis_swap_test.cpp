@@ -102,7 +102,7 @@ TEST(AxisSwap, WhatDoesNotMeetIsNotArmed) {
   EXPECT_EQ(refusal(bench.arm(elsewhere)), Cause::start_position);
 }
 
-// The run-up ends at rest for nobody: only a swap could follow it, so it is not admitted alone.
+// The run-up does not end at rest: only a swap could follow it, so it is not admitted alone.
 TEST(AxisSwap, ATableThatEndsAtSpeedIsNotAdmitted) {
   Job up(1, run_up(0.5, 2));
   EXPECT_EQ(up.admit({.limits = limits(100, 3000)}, {up.first().slave[0], 0, 0})->cause,
@@ -181,7 +181,7 @@ TEST(AxisSwap, CamsThatMeetAreJoinedAtSpeedOnBothPathsToTheLastTick) {
         second);
   Bench bench({.limits = limits(500, 2e4, 2e6)});
   bench.play(a, 500);
-  // Where it begins is looked at when the master comes there.
+  // Its start is checked when the master reaches it.
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
   ASSERT_EQ(refusal(bench.step(
                 {.kind = Kind::start, .start_at = StartAt::master_position, .position = 405})),

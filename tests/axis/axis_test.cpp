@@ -200,7 +200,7 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
     for (std::size_t i = 0; i < ticks.size(); ++i) {
       ASSERT_NEAR(ticks[i].position, cam->jet(ticks[i].master)[0], 1e-9) << when;
       if (i < 2) continue;
-      // What the drive sees: the second difference, a mean of the acceleration over two ticks.
+      // The drive sees the second difference, a mean of the acceleration over two ticks.
       const double seen =
           (ticks[i].position - 2 * ticks[i - 1].position + ticks[i - 2].position) * 1e6;
       ASSERT_LE(std::abs(seen), 2 * a * (1 + 1e-9)) << when << " + " << i;
@@ -229,7 +229,7 @@ TEST(MotionAxis, StopNearTheEndLetsTheTableEnd) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
-  bench.run(5490);  // of 5500
+  bench.run(5490);  // 10 of the 5500 ticks are left
   bench.tell(Kind::stop);
   const Tick end = bench.run(750);
   EXPECT_EQ(end.state, State::standstill);
@@ -313,7 +313,7 @@ TEST(MotionAxis, DisablingInMotionIsAFaultThatEnableComesBackTo) {
   EXPECT_EQ(tick.fault, Cause::none);
 }
 
-// What the guard in motion is for: the table in memory is no longer the one that was admitted.
+// The guard in motion detects a table in memory that is no longer the admitted one.
 TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
   AxisConfig config{.limits = limits(10, 20)};
   config.limits.position_max = 60;

@@ -402,7 +402,7 @@ TEST(FifoFollow, PlaysExample77) {
   EXPECT_NEAR(slave.step().slave[0], 5 * 40000, 1e-6) << "notes: 40000 pulses each 1200 ms";
 }
 
-// Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle for ever.
+// Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle without end.
 TEST(FifoFollow, PlaysExample76) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
   push(follow.fifos(), 0, {5000, 2500});
@@ -442,7 +442,7 @@ TEST(FifoFollow, PlaysExample78) {
   EXPECT_EQ(follow.progress(), Progress::done);
 }
 
-// Example 7-9: the old table for ever; bridge; the new table, from 0.6 to 0.6.
+// Example 7-9: the old table without end; bridge; the new table, from 0.6 to 0.6.
 TEST(FifoFollow, PlaysExample79) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0});
   for (const PtPoint& p : test::old_7_9().segments) push(follow.fifos(), 0, p);
@@ -525,7 +525,7 @@ TEST(FifoFollow, ASwitchThatDidNotComeIsVoid) {
   EXPECT_FALSE(follow.fifos().switch_queued());
 }
 
-// What is played depends on the number that the axis is told, not on when a row came.
+// The motion depends on the number in the inputs, not on the arrival time of a row.
 TEST(FifoPath, RowsOfAGreaterNumberAreNotThereYet) {
   FifoPath path(1, {.each = 4});
   SegmentFifos& fifos = path.fifos();

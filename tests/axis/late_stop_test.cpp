@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stream that is about to run dry, and a cycle that comes too late to stop it in the ordinary way: whatever is told
-// in that cycle, the axis stays on the path, and on what is known of it.
+// A stream that is about to run dry, and a cycle that comes too late to stop it in the ordinary
+// way: after any command in that cycle, the axis stays on the path, and on its known part.
 
 #include <cmath>
 #include <string>
@@ -20,7 +20,8 @@ using namespace test;
 constexpr double reach = 40;  // u: half of the way there
 constexpr double w = 5;       // 1/s: there in 628 ms
 
-/// What became of an axis on a stream of which `known` s are known, in the cycle that is `late` ticks late.
+/// Result of an axis on a stream of which `known` s are known, in the cycle that is `late` ticks
+/// late.
 struct Outcome {
   Tick end;
   bool left = false;  ///< the path was given up for a move

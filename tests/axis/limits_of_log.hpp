@@ -11,13 +11,13 @@
 
 namespace jounce::test {
 
-/// What the log of an axis must show, whatever the axis was told: docs/executor/axis.md, "What the log
-/// never shows". It reads the ticks and the configured limits, and nothing else of the axis.
+/// Conditions on the log of an axis, for all commands: docs/executor/axis.md, "Invariants of the
+/// log". It reads the ticks and the configured limits, and nothing else of the axis.
 class LimitsOfLog {
  public:
   explicit LimitsOfLog(const AxisConfig& config) : config_(resolved(config)) {}
 
-  /// What the last tick breaks, in words; empty: nothing.
+  /// The condition that the last tick violates, as text; empty: none.
   std::string see(const Tick& now) {
     const std::string wrong = seen_ ? broken(now) : "";
     before_ = now;
@@ -84,7 +84,7 @@ class LimitsOfLog {
     const double joint = *most.acceleration * tick;
     if (std::abs(step) > (s * dt + joint) * same) return wrong("change of velocity", step, s * dt);
     const double beside = way - (now.velocity + before_.velocity) / 2 * dt;
-    const bool joins = now.job != before_.job;  // as its velocity may step
+    const bool joins = now.job != before_.job;  // its velocity may step
     if (!joins && std::abs(beside) > (s * dt + joint) * dt / 2 + 1e-9)
       return wrong("way", beside, s * dt * dt);
     if (!most.jerk || now.state == State::synchronized_motion ||

@@ -8,7 +8,7 @@
 
 namespace jounce::test {
 
-/// A slave behind a live master, without an axis: what one cycle after another says.
+/// A slave behind a live master, without an axis, stepped cycle by cycle.
 struct Follower {
   Movement& movement;
   std::function<Jet(double)> master;
@@ -32,7 +32,7 @@ struct Follower {
   }
 };
 
-/// Of constant velocity, from 0.
+/// A master of constant velocity, from 0.
 inline std::function<Jet(double)> steady(double velocity) {
   return [=](double t) { return Jet{velocity * t, velocity, 0, 0}; };
 }

@@ -113,7 +113,7 @@ struct Coupled : Bench {
     for (int i = 0; i < ticks; ++i) last = step();
     return last;
   }
-  /// Armed and started as the command says.
+  /// Arms and starts the movement with the command.
   Tick begin(Movement& movement, Command start = {}) {
     EXPECT_FALSE(step({.kind = Kind::arm, .movement = &movement}).refused);
     start.kind = Kind::start;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// There and back between 0 and `reach` by trapezoids, each way `T` s, for ever.
+/// There and back between 0 and `reach` by trapezoids, each way `T` s, without end.
 std::function<Jet(double)> to_and_fro(const TablePtr& way, double reach) {
   return [=](double t) {
     const double T = way->length();
@@ -126,7 +126,7 @@ GearInPosSpec example_6_2() {
           .master_start_distance = 4000};
 }
 
-// Example 6.2, looped: the master goes to and fro by 10000; in step through the reversals.
+// Example 6.2, looped: the master moves back and forth by 10000; in step through the reversals.
 TEST(LiveGearInPos, PlaysExample62Looped) {
   LiveGearInPos gear(1, example_6_2());
   Follower slave{gear, to_and_fro(trapezoid_table(10000, 10000, 100000, 100000), 10000)};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rate that is above full speed and comes down for a swap, or must not go up: what is told meanwhile.
+// A rate that is above full speed and comes down for a swap, or must not go up, and commands during
+// that time.
 
 #include <cmath>
 

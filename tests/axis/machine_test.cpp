@@ -341,7 +341,7 @@ TEST(Machine, RefusesWhatIsNoMachine) {
   EXPECT_EQ(Machine{many}.size(), 64U);
   many.push_back(axis("one too many"));
   EXPECT_THAT(refused(many), HasSubstr("64"));
-  // What was measured is no reason not to follow each other.
+  // Axes may follow each other's measured positions.
   EXPECT_EQ(refused({axis("a", {.what = What::actual, .index = 1}),
                      axis("b", {.what = What::actual, .index = 0})}),
             "");

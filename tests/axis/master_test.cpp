@@ -76,7 +76,7 @@ TEST(Estimate, HasTheNoiseThatTheoryGivesIt) {
     }
 }
 
-// Of order 2 the residual r settles where B r / h = a h makes up for the acceleration in each step.
+// The residual r of order 2 settles where B r / h = a h compensates the acceleration in each step.
 TEST(Estimate, LagsUnderAccelerationByWhatTheGainsSay) {
   const double a = 20;
   TrackerSpec spec{.velocity = 100, .acceleration = 100, .time_constant = 5e-3, .order = 2};
@@ -104,7 +104,7 @@ TEST(Estimate, OfTheFirstMeasurementsIsTheirLeastSquaresLine) {
   const std::array z{0.0, 3.0, 1.0, 2.0};
   Estimate e;
   for (std::size_t i = 0; i < z.size(); ++i) e = corrected(e, spec, static_cast<double>(i), z[i]);
-  // With a time constant of one step the memory fades from the third on; a long one keeps the line.
+  // A time constant of one step fades the memory from the third step on; a long one keeps the line.
   spec.time_constant = 1e3;
   e = {};
   for (std::size_t i = 0; i < z.size(); ++i) e = corrected(e, spec, static_cast<double>(i), z[i]);
@@ -114,7 +114,7 @@ TEST(Estimate, OfTheFirstMeasurementsIsTheirLeastSquaresLine) {
 
 const TrackerSpec line{.velocity = 3, .acceleration = 20, .time_constant = 5e-3, .order = 2};
 
-/// What comes out never breaks its own limits, and fits together.
+/// The output never breaks its own limits, and its derivatives agree.
 struct Watch {
   Jet last{NAN, 0, 0, 0};
   double time = 0;
@@ -131,7 +131,7 @@ struct Watch {
         ASSERT_NEAR(now[0] - last[0], dt * (now[1] + last[1]) / 2, 1e-12 * (1 + std::abs(now[0])));
       }
     } else {
-      ASSERT_TRUE(std::isnan(now[0])) << "lost is said by NaN, never by infinity";
+      ASSERT_TRUE(std::isnan(now[0])) << "a lost master is NaN, never infinity";
     }
     last = now;
     time = t;
@@ -194,7 +194,7 @@ TEST(Tracked, IsLostWithinItsLimitAndComesBackWhereItIs) {
   }
   const double last = t - h;
   for (; t <= last + line.longest_age; t += h)
-    ASSERT_NEAR(master.at(t)[0], 1.5 * t, 1e-9) << "on its way for as long as the limit says";
+    ASSERT_NEAR(master.at(t)[0], 1.5 * t, 1e-9) << "on its way for as long as the limit allows";
   EXPECT_TRUE(std::isnan(master.at(last + line.longest_age + h)[0]));
   t = 5;
   master.see(t, 100);
@@ -206,7 +206,7 @@ TEST(Tracked, IsLostWithinItsLimitAndComesBackWhereItIs) {
 TEST(Tracked, ShortSilenceIsMadeUpWithinTheLimits) {
   Tracked master(line);
   Watch watch;
-  const auto truth = [](double t) {  // brakes from 2 m/s at 10 m/s^2 while nothing is heard
+  const auto truth = [](double t) {  // brakes from 2 m/s at 10 m/s^2 during the silence
     const double s = std::clamp(t - 0.51, 0.0, 0.1);
     return 2 * std::min(t, 0.51) + 2 * s - 5 * s * s + 1.0 * std::max(t - 0.61, 0.0);
   };
@@ -338,8 +338,8 @@ TEST(ExternalMaster, BeginsAfreshWithAnotherClockAndIsLostWhenToldSo) {
   EXPECT_TRUE(std::isnan(send(0.016, 9'000'000'000, 2, true)[0])) << "a clock that was set";
 }
 
-// Samples of an older time are late ones, for all that anybody knows: they are left out, so it is lost
-// within its limit; and found again when no sample from before is in the window any more.
+// Samples of an older time look like late ones: they are left out, so the master is lost within its
+// limit. It is found again when the window holds no sample from before.
 TEST(ExternalMaster, WhoseClockWasSetBackSilentlyIsLostForTheWindow) {
   ExternalMaster master(line);
   double lost_from = 0;

@@ -85,7 +85,7 @@ TEST(Blending, SpeedsUpForAFasterMoveAsLateAsItCan) {
   EXPECT_NEAR(p.at(1).velocity, 50, 1e-9);
 }
 
-// With a jerk j below 4 a^2 / dv the ramp is 2 sqrt(dv / j) long and of the mean velocity: 75 u/s.
+// Below 4 a^2 / dv, a jerk j makes a ramp of 2 sqrt(dv / j) at the mean velocity: 75 u/s.
 TEST(Blending, SpeedsUpWithinItsJerkToo) {
   const double j = 2e4;
   const Profile p = first_of_two(config_with(j));

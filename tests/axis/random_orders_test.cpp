@@ -16,8 +16,8 @@
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 
-// Random orders of every kind, and a checker that knows the log and the limits alone. JOUNCE_ORDERS: how many
-// times as many steps (1: 2e5).
+// Random orders of every kind, and a checker that uses only the log and the limits. JOUNCE_ORDERS:
+// factor on the number of steps (1: 2e5).
 
 namespace jounce::random_orders_test {
 namespace {
@@ -104,7 +104,7 @@ class Operator {
     const double to = place();
     const double way = std::abs(to - last_.position);
     const auto& [low, high, v, a, j] = config_.limits;
-    // As the 3-4-5 polynomial needs it, with some room.
+    // The time that the 3-4-5 polynomial needs, with a margin.
     double T = std::max(1.875 * way / *v, std::sqrt(5.78 * way / *a));
     if (j) T = std::max(T, std::cbrt(60 * way / *j));
     T *= 2 * random_.uniform(1, 2);

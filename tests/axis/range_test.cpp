@@ -135,7 +135,8 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
     }
 }
 
-// A move that turns at the end of the range has no room for a plain stop just before: a stop turns, too.
+// A move that reverses at the end of the range has no distance for a plain stop just before: a stop
+// reverses, too.
 TEST(Range, AStopBesideTheLimitStaysInside) {
   for (int when = 0; when < 200; ++when) {
     Watched axis(between(-300, 300, curves));
@@ -151,7 +152,8 @@ TEST(Range, AStopBesideTheLimitStaysInside) {
   }
 }
 
-// A cam-like table that turns at the end of the range exactly, left there by whatever may come.
+// A cam-like table that reverses exactly at the end of the range, and any command that leaves it
+// there.
 TEST(Range, LeavingAPathAtItsTurningPointStaysInside) {
   AxisConfig config = between(0, 20, limits(500, 5000, 4e5));
   config.abort_acceleration = 3000;
@@ -205,7 +207,7 @@ double stepped_turn(double v, double a, double s, double j) {
   return most;
 }
 
-// The ladder of stops against small steps of an integration: what each says is so.
+// The ladder of stops against small steps of an integration: both agree.
 TEST(Range, TheGentlestStopIsWhatSmallStepsSay) {
   test::Random random(17);
   AxisConfig config = between(-1e6, 0, curves);

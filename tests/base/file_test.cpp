@@ -127,7 +127,8 @@ TEST_F(Files, ALinkToItselfAndANameTooLongAreNamed) {
   EXPECT_EQ(files(), 2U);
 }
 
-// As `check /dev/stdin` and `check <(...)` have it: a pipe without a name, whose writer may be gone already.
+// A pipe without a name, whose writer may be gone already, as in `check /dev/stdin` and `check
+// <(...)`.
 TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
@@ -135,7 +136,7 @@ TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
   close(ends[1]);
   EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "all");
   EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0])), "")
-      << "nothing is left, and nobody writes";
+      << "nothing is left, and there is no writer";
   close(ends[0]);
 }
 

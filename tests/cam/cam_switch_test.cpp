@@ -99,7 +99,7 @@ TEST(CamSwitch, OneDirectionSwitchesWhereTheAxisTurnsRound) {
   EXPECT_EQ(edges({.switches = {range(20, 30)}}, turn), "+1@2 -1@3");
   EXPECT_EQ(edges({.switches = {range(20, 30, AxisDirection::positive)}}, turn), "+1@2 -1@2.5");
   EXPECT_EQ(edges({.switches = {range(20, 30, AxisDirection::negative)}}, turn), "+1@2.5 -1@3");
-  // With hysteresis the axis has turned once it is 1 back: at 2.6 s.
+  // Under hysteresis the axis has reversed once it is 1 back: at 2.6 s.
   EXPECT_EQ(
       edges({.switches = {range(20, 30, AxisDirection::positive)}, .tracks = {{.hysteresis = 1}}},
             turn),
@@ -197,8 +197,8 @@ TEST(CamSwitch, HysteresisMakesGoodWhereTheAxisLeaves) {
   EXPECT_EQ(switch_times(with(0.5), trembling).edges.size(), 2U);
   EXPECT_NEAR(switch_times(with(0.5), trembling).edges[0].time, 10 / 10.4, 1e-9);
   EXPECT_EQ(switch_times(with(0), trembling).edges.size(), 4U);
-  // With 0.3 it leaves above and comes back past 20: off. Then 19.8 is too near to be below, and
-  // the second way up is made good where it leaves, at 20.3.
+  // At 0.3 the axis leaves above and comes back past 20: off. Then 19.8 is too near to count as
+  // below, and the second ascent counts where the axis leaves, at 20.3.
   const auto times = switch_times(with(0.3), trembling);
   ASSERT_EQ(times.edges.size(), 4U);
   EXPECT_NEAR(times.edges[1].time, 1 + 0.4 / 0.6, 1e-9);

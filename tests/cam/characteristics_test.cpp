@@ -86,7 +86,7 @@ TEST(Characteristics, NoSampleOfThePowerIsAboveCm) {
                                   random.uniform(-40, 40), random.uniform(-1, 1) + 3,
                                   random.uniform(-5, 5),   random.uniform(-40, 40)};
     Segment f = quintic(1, q[0], q[1], q[2], q[3], q[4], q[5]);
-    if (n % 2 == 1) {  // with sines as well
+    if (n % 2 == 1) {  // also add sines
       f.sines = 2;
       f.sine[0] = {random.uniform(-1, 1), random.uniform(-30, 30), random.uniform(-3, 3)};
       f.sine[1] = {random.uniform(-1, 1), random.uniform(-9, 9), random.uniform(-3, 3)};

@@ -12,9 +12,9 @@
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
 
-// No set-point jumps, whatever a slave does before it is coupled, whatever the start mode, and
-// whatever its master does: but for the modes that are documented to jump, and then by as much as
-// the check said.
+// No setpoint jumps, for every motion of the slave before it is coupled, every start mode and every
+// motion of the master. Exceptions are the modes that are documented to jump; they jump by the
+// amount that the check reports.
 
 namespace jounce::coupling_property_test {
 namespace {
@@ -56,7 +56,7 @@ Jet most(const Coupling& coupling, const Master& master) {
           d(3) * x[1] * x[1] * x[1] + 3 * d(2) * x[1] * x[2] + d(1) * x[3]};
 }
 
-/// What the slave does before: a function of time.
+/// Motion of the slave before the coupling, a function of time.
 enum class Before { standing, moving, on_a_cam, ramping_in, ramping_over_master, let_go };
 constexpr Before befores[] = {Before::standing,
                               Before::moving,

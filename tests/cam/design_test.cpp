@@ -20,7 +20,7 @@ namespace {
 using test::fig_6_14;
 using test::oracle;
 
-/// Whether a value has all the digits that the manual prints. Its column cuts digits off rather
+/// True if a value has all the digits that the manual prints. Its column cuts digits off rather
 /// than rounding them, so the value lies between the printed number and the next one.
 bool has_printed_digits(double value, const std::string& printed) {
   const auto point = printed.find('.');

@@ -22,8 +22,8 @@ Place parallel(const Disc& disc, double master, double distance) {
   return {p.centre.x + distance * p.normal.x, p.centre.y + distance * p.normal.y};
 }
 
-/// How far a place is from the way a -> b, which is a line or an arc: the distance to the line, or to
-/// the circle, from the bulge alone (sagitta = bulge * chord / 2).
+/// Distance of a place from the path a -> b, which is a line or an arc: to the line, or to the
+/// circle, from the bulge alone (sagitta = bulge * chord / 2).
 double distance_to(const Vertex& a, const Vertex& b, Place p) {
   const double chord = std::hypot(b.x - a.x, b.y - a.y);
   const Place along{(b.x - a.x) / chord, (b.y - a.y) / chord};

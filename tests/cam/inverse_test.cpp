@@ -227,7 +227,7 @@ void expect_inverse(const Cam& cam, const Inverse& g, test::Random& random) {
       EXPECT_NEAR(cam.jet(x[0], Side::left)[0], y, tolerance) << y;
       EXPECT_GE(x[0], g.master_from());
       EXPECT_LE(x[0], g.master_to());
-      const double noise =  // what rounding of the slave moves the master by, more beside a rest
+      const double noise =  // shift of the master by rounding of the slave; greater beside a rest
           1e-12 * cam.length() + 1e-13 * stroke * std::max(std::abs(x[1]), slope_before);
       EXPECT_TRUE(g.rises() ? x[0] >= before - noise : x[0] <= before + noise) << "monotone";
       before = x[0];

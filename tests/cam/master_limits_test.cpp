@@ -69,7 +69,7 @@ TEST(GreatestMasterAcceleration, OfAStraightLineIsTheSlavesOverTheRatio) {
 
 TEST(GreatestMasterAcceleration, OfTheCycloidHasItsClosedForm) {
   // |f''| w^2 + |f'| a <= A with f' = 1 - cos t, f'' = 2 pi sin t; in u = w^2, over t. At w = 0 the
-  // limit is A / 2; at A = 2 pi w^2 it is reached where f' = 1, and there is no room at all.
+  // limit is A / 2; at A = 2 pi w^2 it is reached where f' = 1, and no margin is left.
   const Cam cam = placed("inclined_sine", 1, 1);
   EXPECT_NEAR(greatest_master_acceleration(cam, {.acceleration = 10}, 0).value, 5, 1e-12);
   // For A = 1, w^2 = q: least over t of (1 - 2 pi q sin t) / (1 - cos t); with p = 2 pi q the

@@ -22,7 +22,7 @@ using Real = long double;
 /// x(t) = polynomial + sines, over [0, length].
 struct ClosedForm {
   Real length = 1;
-  std::vector<Real> c;                     // of t
+  std::vector<Real> c;                     // coefficients in t
   std::vector<std::array<Real, 3>> waves;  // amplitude, rad/s, rad
 
   [[nodiscard]] Real x(Real t) const {
@@ -89,7 +89,7 @@ class SwitchOracle {
     return b;
   }
 
-  /// How many of p, p + P, ... are behind, by the rule of hysteresis.
+  /// Number of p, p + P, ... that are behind, by the rule of hysteresis.
   [[nodiscard]] History passed(const Compensated& y, Real p, Real h) const {
     const Real P = spec_.period.value_or(0);
     const auto below = [&](Real value) -> long {
@@ -99,7 +99,7 @@ class SwitchOracle {
     History history{{0, below(f(0))}};
     bool near = false;
     Real at = 0;  // the boundary that it is near to
-    long up = 0;  // what counts as passed above it
+    long up = 0;  // count of those passed above it
     for (std::size_t i = 1; i < grid_.t.size(); ++i) {
       const Real b = grid_.t[i];
       const Real now = y(grid_.x[i], grid_.v[i]);

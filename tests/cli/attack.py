@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Another machine on the same network: attack.py STOP|TEXT|MASTER VICTIM OWN_ADDRESS [SECONDS [AXIS]]
 
-It has no key and receives nothing; it knows the protocol, as docs/stream-protocol.md has it. Each packet goes to the
+It has no key and receives nothing; it uses the protocol of docs/stream-protocol.md. Each packet goes to the
 group by its own interface, to the victim's own address, and to the group with the sender forged as 127.0.0.1.
 """
 import pathlib

@@ -112,7 +112,7 @@ TEST_F(Cli, ExplainNamesMeaningAndRemedy) {
   EXPECT_THAT(number.out, HasSubstr(name.out)) << "the same fault";
   EXPECT_THAT(number.out, HasSubstr("6 out_of_memory (Refusals of the stream)"));
   EXPECT_THAT(run("explain 0x1392").out, HasSubstr("Errors of HMPL for a cam"));
-  const Result finding = run("explain limit/geo_jerk");  // of the family limit/*
+  const Result finding = run("explain limit/geo_jerk");  // a member of the family limit/*
   EXPECT_EQ(finding.status, 0);
   EXPECT_THAT(finding.out, HasSubstr("limit/* (Findings of a check)\n  The exact extremum of "));
   const Result wrong = run("explain folowing_error");
@@ -306,7 +306,7 @@ TEST_F(Cli, AnUnstableLoopIsAFinding) {
     EXPECT_EQ(validated["drive"]["loop"]["stable"], false);
     EXPECT_EQ(run("report unstable.toml -o page.html").status, 1);
     const std::string page = slurp(folder / "page.html");
-    EXPECT_EQ(page.find("drive/stability"), page.rfind("drive/stability"));  // told once
+    EXPECT_EQ(page.find("drive/stability"), page.rfind("drive/stability"));  // reported once
     EXPECT_THAT(page, HasSubstr("gain margin"));
     for (const char* picture : {"spectrum", "bode", "nyquist", "response"}) {
       const Result drawn = run(std::string("plot unstable.toml --drive ") + picture);
@@ -342,7 +342,7 @@ TEST_F(Cli, TheLoopOfADriveAloneIsDrawn) {
               HasSubstr("drive: is missing: this picture needs a spec with a [drive]"));
 }
 
-/// What the model does is a recording that `identify` reads.
+/// The signals of the model are a recording that `identify` reads.
 TEST_F(Cli, ValidateWritesTheSignalsOfADrive) {
   write("move.toml", delayed_drive(0.1));
   ASSERT_EQ(run("validate move.toml --signals run.csv --samples 801").status, 0);
@@ -652,7 +652,7 @@ zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
 point = [{ master = 300, slave = 1000 }]
 master = { velocity = 500, distance = 300, acceleration = 2000 }
 limits = { slave = { acceleration = 5000 } }
-)");  // f'' is 0.075 at the most: 5000 / 0.075 = 258.199^2
+)");  // f'' is at most 0.075: 5000 / 0.075 = 258.199^2
   EXPECT_THAT(run("check both.toml").out,
               HasSubstr("at most 1000; and velocity at most 258.199 even without it"));
   write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
@@ -897,7 +897,7 @@ TEST_F(Cli, OptimizeFindsAShapeThatDesignMakesAgain) {
   const std::string better = slurp(folder / "better.toml");
   EXPECT_THAT(better, HasSubstr("name = \"lift\"   # a comment\n"));
   EXPECT_THAT(better, HasSubstr("law = \"hermite\"   # the law it was\n"));
-  // What is designed from it has the peak that was promised: J a with a of the exact curve.
+  // The design from it has the promised peak: J a with a of the exact curve.
   const json check = json::parse(run("check --json better.toml").out);
   EXPECT_EQ(run("check better.toml").status, 0);
   const Result again = run("optimize --json better.toml");
@@ -974,7 +974,7 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
   EXPECT_EQ(run("plot " + cam + " -o cam.svg").status, 0);
   EXPECT_EQ(run("plot " + cam + " -o cam.png").status, 0);
   EXPECT_EQ(run("report " + cam + " -o cam.html").status, 1)
-      << "this cam breaks its limits, and the page says so";
+      << "this cam breaks its limits, and the page reports it";
   EXPECT_EQ(files(), (std::vector<std::string>{"cam.html", "cam.png", "cam.svg"}));
   EXPECT_THAT(slurp(folder / "cam.svg"), HasSubstr("3.39227"));
   EXPECT_THAT(slurp(folder / "cam.png"), StartsWith("\x89PNG"));
@@ -1217,7 +1217,7 @@ TEST_F(Cli, WhatOnlyRoundingOfKnotsBreaksIsNotFound) {
 }
 
 TEST_F(Cli, WithoutANetworkTheStreamSaysWhatItNeeds) {
-  // memq:// reaches nobody but this process.
+  // memq:// reaches only this process.
   const Result result = run("stream " + cam + " --to feeder --url memq:// --patience 8");
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.err, HasSubstr("no_answer"));
@@ -1335,7 +1335,8 @@ TEST_F(Cli, TakesOneOfTheCamsOfADeclaration) {
   EXPECT_EQ(run("plot both.st -o both.svg").status, 0);
 }
 
-// What a controller gets: whole ms, no step of the velocity, and the same motion when it is read again.
+// Input for a controller: whole ms, no step of the velocity, and the same motion when it is read
+// again.
 TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
   write("m.toml",
         "jounce = 1\nkind = \"move\"\nunits = { position = \"pulse\", time = \"ms\" }\n[move]\n"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded into a process, it steps the process's wall clock an hour to and fro, twenty times a second, as if
-// somebody set the time without end; the monotonic clock goes on evenly. What is written to the file
-// CLOCK_STEPS in the end: how often the wall clock was read, so that a test can see that it was.
+// Preloaded into a process, it steps the process's wall clock an hour back and forth, twenty times
+// a second, like an endless setting of the time; the monotonic clock is not affected. At the end it
+// writes the number of readings of the wall clock to the file CLOCK_STEPS, so that a test can check
+// that there were some.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>

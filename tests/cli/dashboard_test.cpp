@@ -61,7 +61,7 @@ std::string screen(const std::vector<Watched>& axes, const View& view) {
   return text_of(dashboard(axes, view));
 }
 
-/// Of the first span that has this text; nothing otherwise.
+/// Tone of the first span with this text; nullopt if there is none.
 std::optional<Tone> tone_of(const std::vector<Row>& rows, const std::string& text) {
   for (const Row& row : rows)
     for (const Span& span : row)
@@ -225,7 +225,7 @@ TEST(Keys, AStopIsAskedForTwice) {
   EXPECT_EQ(press(view, axes, Key{'y'}), Wish::nothing);
 }
 
-// Whoever reads "Stop knife?" and presses y stops the knife, whatever was heard in between.
+// An operator who reads "Stop knife?" and presses y stops the knife, for any messages in between.
 TEST(Keys, AnAxisThatAppearsTakesNothingFromTheChosenOne) {
   auto axes = two_axes();
   View view{.chosen = "knife"};
@@ -253,7 +253,7 @@ TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   std::vector<Watched> axes;
   const wire::MasterStatus there{7, "line", "mm", 10, false, 1234.5, 500, 0.0013, 12, 1};
   hear(axes, "knife", there);
-  EXPECT_TRUE(axes.empty()) << "an axis is heard by its status";
+  EXPECT_TRUE(axes.empty()) << "an axis appears with its status";
   wire::Status status = moving();
   status.boot = 7;
   hear(axes, "knife", status, 1s);
@@ -270,7 +270,7 @@ TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   EXPECT_EQ(axes[0].masters.size(), 1U);
   for (int i = 0; i < 1000; ++i)
     hear(axes, "knife", wire::MasterStatus{7, "m" + std::to_string(i), "mm", 12 + i, true});
-  EXPECT_EQ(axes[0].masters.size(), Watched::most_masters) << "whoever makes them up";
+  EXPECT_EQ(axes[0].masters.size(), Watched::most_masters) << "for any invented masters";
   EXPECT_EQ(axes[0].masters.back().master, "m999");
 }
 

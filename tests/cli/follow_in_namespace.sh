@@ -72,7 +72,7 @@ timeout 20 "$jounce" stream "$examples/7-7.toml" --to open > refused.txt 2>&1 &&
 sleep 1
 timeout 20 "$jounce" stream once.toml --to web > web.txt 2>&1 || fail "web: $(cat web.txt)"
 wait $waits || fail "7-7: $(cat 7-7.txt)"
-grep -q 'started' 7-7.txt || fail "7-7 does not say that it follows: $(cat 7-7.txt)"
+grep -q 'started' 7-7.txt || fail "7-7 does not report that it follows: $(cat 7-7.txt)"
 sleep 11
 kill -INT $executor
 wait $executor || fail "the executor ended badly: $(cat run.txt)"
@@ -88,7 +88,7 @@ def log(axis):
 def segment(u, length, way, begin):  # position and ratio at u in it, and the ratio at its end
     end = 2 * way / length - begin
     return begin * u + (end - begin) * u * u / (2 * length), begin + (end - begin) * u / length, end
-def chain(ways, u, begin, length=20000):  # of segments 20000 long
+def chain(ways, u, begin, length=20000):  # segments 20000 long
     done = 0
     for way in ways:
         if u <= length:
@@ -96,12 +96,12 @@ def chain(ways, u, begin, length=20000):  # of segments 20000 long
             return done + p, ratio
         begin = segment(length, length, way, begin)[2]
         done, u = done + way, u - length
-def example_7_7(m):  # from 50000 on, for ever
+def example_7_7(m):  # from 50000 on, without end
     if m <= 50000: return 0, 0
     n, u = divmod(m - 50000, 60000)
     p, ratio = chain((10000, 20000, 10000), u, 0)
     return 40000 * n + p, ratio
-def example_7_9(m):  # a table, the bridge, then the last one for ever
+def example_7_9(m):  # a table, the bridge, then the last one without end
     if m <= 0: return 0, 0
     if m <= 60000: return chain((10000, 20000, 10000), m, 0)
     if m <= 120000:

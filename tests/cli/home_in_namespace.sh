@@ -42,7 +42,7 @@ refused 2 'at = 5.*waits until the axis is homed' slide home --at 5
 refused 1 no_sensor bare home --method 24
 "$jounce" monitor slide --json --seconds 2 | grep -q '"homed":false' || fail "homed before its homing"
 
-# what ends it
+# orders and faults that end it
 refused 1 'not homed: home_timeout' slide home --timeout 100ms
 order slide reset || fail "reset: $(cat out)"
 refused 1 'not homed: home_not_found' slide home --distance 5mm

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# isolated_in_namespace.sh JOUNCE EXAMPLE_DIR: an executor in motion, and another machine on its network that has no key,
-# receives nothing and sends: a stop, a master's position, a status with a text that is not UTF-8. What
-# docs/executor/two-machines.md says of each address is tried: without a ttl; with ttl=1 and no key, where the same
+# isolated_in_namespace.sh JOUNCE EXAMPLE_DIR: an executor in motion, and another machine on its network that has no
+# key, receives nothing and sends: a stop, a master's position, a status with a text that is not UTF-8. It tests the
+# statements of docs/executor/two-machines.md about each address: without a ttl; with ttl=1 and no key, where the same
 # attacks succeed (so that they are attacks); with ttl=1 and a key.
 set -eu
 . "$(dirname "$0")/namespace.sh"
@@ -89,7 +89,7 @@ wait $!
 attack TEXT
 moves || fail "a text that is not UTF-8 had an effect: $(cat axis)"
 attack STOP
-moves && fail "the page says that a stop without a key is obeyed; it was not"
+moves && fail "the page states that a stop without a key is obeyed; it was not"
 end
 
 "$jounce" new key -o line.key > /dev/null

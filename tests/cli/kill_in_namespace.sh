@@ -5,7 +5,7 @@ set -eu
 . "$(dirname "$0")/namespace.sh"
 sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$2/cam.toml" > "$scratch/long.toml"
 "$1" design "$scratch/long.toml" -o "$scratch/long.csv" 2> /dev/null > /dev/null
-"$1" stream "$scratch/long.toml" --to nobody --patience 8 2> "$scratch/err" && fail "nobody answered, yet it succeeded"
+"$1" stream "$scratch/long.toml" --to nobody --patience 8 2> "$scratch/err" && fail "there was no answer, yet it succeeded"
 grep -q no_answer "$scratch/err" || fail "the error is not no_answer: $(cat "$scratch/err")"
 
 "$1" run "$2/axis.toml" --enable --log "$scratch/run.csv" --once --seconds 40 &

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# machine_in_namespace.sh JOUNCE: a machine with a virtual master, over UDP: the logs of all its axes, and what is said
-# where something is missing or silent.
+# machine_in_namespace.sh JOUNCE: a machine with a virtual master, over UDP: the logs of all its axes, and the messages
+# about missing files and silent programs.
 set -eu
 . "$(dirname "$0")/namespace.sh"
 cd "$scratch"

@@ -107,7 +107,7 @@ try:
     expect(monitor.end() == 0, "q ends it with another status than 0")
     expect(b"\x1b[?25h\x1b[?1049l" in monitor.out, "cursor and screen do not come back")
 
-    # Whoever ends it otherwise gets the terminal back too.
+    # Every other end restores the terminal too.
     for how in (lambda m: m.press(b"\x03"), lambda m: os.kill(m.pid, signal.SIGTERM)):
         monitor = Monitor("feeder")
         monitor.wait_for("> feeder")
@@ -116,8 +116,8 @@ try:
         expect(b"\x1b[?25h\x1b[?1049l" in monitor.out, "cursor and screen do not come back")
 
     monitor = Monitor("nobody", "--silence", "1")
-    expect(monitor.end() == 3, "nobody is heard, and that is fine")
-    expect(b"nobody has sent no message for 1 s" in monitor.out, "it does not say who is silent")
+    expect(monitor.end() == 3, "there is no executor, and the exit status is not 3")
+    expect(b"nobody has sent no message for 1 s" in monitor.out, "it does not name the silent executor")
 finally:
     executor.terminate()
     executor.wait()

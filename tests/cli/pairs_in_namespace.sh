@@ -6,7 +6,7 @@ set -eu
 . "$(dirname "$0")/namespace.sh"
 jounce=$1 example=$2
 
-# one NAME [COMMAND...]: starts an executor; its exit status and what it says are in files.
+# one NAME [COMMAND...]: starts an executor; its exit status and its output are in files.
 one() {
   name=$1 mark=$2
   shift 2
@@ -15,7 +15,7 @@ one() {
   echo $status > "$scratch/$mark.status"
 }
 
-# judge NAME: of the two of this name one was up to its end, and the other one says why it was not.
+# judge NAME: one of the two of this name was up to its end, and the other one gives the reason why it was not.
 judge() {
   statuses=$(cat "$scratch/$1-a.status" "$scratch/$1-b.status" | sort | tr '\n' ' ')
   case $statuses in
@@ -23,7 +23,7 @@ judge() {
   *) fail "$1: exit statuses $statuses: $(cat "$scratch/$1"-?.err)" ;;
   esac
   cat "$scratch/$1-a.err" "$scratch/$1-b.err" | grep -q "another executor on this --url" ||
-    fail "$1: the one that left does not say why: $(cat "$scratch/$1"-?.err)"
+    fail "$1: the one that left gives no reason: $(cat "$scratch/$1"-?.err)"
 }
 
 pairs() {

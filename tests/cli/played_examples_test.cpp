@@ -138,8 +138,8 @@ Columns knots_of(const Trajectory& motion, Interpolation rule) {
   return sample(motion, rule, knots).table.columns();
 }
 
-/// A motion that begins or ends moving, between a move that leads to it from rest and one that brings it to
-/// rest, within its own peaks. What is promised of its limits holds for all of it.
+/// A motion that begins or ends moving, between a move that leads to it from rest and one that
+/// brings it to rest, within its own peaks. The promised limits hold for all of it.
 Input from_rest_to_rest(Input input) {
   const auto* const motion = std::get_if<Trajectory>(&*input.curve);
   if (motion == nullptr) return input;
@@ -172,7 +172,7 @@ Input from_rest_to_rest(Input input) {
   return input;
 }
 
-/// What is played, and what is promised of it: the table over time, and behind its master the chain rule.
+/// The played motion, and its promise: the table over time, and behind its master the chain rule.
 struct Promise {
   StreamPlan plan;
   Reference table;
@@ -245,7 +245,7 @@ bool is(double value, const Reference& motion, double t, Value of, double tolera
   return false;
 }
 
-/// How far a value may be off whose instant is: by its slope in as long.
+/// Permitted error of a value whose instant is rounded: the change by its slope in that time.
 double rounding(double peak, double slope) {
   return 1e-8 * peak + 2e-9 * slope + 1e-9;
 }
@@ -336,7 +336,8 @@ class Play {
     EXPECT_GE(acceleration, peaks_.acceleration * 0.999 - cycle * peaks_.jerk);
   }
 
-  /// A limit over time that `check` says holds does hold in the log; one that it says is broken, is.
+  /// A limit over time that holds for `check` holds in the log; one that is broken for `check` is
+  /// broken there.
   void compare_limits() const {
     if (std::holds_alternative<Cam>(*input_.curve)) return;  // limits per master unit
     const double unit =
@@ -362,9 +363,9 @@ class Play {
         std::any_of(report.findings.begin(), report.findings.end(),
                     [&](const Finding& finding) { return finding.broken && finding.rule == rule; });
     if (broken) {
-      EXPECT_GE(seen, *limit - missed) << rule << ": check says it is broken";
+      EXPECT_GE(seen, *limit - missed) << rule << ": broken for check";
     } else {
-      EXPECT_LE(seen, *limit * (1 + 1e-9)) << rule << ": check says it holds";
+      EXPECT_LE(seen, *limit * (1 + 1e-9)) << rule << ": holds for check";
     }
   }
 
@@ -420,7 +421,7 @@ TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {
   }
 }
 
-// What is left out by its kind is no table; what is left out or refused by its name is there.
+// A file left out by its kind is not a table; a file left out or rejected by its name exists.
 TEST(PlayedExamples, LeaveOutNoTable) {
   for (const auto& entry : fs::recursive_directory_iterator(examples))
     if (entry.path().extension() == ".toml" && no_tables.contains(kind_of(entry.path()))) {

@@ -102,13 +102,13 @@ executor=$!
 trap 'kill $executor 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
 for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order line override 100% > /dev/null 2>&1 && break; sleep 0.3; done
 stream() { timeout 20 "$jounce" stream "$@" > out.txt 2>&1; }
-refused() {  # refused WHY TEXT ARGUMENTS: exit status 1, and TEXT in what is said
+refused() {  # refused WHY TEXT ARGUMENTS: exit status 1, and TEXT in the output
   why=$1 text=$2
   shift 2
   status=0
   stream "$@" || status=$?
   [ $status = 1 ] || fail "$why: exit status $status: $(cat out.txt)"
-  grep -q -- "$text" out.txt || fail "$why: says $(cat out.txt)"
+  grep -q -- "$text" out.txt || fail "$why: prints $(cat out.txt)"
 }
 position() { "$jounce" monitor "$1" --seconds 0.2 --json | tail -1 | sed 's/.*"position":\([-0-9.e+]*\).*/\1/'; }
 stands_at() {  # stands_at AXIS POSITION
@@ -161,7 +161,7 @@ begin=$(awk -v m="$line" 'BEGIN { print 250 * int(m / 250 + 3) }')
 stream knife250.toml --to knife --live --start-at "$begin" || fail "the knife does not begin: $(cat out.txt)"
 begin=$(awk -v m="$(position line)" 'BEGIN { print 200 * int(m / 200 + 3) }')
 stream shear200.toml --to shear --live --start-at "$begin" --no-wait || fail "the shear is not accepted: $(cat out.txt)"
-grep -q 'accepted, waits for its start' out.txt || fail "--no-wait says: $(cat out.txt)"
+grep -q 'accepted, waits for its start' out.txt || fail "--no-wait prints: $(cat out.txt)"
 sleep 2
 stream knife300.toml --to knife --live --at-next-cut || fail "no other length: $(cat out.txt)"
 sleep 3
@@ -171,12 +171,12 @@ sleep 4
 "$jounce" order shear halt > /dev/null
 "$jounce" order line halt > /dev/null
 
-# A follow spec as what it says, and a gear that stays in gear: both stand when their master does.
+# A follow spec with its tables, and a gear that stays in gear: both stand still when their master does.
 "$jounce" order line set-position 0 > /dev/null || fail "the line does not count from 0"
 stream 7-6.toml --to carr --live || fail "7-6: $(cat out.txt)"
 stream gip.toml --to gear --live || fail "GearInPos: $(cat out.txt)"
 stream 7-7.toml --to carr && fail "pass without a live master"
-grep -q 'follow.pass = 50000: is a position of a live master: stream it with --live' out.txt || fail "says $(cat out.txt)"
+grep -q 'follow.pass = 50000: is a position of a live master: stream it with --live' out.txt || fail "prints $(cat out.txt)"
 "$jounce" order line jog 10000 --acceleration 20000 > /dev/null
 sleep 3
 "$jounce" order line halt --deceleration 20000 > /dev/null
@@ -184,7 +184,7 @@ sleep 1.5
 kill -INT $executor
 wait $executor || fail "the executor ended badly: $(cat run.txt)"
 
-# What the logs show.
+# The evidence of the logs.
 python3 - <<'END'
 import csv, math
 def log(axis):
@@ -220,7 +220,7 @@ for tick, state, m, p, v, job in log("knife"):
         cuts.append(last[0] + (m - last[0]) * (k - last[1]) / (p - last[1]))
     last = (m, p)
 lengths = [round(b - a, 1) for a, b in zip(cuts, cuts[1:])]
-begins, last = [], None  # of the shear, 1 mm from its home; the cams of both lengths differ by less than 2 mm there
+begins, last = [], None  # for the shear, 1 mm from its home; the cams of both lengths differ by less than 2 mm there
 for tick, state, m, p, v, job in log("shear"):
     if last and state == "synchronized_motion" and last[1] < 1 <= p: begins.append(m)
     last = (m, p)

@@ -14,7 +14,7 @@ jounce=$1 what=$2 example=$3
 
 play() { "$jounce" stream "$example/cam.toml" --to feeder "$@"; }
 state() { "$jounce" monitor feeder --seconds 0.3 --json | tail -1; }
-wait_for() {  # wait_for SECONDS TEXT: until the status says it
+wait_for() {  # wait_for SECONDS TEXT: until the status shows it
   for _ in $(seq $(($1 * 3))); do
     state > "$scratch/status" 2> /dev/null && grep -q "$2" "$scratch/status" && return 0
   done
@@ -98,7 +98,7 @@ executor)
   wait $executor 2> /dev/null || true
   "$jounce" run "$example/axis.toml" --seconds 60 --log "$scratch/run.csv" 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 disabled  # nobody has enabled it
+  wait_for 10 disabled  # no program has enabled it
   sleep 1
   grep -q started "$scratch/notices" && fail "it moved by itself after its restart"
   # Killed while it is sent a table: the stream ends, whole at the new executor or with a named error.
@@ -168,8 +168,8 @@ disk)
   cat "$scratch/notices"
   grep -q "^finished" "$scratch/notices" || fail "the motion was not finished"
   [ $status = 3 ] || fail "a log that cannot be written is a fault of the machine, not $status"
-  grep -q "$reason" "$scratch/notices" || fail "nobody says why"
-  grep -q "full/run.csv.truncated" "$scratch/notices" || fail "nobody says where what was written is"
+  grep -q "$reason" "$scratch/notices" || fail "no message gives the reason"
+  grep -q "full/run.csv.truncated" "$scratch/notices" || fail "no message names the written file"
   [ ! -e "$scratch/full/run.csv" ] || fail "a log that is not whole has the name of one that is"
   check_log "$scratch/full/run.csv.truncated"
   umount "$scratch/full" 2> /dev/null || true

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # two_machines_in_namespace.sh JOUNCE EXAMPLE_DIR: streamer and executor with a network of their own each, joined by a
-# cable, as docs/executor/two-machines.md says. The cable is pulled while the axis moves.
+# cable, as in docs/executor/two-machines.md. The cable is pulled while the axis moves.
 set -eu
 . "$(dirname "$0")/namespace.sh"
 needs_network "a second machine"
@@ -15,10 +15,10 @@ there "$jounce" run "$example/axis.toml" --url "$url" --key "$scratch/line.key" 
 executor=$!
 # Without a ttl nothing leaves this machine, and without the key nothing is believed.
 "$jounce" monitor feeder --url "$url" --key "$scratch/line.key" --seconds 10 --silence 9 --json | head -1 > "$scratch/status"
-grep -q '"state":"standstill"' "$scratch/status" || fail "the executor is not heard over the cable"
+grep -q '"state":"standstill"' "$scratch/status" || fail "no status of the executor over the cable"
 status=0
 "$jounce" monitor feeder --silence 1 2> "$scratch/err" || status=$?
-[ $status = 3 ] || fail "without a ttl it is heard on the other machine"
+[ $status = 3 ] || fail "without a ttl its status reaches the other machine"
 "$jounce" stream "$example/cam.toml" --to feeder --url "$url" --patience 2 > /dev/null 2>&1 && fail "it was streamed without the key"
 "$jounce" stream "$example/cam.toml" --to feeder --url "$url" --key "$scratch/line.key" || fail "the stream did not complete"
 ip link set here down

@@ -24,7 +24,7 @@ Cam cam(Extrapolation outside) {
   return Cam({line(10, 0, 20)}, 0, outside);
 }
 
-/// "InputError KEY" of whatever is thrown, as the table has it.
+/// "InputError KEY" of the thrown error, as in the table.
 std::string thrown(const std::function<void()>& f) {
   try {
     f();
@@ -38,7 +38,7 @@ std::string engaging(const Coupling& coupling, const Jet& master) {
   return std::string("CouplingStatus ") + name(engage(coupling, {}, master, 0).status);
 }
 
-/// What provokes each error that this room can give, by controller and code.
+/// A provocation of each error that this module can throw, by controller and code.
 std::map<std::string, std::function<std::string()>> provocations() {
   using When = Trigger::When;
   const auto spec = [](const CouplingSpec& given) {
@@ -106,7 +106,7 @@ std::string key(const ControllerError& error) {
 
 TEST(ControllerErrors, EachThatTheLibraryCanGiveIsProvoked) {
   const auto provoke = provocations();
-  // Of a spec or an executor: tests/io and tests/executor.
+  // Errors of a spec or an executor: tests/io and tests/executor.
   const std::set<std::string> elsewhere{"HMPL 0x1390", "HMPL 0x1391"};
   for (const ControllerError& error : controller_errors()) {
     const std::string here = error.here;

@@ -221,7 +221,7 @@ TEST(Exchange, WritesWhatKasImports) {
             "SPLINE\nTABLE_END;;\n");
 }
 
-// As "Display generated code" of the cam editor shows it (CODESYS SoftMotion), typed as people do.
+// Output of "Display generated code" of the cam editor (CODESYS SoftMotion), in manual formatting.
 const std::string generated =
     "{attribute 'linkalways'}\nVAR_GLOBAL\n"
     "  e_a : array[0..2] of smc_camxyva := [(dx := LREAL#0.0, DY := 0),\n"

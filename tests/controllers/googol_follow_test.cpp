@@ -17,7 +17,7 @@ namespace {
 
 using State = SegmentFifos::State;
 
-/// An axis whose master stands at 0 at first, and goes where the test says.
+/// An axis whose master begins at 0 and moves to the positions that the test gives.
 struct Axis {
   FollowFifos fifos;
   Sample now{0, {0, 0, 0, 0}};
@@ -48,7 +48,7 @@ TEST(GoogolFollow, Example79SwitchesAtTheEndsOfPasses) {
   EXPECT_EQ(axis.fifos.follow_clear(0), Refusal::in_use);
   ASSERT_EQ(axis.fifos.follow_switch(1), Refusal::none);
   EXPECT_EQ(axis.fifos.follow_clear(1), Refusal::in_use) << "it is what comes next";
-  EXPECT_EQ(axis.to(119999)[0], 80000 - 0.5 / 20000) << "for ever ends with its pass";
+  EXPECT_EQ(axis.to(119999)[0], 80000 - 0.5 / 20000) << "the endless table ends with its pass";
   EXPECT_EQ(axis.fifos.follow_space(0), 13U);
   EXPECT_NEAR(axis.to(120000 + 55000)[1], 1 - 0.4 * 0.75, 1e-14) << "the bridge falls to 0.6";
   EXPECT_EQ(axis.fifos.follow_space(0), 16U) << "so users see that it has switched";

@@ -144,11 +144,10 @@ TEST(GoogolRefusal, HasACodeAndASentence) {
   }
 }
 
-/// The stream as someone would write it who never heard of FIFOs: a list of all points, and which
-/// ones are not yet used up.
+/// The stream written without FIFOs: a list of all points, and the unused ones.
 struct NaiveStream {
   std::size_t each;
-  std::vector<PtPoint> points;       // of the running or waiting stream
+  std::vector<PtPoint> points;       // points of the running or waiting stream
   std::deque<std::size_t> blocks{};  // points a FIFO, the one that plays first
   std::size_t gone = 0;              // points of FIFOs emptied
 
@@ -161,7 +160,7 @@ struct NaiveStream {
     ++blocks.back();
     points.push_back(p);
   }
-  /// Whether it has run dry.
+  /// Returns true if the stream has run dry.
   bool play(double t) {
     while (!blocks.empty() && t >= points[gone + blocks.front() - 1].x) {
       gone += blocks.front();

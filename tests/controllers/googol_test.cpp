@@ -150,7 +150,7 @@ TEST(GoogolTrap, WithAStartSpeedIsAsFastAsTheSolver) {
     m.smooth_time = 1 + random.below(50);
     m.vel_start = random.uniform(0, 0.9) * m.vel;
     const auto h = static_cast<double>(m.pos);
-    // As far as it takes to stop.
+    // The distance of a stop.
     if (m.vel_start * (m.vel_start / m.acc + m.smooth_time) > h) continue;
     const MoveResult fastest =
         move_to({0, m.vel_start, 0}, {h, 0, 0}, within(m.vel, m.acc, m.acc / m.smooth_time));
@@ -251,7 +251,7 @@ TEST(GoogolJog, Example72SlowsDownAfterTheCrossing) {
   EXPECT_DOUBLE_EQ(state_at(f, 2600).velocity, 50);
 }
 
-/// What an error says of which key; nothing if there is none.
+/// Key and text of the error; empty if there is none.
 template <class Call>
 std::string refused_key(Call call) {
   try {

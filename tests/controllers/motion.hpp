@@ -28,8 +28,8 @@ inline std::ostream& operator<<(std::ostream& out, const Dynamics& d) {
 
 namespace test {
 
-/// Where a profile's phases lead from its start, added up one by one: shares
-/// nothing with Profile::at and curve(), which know the end.
+/// End state of a profile's phases from its start, added up one by one. Shares nothing with
+/// Profile::at and curve(), which use the end.
 inline MotionState integrated(const Profile& profile) {
   double p = profile.start().position;
   double v = profile.start().velocity;
@@ -46,8 +46,7 @@ inline MotionState integrated(const Profile& profile) {
   return {p, v, a};
 }
 
-/// The phases lead from the start to the end that the profile says, and no further than rounding
-/// from it.
+/// The phases lead from the start to the profile's end, within rounding.
 inline void expect_arrives(const Profile& profile, double tolerance = 1e-12) {
   const MotionState end = integrated(profile);
   const double T = profile.duration();

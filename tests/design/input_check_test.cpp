@@ -64,8 +64,8 @@ std::vector<std::string> rules(const Report& report, bool broken) {
   return all;
 }
 
-// 53 of 60 tables broke a limit by up to 25 %, of the jerk most: the search ended beside states at which a
-// phase of a profile vanishes, and the table had no room for a knot at either end of that phase.
+// 53 of 60 tables broke a limit by up to 25 %, of the jerk most: the search ended beside states at
+// which a phase of a profile vanishes, and that phase was too short for a knot at either end.
 TEST(ViaSpec, MakesTablesThatKeepTheLimits) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
     for (const Input& input : inputs_of(parse_spec(pick_and_place(seed), "via.toml"), "via.toml"))
@@ -97,8 +97,9 @@ std::string short_phase(Random& random, int which, double phase) {
          number(from) + "\nto = " + number(from + to) + "\n" + rates + "[limits]\n" + rates;
 }
 
-// A cruise of a microsecond had no room for its second knot, and the table was 4 % beyond the jerk. Phases below
-// 0.1 us are beyond what doubles hold of a velocity: there the check forgives a needle.
+// A cruise of a microsecond was too short for its second knot, and the table exceeded the jerk by 4
+// %. For phases below 0.1 us doubles do not resolve the velocity: there the check permits a short
+// peak.
 TEST(MoveSpec, MakesTablesThatKeepTheLimitsWhereAPhaseVanishes) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Random random(seed);

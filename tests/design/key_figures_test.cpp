@@ -97,7 +97,7 @@ torque = 0.001
   EXPECT_LT(figure(all, "rms torque"), figure(all, "peak torque"));
   EXPECT_NEAR(figure(all, "margin"), 1 - figure(all, "peak torque") / 0.001, 1e-9);
   EXPECT_FALSE(all.report.ok());
-  // Not driven for what does not need it: then nothing is said of its limits.
+  // These figures need no drive run: then the report omits the limits of the drive.
   const Assessment quick = assess(spec, {"peak velocity", "duration"});
   ASSERT_EQ(quick.figures.size(), 2U);
   EXPECT_EQ(quick.figures[0].name, "peak velocity");

@@ -7,7 +7,7 @@ import re
 import sys
 
 page, root = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-rooms = {"plays": "cli"}  # a program of tests in another room's folder
+rooms = {"plays": "cli"}  # a test program in another module's folder
 scripts = "\n".join(file.read_text() for file in root.glob("tests/**/CMakeLists.txt"))
 
 
@@ -15,7 +15,7 @@ def is_there(name):
     room, _, test = name.partition(": ")
     gtest = re.fullmatch(r"(\w+)\.(\w+)", test)
     if not gtest:
-        first, _, last = name.rpartition(", ")  # of a foreach: "cli: survives, ${what}"
+        first, _, last = name.rpartition(", ")  # test of a foreach: "cli: survives, ${what}"
         looped = f"{first}, ${{what}}" in scripts and re.search(rf"foreach\(what [^)]*\b{last}\b", scripts)
         return f'NAME "{name}"' in scripts or bool(looped)
     folder = root / "tests" / rooms.get(room, room)

@@ -68,7 +68,7 @@ for name, text in pages.items():
         here = str((root / name).parent.joinpath(path).resolve().relative_to(root)) if ".." not in path else ""
         placeholder = re.search(r"[A-Z]{3,}", path) and not path.endswith("README.md")
         known = path in files or here in files
-        if path.endswith((".hpp", ".cpp")):  # as #include names it: the end of a path
+        if path.endswith((".hpp", ".cpp")):  # an #include names the end of a path
             known = known or any(f.endswith("/" + path) for f in files)
         if "/" in path and (first in modules or path.endswith((".hpp", ".cpp"))) and not placeholder and not known:
             errors.append(f"{name}:{prose.count(chr(10), 0, m.start()) + 1}: `{path}` does not exist")

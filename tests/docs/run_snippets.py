@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs what the documentation shows.
+"""Runs the commands that the documentation shows.
 
 usage: run_snippets.py JOUNCE PAGE.md...
 
 A fence tagged `sh run` is executed with the jounce given, in one scratch folder per page in which `examples` and
 `docs` are the repository's, as for a reader in its root; `exit N` as a second tag (`sh run exit=1`) is the status
-expected. A fence `output` right after it must be found in what was printed, line by line. A fence `toml examples/NAME.toml` must stand in that file as it is. Prints file and line of
-what fails.
+expected. A fence `output` right after it must be found in the output, line by line. A fence `toml examples/NAME.toml`
+must be in that file unchanged. Prints file and line of each failure.
 """
 import os
 import re

@@ -63,7 +63,7 @@ TEST(Cia402, EveryTransitionOfTheStandardsTable) {
               state == fault ? fault : fault_reaction_active);
 }
 
-/// Which states can be reached by some controlword: nothing but what the table has.
+/// The states that some controlword can reach are exactly those of the table.
 TEST(Cia402, NoWordMakesAnyOtherTransition) {
   const std::set<std::pair<Cia402State, Cia402State>> table{
       {switch_on_disabled, ready_to_switch_on}, {ready_to_switch_on, switched_on},
@@ -210,7 +210,7 @@ TEST(Increments, WrapAndUnwrap) {
 
 // ---- axis ---------------------------------------------------------------------------------------
 
-/// A drive that does what it is told, by the drive's side of the state machine.
+/// A drive that obeys, by the drive's side of the state machine.
 struct Plant {
   Cia402State state = not_ready_to_switch_on;
   std::uint16_t before = 0;
@@ -280,7 +280,7 @@ TEST(Cia402Axis, TellsAFaultAndResetsIt) {
   EXPECT_EQ(plant.state, fault) << "its reason is still there";
   plant.fault = false;
   for (int i = 0; i < 2 * Cia402Axis::reset_cycles; ++i) cycle(false);
-  EXPECT_EQ(plant.state, fault) << "nobody reset it since";
+  EXPECT_EQ(plant.state, fault) << "no reset since";
   cycle(true);
   for (int i = 0; i < 5; ++i) cycle(false);
   EXPECT_EQ(plant.state, operation_enabled);

@@ -48,7 +48,7 @@ TEST(Encoder, RefusesMagnitudesThatAreNone) {
   EXPECT_THROW(EncoderReading({.noise = NAN}), InputError);
 }
 
-/// A drive that says what it is told to say.
+/// A drive that returns preset feedback.
 class Puppet final : public AxisDrive {
  public:
   void command(const DriveSetpoint& setpoint) noexcept override { told = setpoint.position; }
@@ -73,7 +73,7 @@ TEST(ObservedDrive, IsAskedOnceACycleAndSaysNothingInAFault) {
   drive.command({.position = 7});
   EXPECT_EQ(puppet->told, 7);
   puppet->says.fault = true;
-  EXPECT_EQ(drive.feedback().position, 5) << "the axis hears all of it";
+  EXPECT_EQ(drive.feedback().position, 5) << "the axis gets all of it";
   EXPECT_TRUE(std::isnan(drive.position())) << "who follows it does not believe it";
 }
 

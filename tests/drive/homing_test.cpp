@@ -41,7 +41,7 @@ const MachineSwitch to_10{.position = 10, .inverted = true};  // from the beginn
 AxisConfig config_of() {
   AxisConfig config{.limits = limits(200, 1000, jerk)};
   config.limits.position_min =
-      -20;  // of positions that count from home: not while that is searched for
+      -20;  // range of positions that count from home; not in force during the search
   config.limits.position_max = 20;
   config.homing = {
       .search_velocity = fast, .index_velocity = slow, .acceleration = acceleration, .offset = 2.5};
@@ -78,7 +78,7 @@ struct Stage {
   void finish(int most = 200'000) {
     for (int i = 0; i < most && (now.state == State::homing || in_motion(now)); ++i) step();
   }
-  /// Where the machine is that the axis commands.
+  /// Position of the machine that the axis commands.
   [[nodiscard]] double at() const { return now.position - now.offset + offset; }
 
   Bench bench;

@@ -56,7 +56,7 @@ TEST(SharedDrive, IsNotReadyUntilTheOtherSideIsThereAndFailsWhenItFallsSilent) {
   SharedDrive drive(name, thousand, 5);
   for (int i = 0; i < 20; ++i) {
     EXPECT_FALSE(drive.feedback().ready);
-    EXPECT_FALSE(drive.feedback().fault) << "nobody is there as yet";
+    EXPECT_FALSE(drive.feedback().fault) << "there is no drive program yet";
   }
   const SharedMemory other(name, SharedMemory::Side::drive);
   const Cia402Inputs operating{
@@ -148,7 +148,7 @@ TEST(SharedDrive, DrivesAnotherProcess) {
   auto drive = std::make_unique<SharedDrive>(name, thousand, 5000);
   DriveProcess process(name);
   // Waits for what the other process does, with patience for a machine that is busy.
-  double target = 10;  // where it stands at first
+  double target = 10;  // initial position
   const auto until = [&](bool enable, auto done) {
     for (int i = 0; i < 30'000; ++i) {
       const Feedback said = drive->feedback();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// adversary [ORDERS [SEED [WITHOUT...]]]: random orders of all kinds, valid and not, from several sessions, through the
-// protocol to an executor on a virtual clock; a judge that reads only its tick logs says what is wrong.
-// ORDERS up to 1000 run on one executor, print what it accepted, and leave its logs. WITHOUT: kinds that are not sent.
+// adversary [ORDERS [SEED [WITHOUT...]]]: random orders of all kinds, valid and not, from several
+// sessions, through the protocol to an executor on a virtual clock; a judge that reads only its
+// tick logs reports the violations. ORDERS up to 1000 run on one executor, print what it accepted,
+// and leave its logs. WITHOUT: kinds that are not sent.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +41,7 @@ using namespace std::chrono_literals;
 using test::Random;
 using wire::OrderKind;
 
-constexpr int orders_each = 1000;   // of one executor
+constexpr int orders_each = 1000;   // per executor
 std::vector<std::string> left_out;  // names of kinds, to look for what else there is
 
 /// A machine of two axes: the second one follows the first. Its numbers are drawn; every other axis has switches.
@@ -471,12 +472,12 @@ class Episode {
       accepted_[axis].push_back(done);
       return;
     }
-    // What may come later may take the place of another stop; that it stops by then is not known.
+    // A later order may replace another stop, so the axis need not stop by then.
     if ((order.at >= 0 || !outcome.ok()) && done.what != What::moves && done.what != What::homes)
       done.what = done.what == What::rests ? What::moves : What::other;
     note(axis, done, sent, words_of(order, axis));
     accepted_[axis].back().answered = std::max(order.at, by);
-    // Where a table adopts the position, its start names it.
+    // If a table adopts the position, its start names it.
     if (order.kind == OrderKind::start) also(axis, Accepted::What::places);
   }
 

@@ -238,7 +238,7 @@ TEST(Dispatcher, AnOwnerThatFallsSilentInMotionStopsTheAxis) {
     const Sender sender = holding(site, *cycle, 1);
     site.advance(900ms);
     EXPECT_EQ(site.last().state, State::discrete_motion);
-    site.advance(2s);  // of which one is the session's time-out
+    site.advance(2s);  // one of them is the session's time-out
     EXPECT_FALSE(site.dispatcher.owned());
     EXPECT_EQ(site.last().state, stop ? State::standstill : State::discrete_motion);
   }
@@ -336,7 +336,7 @@ TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Extrapolation::wrap), 1);
   EXPECT_EQ(flood(site, owner, 100, 150), "");
   EXPECT_THAT(flood(site, owner, 150, 600), HasSubstr("too many commands are waiting"));
-  site.advance(100ms);  // of which one a tick is obeyed
+  site.advance(100ms);  // one a tick is obeyed
   EXPECT_EQ(site.last().fault, Cause::none);
   EXPECT_EQ(flood(site, owner, 2000, 2001), "");
 }

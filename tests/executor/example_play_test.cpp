@@ -72,7 +72,7 @@ std::vector<SegmentRow> ending(std::vector<SegmentRow> rows) {
   return rows;
 }
 
-/// Of both ticks after the motion's first one: the time since then.
+/// Time since the motion's first tick, from the two ticks after it.
 double since_start(const Follower& site, std::int64_t first) {
   return static_cast<double>(site.feeder().tick - first) * 1e-3;
 }
@@ -166,7 +166,8 @@ class Hand {
                      .value = {static_cast<double>(queue_.queue)}});
   }
 
-  /// Of what was taken from it by a switch, messages count again from the next one on.
+  /// Clears a bank. After a switch has taken rows from it, messages count again from the next one
+  /// on.
   void clear(int bank) {
     tell(wire::Order{.kind = wire::OrderKind::queue_clear,
                      .value = {static_cast<double>(queue_.queue), static_cast<double>(bank),
@@ -228,7 +229,7 @@ wire::Queue fifos(std::int32_t loops, std::uint32_t capacity = 16) {
           .loops = loops};
 }
 
-/// What the last table of a cam repeats for ever: master and slave of one pass.
+/// The pass that the last table of a cam repeats without end: its master and slave.
 struct Pass {
   double master = 0;
   double slave = 0;
@@ -246,7 +247,7 @@ void expect_follows(Follower& site, const Cam& cam, double from, const Pass& pas
   };
 }
 
-// Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle for ever.
+// Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle without end.
 TEST(ExamplePlay, Googol76) {
   Follower site;
   Hand hand(site);
@@ -306,7 +307,7 @@ TEST(ExamplePlay, Googol78) {
   EXPECT_EQ(hand.ack().progress, wire::Progress::done);
 }
 
-// Example 7-9: the old table for ever; bridge; the new table, from 0.6 to 0.6.
+// Example 7-9: the old table without end; bridge; the new table, from 0.6 to 0.6.
 TEST(ExamplePlay, Googol79) {
   Follower site;
   Hand hand(site);
@@ -320,7 +321,7 @@ TEST(ExamplePlay, Googol79) {
   expect_follows(site, follow(FollowSpec{{old, test::bridge_7_9(), endless}}).cam, 0,
                  {60000, 52000}, 1e-6);
   site.feed(constant_master(1e6, 50e3));
-  hand.wait(1400ms);  // of a pass of 1200
+  hand.wait(1400ms);  // a pass takes 1200
   hand.fill(1, test::bridge_7_9().segments);
   hand.queue_switch();
   hand.wait(1200ms);  // the bridge plays
@@ -462,7 +463,7 @@ RowSource halting(Follower& site, std::size_t some, Nanos when) {
   };
 }
 
-/// What must hold whatever the source does.
+/// Conditions that hold for every source.
 void expect_within(Follower& site, double known, Nanos more) {
   site.each_tick = [&site, known, more, v = 0.0, p = 0.0](const Tick& tick, const Tick&) mutable {
     ASSERT_GE(tick.position, p) << "never back";
@@ -513,7 +514,7 @@ TEST(Underrun, EndsAStreamThatMayNotResumeAndTheNextOwnerBeginsAfresh) {
   EXPECT_NEAR(site.feeder().position, here, 1e-12);
 }
 
-// What an underrun has left at rest is no motion that somebody would have to wait for.
+// An axis at rest after an underrun has no motion for which the executor would wait.
 TEST(Underrun, DoesNotKeepAnExecutorFromLeaving) {
   Follower site(limits(1000, 1e5));
   (void)stream_rows(

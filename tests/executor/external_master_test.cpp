@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Masters from outside, end to end: a sender with a clock of its own on a bad link, the executor's threads in turn
-// on a virtual clock, followers that are told over the link what to do; and the record of it all.
+// Masters from outside, end to end: a sender with a clock of its own on a bad link, the executor's
+// threads in turn on a virtual clock, followers that get their orders over the link; and the record
+// of the run.
 
 #include <algorithm>
 #include <bit>
@@ -35,10 +36,10 @@ using ::testing::HasSubstr;
 const Units over_time{.x = "s", .position = "mm"};
 const Units over_master{.x = "mm", .position = "mm"};
 
-/// One that says where a master is: its clock is another one, ahead and fast.
+/// A sender of a master's position; its clock is another one, ahead and fast.
 struct Sender {
   std::string name;
-  std::function<double(double)> position;  // of its own time
+  std::function<double(double)> position;  // over its own time
   std::int32_t clock = 1;
   bool valid = true;
   bool silent = false;
@@ -132,8 +133,8 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// What a replay of a record with followers of `cam` shows: in how many cycles the knife was where the cam of
-/// the recorded master has it, to the last bit, and in how many not.
+/// Result of a replay of a record with followers of `cam`: the number of cycles in which the knife
+/// was on the cam of the recorded master, to the last bit, and the number of the other cycles.
 struct Compared {
   std::int64_t same = 0, other = 0, lost = 0;
 };
@@ -215,7 +216,7 @@ TEST(ExternalMasterRun, ALostMasterStopsItsFollowerAndNothingElse) {
   }
 }
 
-// Whoever sends again what he has heard moves nothing: every tick is the same with him and without.
+// Replayed samples move nothing: every tick is the same with and without them.
 TEST(ExternalMasterRun, SamplesOfBeforeDoNothing) {
   const auto run = [](bool replayed) {
     Line site({.seed = 3});

@@ -38,7 +38,7 @@ Table lift(Domain axis, Interpolation rule, std::size_t knots, double length, do
   return Table(axis, rule, Extrapolation::hold, std::move(columns));
 }
 
-/// What is sent, and what the axis must then be commanded, s after its start.
+/// The sent motion, and the setpoint that the axis must then have, s after its start.
 struct Play {
   Table slave;
   std::optional<Table> master;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// follows RECORD TABLE AXIS MASTER SLAVE_OFFSET: in every cycle of the record in which AXIS runs coupled, its setpoint is the
-// table's cam of what that cycle saw of MASTER, to the last bit.
+// follows RECORD TABLE AXIS MASTER SLAVE_OFFSET: checks every cycle of the record in which AXIS
+// runs coupled. Its setpoint is the table's cam at the position of MASTER in that cycle, to the
+// last bit.
 #include <bit>
 #include <cstdint>
 #include <cstdio>

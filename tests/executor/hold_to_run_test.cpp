@@ -11,7 +11,7 @@
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 
-// A hold-to-run jog runs only while its session is heard.
+// A hold-to-run jog runs only while its session sends heartbeats.
 
 namespace jounce::hold_to_run_test {
 namespace {
@@ -76,7 +76,7 @@ TEST(HoldToRun, AnOperatorsStopIsConfirmedAndStaysAStop) {
   EXPECT_EQ(site.last().stopped, 1U);
 }
 
-// What the session orders after the jog does not end its being held, whether the axis obeys or not.
+// Later orders of the session keep the hold-to-run, obeyed or rejected.
 TEST(HoldToRun, NothingElseInTheSessionTurnsItIntoAMotionThatRunsOn) {
   for (int which = 0; which < 4; ++which) {
     Jogging site(feeder());

@@ -48,7 +48,7 @@ struct Slide : Site {
   explicit Slide(const ExecutorOptions& options) : Site({options}, {.recorded = true}) {
     EXPECT_TRUE(client.enable().ok());
   }
-  /// Until the homing has ended; its owner is heard meanwhile.
+  /// Runs until the homing has ended; its owner sends heartbeats.
   void finish() {
     for (int i = 0; i < 4000 && last().state == State::homing; ++i) {
       advance(20ms);

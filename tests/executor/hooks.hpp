@@ -3,7 +3,7 @@
 
 namespace jounce::test {
 
-/// What a thread must not do in a cycle, counted.
+/// Counts of the forbidden operations of a thread in a cycle.
 struct Noise {
   long heap = 0;    ///< taken from it, or given back
   long locks = 0;   ///< mutexes locked, conditions waited for or signalled

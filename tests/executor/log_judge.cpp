@@ -58,7 +58,7 @@ class Judge {
     findings.push_back(text.str());
   }
 
-  /// What the orders that have been answered by now allow, and what they demand.
+  /// Applies the orders answered so far: the permitted and the required motion.
   void obey(const Line& now) {
     placed_ = may_freeze_ = false;
     if (!coupled(last_)) ratio_ = 0;
@@ -97,7 +97,7 @@ class Judge {
     master_dv_ = std::abs(master_.v - before.v);
   }
 
-  /// What was accepted before it and waits for its tick is void.
+  /// Revokes orders that were accepted before it and wait for their tick.
   void revoke(const Accepted& by) {
     licensed_ = false;
     for (const Accepted*& order : open_)
@@ -191,7 +191,8 @@ class Judge {
     const double most = fails         ? bounds_.hardest_brake()
                         : stop_limits ? bounds_.stop_acceleration
                                       : bounds_.acceleration;
-    // What leaves a live master or a path may begin above its own limit; it must come down.
+    // A motion that leaves a live master or a path may begin above its own limit; it must come
+    // down.
     const double highest = std::max(most, std::abs(last_.a));
     if (std::abs(now.a) > highest * (1 + 1e-9) + rounding) find(now, "acceleration", now.a, most);
     if (!bounds_.jerk) return;
@@ -229,7 +230,7 @@ class Judge {
     const bool moves = std::abs(now.v) > 1e-9 * bounds_.velocity ||
                        (!placed_ && step > 1e-9 * std::max(1.0, std::abs(now.p)));
     if (now.state == "disabled" && moves) find(now, "moves while disabled", now.v, 0);
-    // What it did in ticks that were left out is not known.
+    // The motion in ticks that were left out is unknown.
     const bool late = rest_by_ && (now.v != 0 ? now.tick : last_.tick) > *rest_by_;
     if (late && moves) {
       words_ = demanded_by_ + " until tick " + std::to_string(*rest_by_) + "; " + words_;
@@ -257,11 +258,11 @@ class Judge {
   bool licensed_ = false;
   bool frozen_ = false;  // in this tick
   bool may_freeze_ = false;
-  bool stops_ = false;  // what it must rest for is a stop or a fault
+  bool stops_ = false;  // a stop or a fault requires the rest
   double ratio_ = 0;    // the greatest of the gears so far
   HomingJudge homing_;
   Lines leader_;
-  Line master_;             // of this tick
+  Line master_;             // in this tick
   double master_step_ = 0;  // u/s^2
   double master_dv_ = 0;    // u/s
   std::optional<std::int64_t> rest_by_;

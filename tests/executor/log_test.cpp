@@ -84,7 +84,7 @@ TEST_F(TickLogTest, SaysWhereItCannotWrite) {
   }
 }
 
-/// As on a full disk: no file of this process grows beyond `bytes`.
+/// Simulates a full disk: no file of this process grows beyond `bytes`.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -122,7 +122,7 @@ TEST_F(TickLogTest, OnAFullDiskKeepsTheWholeLinesAndSaysSo) {
     }
     EXPECT_FALSE(fs::exists(path));
     std::ifstream file(path.string() + ".truncated");
-    std::int64_t lines = -1;  // of ticks: the first one is the head
+    std::int64_t lines = -1;  // lines of ticks: the first line is the head
     std::string last;
     for (std::string line; std::getline(file, line); ++lines) last = line;
     EXPECT_GT(lines, 30);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who begins to say where a master is with an epoch that is over is told so, once, instead of being counted in silence.
+// A sender that begins with an old epoch of a master gets one notice; its samples are not just
+// counted.
 
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A keyed executor that hears one master, "line".
+/// A keyed executor with one master, "line".
 struct Ear {
   Ear() {
     options.keyed = true;  // an epoch that is over never comes back
@@ -56,13 +57,13 @@ TEST(MasterEpoch, ThatIsOverIsSaidWithTheOneThatCounts) {
   Ear ear;
   ear.say(200'000'000, 1);
   for (std::int64_t k = 1; k <= 50; ++k) ear.say(7, k);
-  ASSERT_EQ(ear.notices.size(), 1U) << "once, however often it is said";
+  ASSERT_EQ(ear.notices.size(), 1U) << "once, for any number of samples";
   EXPECT_THAT(ear.notices[0],
               AllOf(HasSubstr("master line"), HasSubstr("7 is older"), HasSubstr("200000000")));
   EXPECT_EQ(ear.desk->status(0).refused, 50);
   ear.say(200'000'001, 1);
   ear.say(8, 1);
-  EXPECT_EQ(ear.notices.size(), 2U) << "another epoch, another sender that has to be told";
+  EXPECT_EQ(ear.notices.size(), 2U) << "another epoch, another sender that needs a notice";
 }
 
 TEST(MasterEpoch, IsNotBlamedForWhatIsRepeatedOrInAnotherUnit) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A replay makes masters again from what came in of them, to the last bit; and sees it if that does not give what the
-// cycle saw. And what is said of orders that did not begin is in the record.
+// A replay computes masters again from their recorded input, to the last bit, and detects a
+// difference from the values that the cycle used. The record also holds the reports about orders
+// that did not begin.
 
 #include <cmath>
 #include <filesystem>
@@ -29,7 +30,7 @@ using namespace test;
 constexpr TrackerSpec tracker{
     .velocity = 3, .acceleration = 40, .time_constant = 10e-3, .order = 3, .longest_age = 0.05};
 
-/// What a recorded run of two masters is made of: a line on a bad bus and an encoder with gaps.
+/// A recorded run of two masters: a line on a bad bus and an encoder with gaps.
 class RecordedRun {
  public:
   RecordedRun()
@@ -46,7 +47,7 @@ class RecordedRun {
   }
   ~RecordedRun() { std::filesystem::remove(log_); }
 
-  /// `altered`: what the record is told of the masters, which need not be true.
+  /// `altered`: changes the masters in the record.
   Replay play(void (*altered)(std::vector<RecordedMaster>&) = [](auto&) {}) {
     auto masters = detail::recorded_masters(masters_, axes_);
     altered(masters);

@@ -40,12 +40,12 @@ ExecutorOptions feeder() {
 
 /// A feeder that is recorded.
 struct Recorded : Site {
-  /// `said`: what the record says that its outputs are.
+  /// `said`: configuration of the outputs in the record.
   explicit Recorded(const ExecutorOptions& said = feeder())
       : Site({feeder()}, {.recorded = true, .said = {said}}) {}
 };
 
-// The instants that messages tell are those of the curve, whatever the cycle is.
+// The instants in messages are those of the curve, for every cycle time.
 TEST(Outputs, OfAComparePassOverTheWireWithTheirInstants) {
   Recorded site;
   MemoryTransport listener(site.network);
@@ -142,7 +142,7 @@ TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
   EXPECT_TRUE(site.replayed().same());
 }
 
-// As `jounce order` gives them: each in a session of its own, which ends.
+// Orders like those of `jounce order`: each in a session of its own, which ends.
 TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
   Recorded site;
   using wire::OrderKind;

@@ -47,7 +47,7 @@ class Stage {
     tell(1, {.kind = Kind::enable});
   }
 
-  /// Tells an axis, 0 or 1, and lets time pass; what it says last.
+  /// Sends a command to axis 0 or 1, runs the cycles, and returns its last tick.
   Tick tell(std::size_t axis, Command command, int cycles = 1) {
     command.id = ++number_;
     EXPECT_TRUE(post_.mail[axis]->commands.push(command));
@@ -228,7 +228,7 @@ TEST(Quiet, TablesThatTakeOverFromEachOtherInMotion) {
   EXPECT_EQ(stage.noise(), Noise{});
 }
 
-/// To and fro until the drive cannot follow; a reset, and on.
+/// Back and forth until the drive cannot follow; then a reset, and again.
 void drive_hard(Stage& stage) {
   stage.tell(0, {.kind = Kind::move_relative, .position = 10, .dynamics = {.velocity = 100}}, 400);
   stage.tell(0, {.kind = Kind::move_velocity, .position = 1000}, 600);

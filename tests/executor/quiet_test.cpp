@@ -53,7 +53,7 @@ struct Rig {
   Cycle cycle{machine, pacer, post, {.drives = {&drive, nullptr, nullptr}, .patience = 5000}};
 };
 
-/// What the cyclic thread does beside stepping, in so many cycles of which one is late.
+/// Counts the forbidden operations of the cyclic thread in `cycles` cycles, one of which is late.
 Noise noise_of(Rig& rig, int cycles) {
   rig.pacer.delay = 2'500'000;
   const Noise before = noise();
@@ -151,7 +151,7 @@ TEST(Quiet, FullRingsAndAWatchdogAreNoReasonToMakeNoise) {
   EXPECT_GT(rig.cycle.counts().lost, 3000);
 }
 
-// What was found silent was listened to.
+// The hooks do count: a silent result is evidence.
 TEST(Quiet, TheHooksHear) {
   Noise before = noise();
   int* volatile memory = new int(1);  // volatile: or the compiler spares itself the way

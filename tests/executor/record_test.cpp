@@ -296,7 +296,7 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
   EXPECT_EQ(replayed(bytes_of(path("mixed.lcmlog"))).compared, 3);
 }
 
-// As those of before outputs were replayed.
+// Records from before the replay of outputs.
 TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
   std::string bytes = encoded(RecordedAxis{});
   ASSERT_EQ(bytes[9], 6) << "the version, big-endian, after eight bytes of the type";
@@ -374,7 +374,7 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
   };
   burst(Tape::capacity + 100);
   recorder_->turn();
-  EXPECT_EQ(recorder_->lost(), 0) << "it is told with the next one that finds room";
+  EXPECT_EQ(recorder_->lost(), 0) << "it is reported with the next event that fits";
   burst(10);
   recorder_->turn();
   EXPECT_EQ(recorder_->lost(), 100);
@@ -396,10 +396,10 @@ TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
   EXPECT_EQ(motions_[0]->state(), State::synchronized_motion);
   recorder_->close();
   EXPECT_THAT(recorder_->trouble(), HasSubstr("No space left"));
-  EXPECT_EQ(notices_.size(), 1U) << "said once";
+  EXPECT_EQ(notices_.size(), 1U) << "reported once";
 }
 
-// Each file that cannot be written is reported, once, whatever failed before it.
+// Each file that cannot be written is reported, once, after any other failure.
 TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
   start({.log = "/dev/full", .black_box = "/dev/full"});
   tell({.kind = Kind::enable});

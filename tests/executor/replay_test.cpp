@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine that is told at random, over its link, all that it can be told: the record of it is replayed to
-// the last bit.
+// A machine that gets random orders of all kinds over its link: its record is replayed to the last
+// bit.
 #include "jounce/executor/replay.hpp"
 
 #include <map>
@@ -36,7 +36,7 @@ Drive servo() {
   return drive;
 }
 
-/// A feeder with a drive, a knife behind its setpoint, a press behind where its drive says that it is.
+/// A feeder with a drive, a knife behind its setpoint, a press behind its actual position.
 std::vector<ExecutorOptions> three_axes() {
   std::vector<ExecutorOptions> axes(3);
   const char* const names[] = {"feeder", "knife", "press"};
@@ -53,7 +53,7 @@ std::vector<ExecutorOptions> three_axes() {
   return axes;
 }
 
-/// It, recorded, and whoever talks to it at random. Time passes while somebody waits.
+/// The recorded machine and its random client. Time passes while the client waits.
 class Recorded : public Site {
  public:
   explicit Recorded(std::uint64_t seed) : Site(three_axes(), {.recorded = true}), random_(seed) {

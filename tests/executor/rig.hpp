@@ -9,7 +9,7 @@
 
 namespace jounce::test {
 
-/// One axis and its cyclic thread, with nobody on the other side but the test.
+/// One axis and its cyclic thread; the test is the only other side.
 struct Rig {
   explicit Rig(const AxisConfig& config) : machine({{.name = "feeder", .config = config}}) {}
 

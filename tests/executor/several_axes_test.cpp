@@ -30,7 +30,7 @@ std::vector<ExecutorOptions> feeder_and_knife() {
   return axes;
 }
 
-/// Two axes on one link, the second following the first, and whoever talks to them.
+/// Two axes on one link, the second following the first, and their clients.
 struct Two : Site {
   Two() : Site(feeder_and_knife()) {
     for (const auto& one : axes)

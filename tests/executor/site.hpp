@@ -20,11 +20,12 @@ namespace jounce::test {
 /// An axis by this name, in these units; x: its master's.
 ExecutorOptions axis_named(const std::string& name, const Limits& limits, const Units& units = {});
 
-/// What a site has beside its axes.
+/// The parts of a site beside its axes.
 struct SiteSpec {
   std::vector<MachineMaster> masters = {};
   bool recorded = false;
-  std::vector<ExecutorOptions> said = {};  ///< what the record says of the axes; empty: the truth
+  std::vector<ExecutorOptions> said =
+      {};  ///< configuration of the axes in the record; empty: the real one
 };
 
 /// A whole executor and one who talks to it, on one memory network and one clock that only the test
@@ -68,7 +69,7 @@ class Site {
   std::vector<MachineMaster> masters;
   MemoryNetwork network;
   MemoryTransport own_link{network};  ///< the executor's
-  MemoryTransport link{network};      ///< of who talks to it
+  MemoryTransport link{network};      ///< link of the client
   VirtualPacer pacer;
   Clock clock = [this] { return Nanos(pacer.now()); };
   Machine machine{machine_of(axes), masters.size()};

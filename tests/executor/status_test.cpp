@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the status on the wire says of a motion.
+// The fields of the status on the wire during a motion.
 #include <gtest/gtest.h>
 
 #include "jounce/stream/sender/client.hpp"

@@ -8,7 +8,7 @@
 
 namespace jounce::test {
 
-/// Time passes only in sleep_until, which wakes up as late as it is told.
+/// Time passes only in sleep_until, which wakes up as late as requested.
 class VirtualPacer final : public Pacer {
  public:
   std::int64_t now() override { return now_; }

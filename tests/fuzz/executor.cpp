@@ -40,9 +40,9 @@ std::vector<ExecutorOptions> two_axes() {
   return axes;
 }
 
-/// An executor whose owner knows session, challenge and numbers, and says what it likes. Whatever it
-/// says, every setpoint is finite, none is further from the one before than the limits allow, and who is
-/// disabled does not move.
+/// An executor whose owner has session, challenge and numbers, and sends anything. For all
+/// messages, every setpoint is finite, none is further from the one before than the limits allow,
+/// and a disabled axis does not move.
 class Owned {
  public:
   Owned() {
@@ -73,7 +73,7 @@ class Owned {
  private:
   struct Last {
     std::int64_t tick = -1;
-    double position = 0;  // as the drive counts
+    double position = 0;  // in the count of the drive
     State state = State::disabled;
   };
 
@@ -191,7 +191,7 @@ class Owned {
   void hear(std::span<const std::byte> bytes) {
     const auto decoded = wire::decode(bytes);
     const auto* const message = std::get_if<wire::Message>(&decoded);
-    require(message != nullptr, "what an executor says can be decoded");
+    require(message != nullptr, "every message of an executor can be decoded");
     if (message->session == 0 && !std::holds_alternative<wire::Status>(message->body)) return;
     for (std::size_t i = 0; i < axes_.size(); ++i)
       if (message->executor == axes_[i].receiver.executor) challenge_[i] = message->challenge;

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-/// What is fuzzed. Each takes any bytes and returns: an InputError is an answer, everything else
+/// The fuzz targets. Each takes any bytes and returns: an InputError is an answer, everything else
 /// (another exception, a broken promise, memory or arithmetic out of bounds) is a finding. Run by
 /// libFuzzer where JOUNCE_FUZZ is on (scripts/fuzz), and in every test run over the kept files.
 namespace jounce::fuzz {
@@ -24,7 +24,7 @@ void key(Input input);        ///< key files; packets where a key is set
 void log(Input input);        ///< the record of a run: LCM logs, replayed
 void text(Input input);       ///< any text, as a terminal and JSON may be given it
 void page(Input input);       ///< orders to a live page, and packets that it shows
-void executor(Input input);   ///< what an owner can say to an executor, and what its axes do then
+void executor(Input input);   ///< messages of an owner to an executor, and the motion of its axes
 
 /// Ends the process with these words: a promise was broken.
 [[noreturn]] void broken(const char* promise);

@@ -28,8 +28,8 @@ void read(Input input) {
   }
 }
 
-/// Where a key is set, nobody without it is heard: neither raw bytes, nor good packets with another
-/// key's mac or none, nor signed ones that were changed.
+/// A key admits only packets of its holders: no raw bytes, no good packets with another key's MAC
+/// or none, and no changed signed ones.
 void listen(Input input) {
   wire::Key key{}, other{};
   std::fill(key.begin(), key.end(), std::uint8_t{7});
@@ -39,22 +39,22 @@ void listen(Input input) {
   const auto heard = [&](std::span<const std::byte> bytes) {
     return std::holds_alternative<wire::Message>(wire::decode(bytes, key));
   };
-  require(!heard(std::as_bytes(input)), "bytes of anybody are not heard");
+  require(!heard(std::as_bytes(input)), "random bytes are dropped");
   Source again = source;
   const wire::Bytes plain = packet(source);
-  require(!heard(plain), "without a mac nobody is heard");
+  require(!heard(plain), "packets without a MAC are dropped");
 
   const auto decoded = wire::decode(plain);
   const auto* const message = std::get_if<wire::Message>(&decoded);
   if (message == nullptr) return;
   require(!heard(wire::encode(*message, other)), "another key is not this one");
   wire::Bytes good = wire::encode(*message, key);
-  require(heard(good), "who has the key is heard");
+  require(heard(good), "packets of a key holder are accepted");
   const std::size_t at = (again.byte() * std::size_t{256} + again.byte()) % (good.size() - 4);
   const auto turned = static_cast<std::byte>(1 + again.below(255));
   good[at] ^= turned;
   set_checksum(good);
-  require(!heard(good), "what was changed on the way is not heard");
+  require(!heard(good), "packets changed on the way are dropped");
 }
 
 }  // namespace

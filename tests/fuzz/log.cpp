@@ -62,7 +62,7 @@ const std::vector<RecordEvent>& good() {
   return events;
 }
 
-/// What gets past the log's own format: events with bytes of their fields turned over, in any order after
+/// Events that pass the log's own format: with changed bytes in their fields, in any order after
 /// the axis; their ticks rise.
 std::string events(Source& source) {
   std::string bytes;
@@ -71,7 +71,7 @@ std::string events(Source& source) {
     RecordEvent event = good()[i == 0 ? source.below(2) : source.below(good().size())];
     if (auto* const cycle = std::get_if<RecordedCycle>(&event)) cycle->tick.tick = tick++;
     std::string data = encoded(event);
-    constexpr std::size_t hash = 8;  // of the type, at its head
+    constexpr std::size_t hash = 8;  // hash of the type, at its head
     for (std::size_t changes = source.below(6); changes > 0; --changes) {
       const std::size_t at = source.byte() * std::size_t{256} + source.byte();
       data[hash + at % (data.size() - hash)] = static_cast<char>(source.byte());

@@ -17,7 +17,7 @@ namespace {
 void post(const std::string& body) {
   try {
     const web::Instruction read = web::read_instruction(body);
-    require(!read.what.empty(), "an order that is read says what");
+    require(!read.what.empty(), "a decoded order has a kind");
   } catch (const InputError&) {
     // an answer
   }
@@ -25,7 +25,7 @@ void post(const std::string& body) {
 
 }  // namespace
 
-/// What a live page is given from outside: orders from a browser, packets from the bus.
+/// Input of a live page from outside: orders from a browser, packets from the bus.
 void page(Input input) {
   post(text_of(input));
   static_cast<void>(web::objection({.host = text_of(input)}, 8080));

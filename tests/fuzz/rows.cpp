@@ -26,8 +26,8 @@ wire::Row row(std::size_t i) {
           .last = i + 1 == length};
 }
 
-/// A stream of rows with every message lost, passed on or held back, and others' packets in between.
-/// What arrives is the stream, in order and each row once, and never more than there is room for.
+/// A stream of rows with every message lost, passed on or held back, and others' packets in
+/// between. The stream arrives in order and each row once, and never exceeds the free space.
 class RowConversation {
  public:
   RowConversation() : sender_(plan(), 1) {}
@@ -61,7 +61,7 @@ class RowConversation {
     };
     return plan;
   }
-  /// A stranger, or one who knows session and challenge and sends what it likes.
+  /// A stranger, or a sender that has session and challenge and sends anything.
   void hear(const wire::Bytes& bytes, std::size_t knows) {
     auto decoded = wire::decode(bytes);
     auto* const message = std::get_if<wire::Message>(&decoded);
@@ -93,7 +93,7 @@ class RowConversation {
     require(e.rows.first_row == arrived_, "rows arrive in order, without gaps");
     for (const wire::Row& each : e.rows.rows)
       require(arrived_ < length && each == row(arrived_++), "a row is the one that was sent");
-    require(arrived_ <= played_ + 2 * queue.capacity, "no more rows than there is room for");
+    require(arrived_ <= played_ + 2 * queue.capacity, "no more rows than free places");
   }
   template <class Event>
   void take(const Event& e) {
@@ -108,8 +108,8 @@ class RowConversation {
   RowSender sender_;
 };
 
-/// Any rows at all, pushed into the FIFOs that play them. Whatever is taken keeps the limits that it was
-/// taken under.
+/// Any rows at all, pushed into the FIFOs that play them. Every accepted row keeps the limits in
+/// force at its acceptance.
 class AnyRows {
  public:
   AnyRows() {

@@ -42,7 +42,7 @@ class Conversation {
   }
 
  private:
-  /// A stranger, or one who knows what the executor said last.
+  /// A stranger, or a sender that has the executor's last message.
   void hear(const wire::Bytes& bytes, bool knows) {
     auto decoded = wire::decode(bytes);
     auto* const message = std::get_if<wire::Message>(&decoded);

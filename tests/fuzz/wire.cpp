@@ -6,7 +6,7 @@
 namespace jounce::fuzz {
 namespace {
 
-/// What was decoded says what the bytes said: encoded again it is decoded as the same.
+/// A decoded message represents its bytes: encoded again, it is decoded as the same.
 void check(std::span<const std::byte> bytes) {
   const auto decoded = wire::decode(bytes);
   const auto* const message = std::get_if<wire::Message>(&decoded);

@@ -132,7 +132,7 @@ TEST(Clutch, TakesOverTenThousandTimes) {
   Clutch clutch(Gear::ratio(0, 1), Gear::ratio(1, 2), 100'000);
   Clutch::State state;
   std::int64_t slave = 0;
-  long double exact = 0;  // with the ratio never rounded
+  long double exact = 0;  // sum with the ratio never rounded
   long double ratio = 0;
   long double target = 0.5L;
   double d = 100'000;

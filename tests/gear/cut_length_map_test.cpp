@@ -47,7 +47,8 @@ const nlohmann::json& oracle() {
   return all.at("shortest");
 }
 
-/// Whether the slave keeps the limits behind a line that runs at `speed`: the exact motion over time.
+/// True if the slave keeps the limits behind a line that runs at `speed`: the exact motion over
+/// time.
 bool keeps(const Cam& cam, double speed) {
   const Trajectory line_motion({line(cam.length() / speed, cam.start(), cam.end())});
   double size = 0;

@@ -140,7 +140,7 @@ TEST(FlyingShear, BoundsAreTheOracles) {
 TEST(FlyingShear, IsThePrintedCaseOfLuBieML) {
   const FlyingShear shear = shear_of(oracle().at("lubieml").at("spec"));
   const ShearPlan plan = shear_plan(shear);
-  EXPECT_NEAR(plan.accelerate / 2, 2.25, 1e-12);  // of the carriage
+  EXPECT_NEAR(plan.accelerate / 2, 2.25, 1e-12);  // distance of the carriage
   EXPECT_NEAR(plan.stroke, 7.5, 1e-12);
   EXPECT_NEAR(plan.back, 24, 1e-12);
   const SyncCam made = flying_shear(shear);
@@ -183,7 +183,7 @@ TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
                                 number(fastest.value) +
                                 ": a shorter return breaks limits.acceleration");
   }
-  shear.cut_length = least.value;  // what it says works, and less does not
+  shear.cut_length = least.value;  // the returned length works, a shorter one does not
   EXPECT_NO_THROW(flying_shear(shear));
   shear.cut_length = least.value * (1 - 1e-9);
   EXPECT_THROW(flying_shear(shear), InputError);
@@ -245,7 +245,7 @@ TEST(FlyingShear, TheDiagonalSawKeepsUpWithTheLine) {
   const SyncZone zone = made.zones.at(0);
   const double along_guide = made.cam.jet((zone.from + zone.to) / 2)[1];
   EXPECT_NEAR(along_guide * std::cos(shear.angle), 1, 1e-15);  // along the line: the line's speed
-  EXPECT_NEAR(peak(made, "accelerate", 2), 10, 1e-10);         // of the carriage, still its limit
+  EXPECT_NEAR(peak(made, "accelerate", 2), 10, 1e-10);         // the carriage, still at its limit
   shear.angle = -shear.angle;
   EXPECT_EQ(flying_shear(shear).cam.jet(zone.from)[1], made.cam.jet(zone.from)[1]);
 }

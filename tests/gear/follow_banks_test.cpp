@@ -13,7 +13,7 @@
 namespace jounce::follow_banks_test {
 namespace {
 
-/// What the banks give, played as an axis plays them, against the cam of the spec.
+/// The motion of the banks, played as an axis plays them, against the cam of the spec.
 void expect_plays(const FollowSpec& spec, double to) {
   const FollowBanks banks = follow_banks(spec, 1000);
   SegmentFifos fifos(1000);

@@ -22,7 +22,7 @@ inline FollowTable shear_cycle() {
       0};
 }
 
-/// Example 7-7: for ever.
+/// Example 7-7: without end.
 inline FollowTable example_7_7() {
   return {{{20000, 10000}, {40000, 30000}, {60000, 40000}}, 0};
 }

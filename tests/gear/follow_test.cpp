@@ -165,7 +165,7 @@ TEST(Follow, Example79MisprintIsNamed) {
   EXPECT_EQ(f->where, 60000 + 260000);
   EXPECT_NEAR(f->value, -0.85454545454545, 1e-12);
   EXPECT_THAT(f->advice, HasSubstr("220000, is 11 times the usual 20000: check it"));
-  EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "what follows from it is not told";
+  EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "the advice omits the consequence";
 }
 
 TEST(Follow, ALastTableThatEndsAtARatioIsADeadStop) {

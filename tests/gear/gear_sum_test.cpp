@@ -30,7 +30,7 @@ TEST(GearSum, IsTheSumRoundedOnceNotTheSumOfTheRounded) {
 TEST(GearSum, DoesNotDriftOverABillionCountsThousandfoldOfEachForwardAndBack) {
   const std::array gears{Gear::ratio(4000, 3072), Gear::ratio(-7, 3), Gear::ratio(1, 65536)};
   const GearSum sum = GearSum::of(gears);
-  const Wide d = Wide{96} * 65536;  // of 96, 3, 65536: a common denominator
+  const Wide d = Wide{96} * 65536;  // a common denominator of 96, 3, 65536
   test::Random random(5);
   std::array<std::int64_t, 3> masters{};
   Gear::State state;

@@ -193,7 +193,7 @@ TEST(Registration, NoSyncZoneIsDisturbedHoweverLongAnErrorLasts) {
     ASSERT_NEAR(all.length(), 1000 * (1000 - error), 1e-6);
     double worst = 0;
     for (int n = 0; n < 1000; ++n) {
-      const double from = n * (1000 - error);  // where the phase begins its period
+      const double from = n * (1000 - error);  // start of the period of the phase
       for (const double x : {zone.from + 1e-6, (zone.from + zone.to) / 2, zone.to - 1e-6}) {
         const Jet at = all.jet(from + x);
         worst = std::max(worst, std::abs(at[1] - 1));

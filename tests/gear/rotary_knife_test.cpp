@@ -70,7 +70,7 @@ TEST(RotaryKnife, HasTheFiguresOfCaseY) {
   expect_near(f.rho, y["rho"], 1e-14);
   expect_near(f.surface_ratio, y["surface_ratio"], 1e-13);
   expect_near(f.longest, y["longest"], 1e-13);
-  EXPECT_NEAR(f.longest, 19.896753, 5e-7);  // as printed
+  EXPECT_NEAR(f.longest, 19.896753, 5e-7);  // the printed value
   expect_near(f.speed_error, 1 - std::cos(5 * pi / 180), 1e-12);
 }
 
@@ -166,7 +166,7 @@ TEST(RotaryKnife, StandsWhereTheCutIsTooLong) {
         for (int k = 1; k < 4; ++k) EXPECT_EQ(made.cam.jet(x)[static_cast<std::size_t>(k)], 0);
       EXPECT_GE(extrema(made.cam, 1).min.value, -1e-14);
       EXPECT_TRUE(check(spec).ok());
-      // What the knife does does not depend on how long it stands.
+      // The motion of the knife does not depend on the length of its stop.
       spec.cut_length = 300;
       expect_near(extrema(rotary_knife(spec).cam, 2).peak().value,
                   extrema(made.cam, 2).peak().value, 1e-11);
@@ -338,7 +338,7 @@ TEST(RotaryKnife, ClosesToTheLastDigitWhateverItsNumbers) {
     EXPECT_EQ(check(spec).ok(), spec.dwell || spec.cut_length <= figures(spec).longest)
         << failing();
     if (!check(spec).ok()) continue;
-    // Point symmetry about the middle, whatever is in it.
+    // Point symmetry about the middle, for any law.
     for (const double share : {0.03, 0.2, 0.4})
       EXPECT_NEAR(made.cam.jet(share * spec.cut_length)[0],
                   pitch - made.cam.jet((1 - share) * spec.cut_length)[0], 1e-12 * spec.turn)

@@ -103,7 +103,7 @@ TEST(TableFile, RefusesEveryTruncation) {
 }
 
 TEST(TableFile, RefusesOrKeepsEveryChangedByte) {
-  // Whatever byte is changed: the table read is the table written, or there is an error.
+  // For every changed byte, the table read is the table written, or there is an error.
   const TableFile file = ragged(Interpolation::cubic_hermite, 4);
   for (const std::string& text : {to_csv(file), to_json(file)})
     for (std::size_t i = 0; i < text.size(); ++i)

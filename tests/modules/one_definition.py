@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""one_definition.py ROOT: no two files of the rooms define a type of one name in one namespace. All rooms share
+"""one_definition.py ROOT: no two files of the modules define a type of one name in one namespace. All modules share
 jounce::detail; two types of one name there are one to the linker, which keeps the functions of either, and no
 compiler sees both. Exit status 1 and the places where it happens."""
 import pathlib

@@ -20,7 +20,7 @@ double draw(std::mt19937& random, double lo, double hi) {
   return lo + (hi - lo) * (static_cast<double>(random()) * 0x1p-32);
 }
 
-/// Where a motion with piecewise constant `derivative` (acceleration or jerk) ends.
+/// End of a motion with piecewise constant `derivative` (acceleration or jerk).
 struct End {
   double p = 0;
   double v = 0;
@@ -161,9 +161,9 @@ TEST(LowerBound, TakesTheWorstStretchAndExactFixedSegments) {
 }
 
 TEST(LowerBound, CountsThePlacesThatArePassed) {
-  // From rest at 0 up to 1 and back to rest at 0 over [0, 1]: whatever is free at the top, one side has no
-  // more than half of it, so that A >= 2 / (1/2)^2, J >= 6 / (1/2)^3 and, each half at best its cubic,
-  // the integral of f''^2 >= 2 * 3 / (1/2)^3.
+  // From rest at 0 up to 1 and back to rest at 0 over [0, 1]: for any free values at the top, one
+  // side has no more than half of it, so that A >= 2 / (1/2)^2, J >= 6 / (1/2)^3 and, each half at
+  // best its cubic, the integral of f''^2 >= 2 * 3 / (1/2)^3.
   CamProblem problem;
   problem.cam.segments = {{Law::quintic, {0.5, 1, 0, 0}}, {Law::quintic, {1, 0, 0, 0}}};
   problem.cam.start = {0, 0, 0, 0};

@@ -262,7 +262,7 @@ TEST(CamShapes, LimitsHoldAsDesigned) {
   problem.limits.velocity = 0.9;
   const auto outcome = optimize_cam_shapes(problem);
   ASSERT_EQ(outcome.runs.size(), 1U);
-  // The way down is not free and breaks them: it is said so.
+  // The descent is fixed and breaks them: the outcome reports this.
   EXPECT_FALSE(outcome.usable());
   for (const Finding& finding : outcome.limits.findings)
     if (finding.broken) {

@@ -29,7 +29,7 @@ TEST(Optimize, ReachesThePerfectSpline) {
   EXPECT_NEAR(outcome.best.segments[0].end.master, 0.25, 1e-5);
   EXPECT_NEAR(outcome.best.segments[1].end.master, 0.75, 1e-5);
   EXPECT_NEAR(*outcome.best.segments[0].end.geo_acceleration, 8, 1e-3);
-  EXPECT_NEAR(outcome.objectives.front().given, 60, 60e-12);  // of the 3-4-5 law
+  EXPECT_NEAR(outcome.objectives.front().given, 60, 60e-12);  // peak of the 3-4-5 law
 }
 
 TEST(Optimize, ReachesThePerfectSplineWithFixedMasters) {

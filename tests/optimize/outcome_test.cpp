@@ -162,7 +162,7 @@ TEST(Outcome, StallsWhenEvaluationsRunOut) {
   EXPECT_LE(outcome.evaluations, 60);  // the last linearised steps are few
 }
 
-/// Random cams of four quintics, free quantities and limits: whatever the answer, it must be true.
+/// Random cams of four quintics, free quantities and limits: every answer must be true.
 TEST(Outcome, IsTrueForRandomProblems) {
   std::mt19937 random(2024);
   const auto draw = [&](double lo, double hi) {

@@ -43,7 +43,7 @@ void keeps_its_ceiling(int derivative, const ResidualOf& residual, double at_mos
     ASSERT_TRUE(o.status == Status::optimal || o.status == Status::converged) << o.reason;
     EXPECT_TRUE(o.limits.ok());
     EXPECT_LE(left(o, residual),
-              at_most + 1e-6);  // of the travel, as worst_residual() is certified
+              at_most + 1e-6);  // share of the travel, like the certificate of worst_residual()
     ASSERT_TRUE(o.spline_bound);
     EXPECT_LE(*o.spline_bound, o.value);
     EXPECT_GE(*o.spline_bound, 0.99 * o.value);

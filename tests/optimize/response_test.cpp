@@ -18,10 +18,10 @@ using Status = Outcome::Status;
 
 constexpr Mode mode{1.5, 0.02};
 constexpr int directions = 100;
-/// Of the directions looked at, one is at least that near to any phasor.
+/// One of the examined directions is at least this near to any phasor.
 const double seen = std::cos(std::numbers::pi / (2 * directions));
 
-/// What the mode swings after the end, as the projections of its phasor on many directions: the same
+/// Swing of the mode after the end, as the projections of its phasor on many directions: the same
 /// figure as ResidualOf, but a long list of two independent numbers.
 std::vector<double> swing(const Trajectory& shape) {
   const std::complex<double> phasor = residual_phasor(shape, mode);

@@ -10,8 +10,8 @@
 #include "optimize/clp_shape.hpp"
 #include "optimize/shape_problems.hpp"
 
-// What is known in closed form (perfect splines: G. Glaeser 1973; least squares: Hermite's polynomials)
-// and what Clp finds on a dense grid.
+// Values in closed form (perfect splines: G. Glaeser 1973; least squares: Hermite's polynomials)
+// and the results of Clp on a dense grid.
 
 namespace jounce::shape_benchmark_test {
 namespace {
@@ -86,7 +86,7 @@ TEST(ShapeBenchmark, AgreesWithClpOnADenseGrid) {
     EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
     const double clp = test_optimize::clp_least_peak(p.pieces, order, 4);
     EXPECT_LE(best.figures[0].reached, clp * 1.001);
-    EXPECT_GE(best.figures[0].reached, clp * (1 - 1e-6)) << "a grid leaves room between its places";
+    EXPECT_GE(best.figures[0].reached, clp * (1 - 1e-6)) << "a grid leaves gaps between its places";
   }
 }
 

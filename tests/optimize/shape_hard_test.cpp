@@ -11,7 +11,7 @@
 #include "optimize/shape_problems.hpp"
 #include "support/random.hpp"
 
-// What a hostile user asks: nothing here may be called a success that is none.
+// Requests of a hostile user: no failure here may be reported as a success.
 
 namespace jounce::shape_hard_test {
 namespace {
@@ -125,7 +125,7 @@ TEST(HardShape, WhatCannotBeIsProvenSo) {
   EXPECT_NE(still.reason.find("3.51"), std::string::npos) << "the least there is: " << still.reason;
 }
 
-/// Neither is one that misses its ends: the limits say so.
+/// A shape that misses its ends is not usable either: the limits show this.
 TEST(HardShape, AnInfeasibleShapeThatMissesItsEndsIsNotUsable) {
   for (const int degree : {3, 4}) {
     const ShapeOutcome one = optimize_shape(least_acceleration(1, degree));
@@ -151,7 +151,7 @@ TEST(HardShape, ExactStretchesMayTouchTheEndsAndOverlap) {
                  {position, 0.5, 0.7, Edge{0.6, 0.7}, Edge{0.6, 0.7}}};
   EXPECT_EQ(optimize_shape(p).status, Status::infeasible);
   p.corridors[1].lower = p.corridors[1].upper = Edge{0.5, 0.7};
-  const ShapeOutcome agree = optimize_shape(p);  // says the same twice: rounding may stop it
+  const ShapeOutcome agree = optimize_shape(p);  // the same problem twice: rounding may stop it
   EXPECT_NE(agree.status, Status::infeasible) << agree.reason;
   EXPECT_TRUE(agree.usable()) << agree.reason;
 }
@@ -270,7 +270,8 @@ TEST(HardSearch, ACeilingOfNothingIsNotANaN) {
   EXPECT_NE(none.status, Status::converged);
 }
 
-/// Over random loads: what is said is so, nothing is worse than given, and the same again is the same.
+/// Over random loads: every report is true, nothing is worse than given, and a repetition gives the
+/// same.
 TEST(HardSearch, HoldsOverRandomLoads) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

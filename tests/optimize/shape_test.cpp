@@ -115,8 +115,8 @@ TEST(Shape, IsCertifiedToBeTheBestSpline) {
   }
 }
 
-/// Whatever the seed changes within the ends, the weighted sum of a shape that keeps the limits does not
-/// fall below the bound.
+/// For every change by the seed within the ends, the weighted sum of a shape that keeps the limits
+/// does not fall below the bound.
 TEST(Shape, NoPerturbationIsBetter) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.pieces = 20;
@@ -137,7 +137,7 @@ TEST(Shape, NoPerturbationIsBetter) {
       Segment bump;
       bump.length = f.length;
       bump.degree = 7;
-      // of degree 7: exact from its values
+      // The curve has degree 7: exact from its values.
       const auto at = [&](double s) {
         const double u = x + s * f.length;
         return size * std::pow(u * (1 - u), 3) * (u - centre);

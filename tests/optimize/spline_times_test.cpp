@@ -148,7 +148,7 @@ TEST(SplineTimes, OneJointTwoPointsIsSymmetric) {
   spec.points = {{0}, {1}};
   spec.limits = {{.jerk = 32}};
   const SplineTimes best = spline_times(spec);
-  // With jerk +J, -J, +J over T/4, T/2, T/4 a stroke of J T^3 / 32: T = 1.
+  // A jerk of +J, -J, +J over T/4, T/2, T/4 gives a stroke of J T^3 / 32: T = 1.
   EXPECT_NEAR(best.duration, 1, 1e-9);
   EXPECT_NEAR(best.intervals[0], 0.25, 1e-6);
   EXPECT_NEAR(best.intervals[1], 0.5, 1e-6);

@@ -69,7 +69,7 @@ class Axis:
         return out
 
     def guards(self, t, y):
-        """What must stay positive for the modes to hold."""
+        """The quantities that must stay positive for the modes to hold."""
         out = []
         if self.gap:
             if self.touch:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """High-precision building blocks of the oracles: numbers, piecewise functions, exact extrema, JSON.
 
-Nothing here knows a motion law. A `Piece` is a function of the local coordinate u in [0, length]:
+No motion law is built in. A `Piece` is a function of the local coordinate u in [0, length]:
 
     p(u) = sum_k poly[k] u^k + sum_i amp_i sin(omega_i u + phase_i)
 
@@ -187,8 +187,8 @@ def hermite(length, left, right):
 
 # ------------------------------------------------------------------------------------------ printed digits
 
-MISMATCHES = []  # what disagrees, in words
-CHECKS = [0]  # how many comparisons were made
+MISMATCHES = []  # disagreements, as text
+CHECKS = [0]  # number of comparisons
 
 
 def to_decimal(value):

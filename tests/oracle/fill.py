@@ -37,7 +37,7 @@ def splines(points):
     out = {name: at_knots(points, piecewise(points, 3, **ends), (1,))[0] for name, ends in ENDS.items()}
     joints = [0] + list(range(2, len(points) - 2)) + [len(points) - 1]
     out["not_a_knot"] = at_knots(points, piecewise(points, 3, joints=joints), (1,))[0]
-    # The velocity of the third knot is given: two splines that do not know of each other.
+    # The velocity of the third knot is given: two independent splines.
     left = at_knots(points[:3], piecewise(points[:3], 3, start=((2, 0),), end=((1, 5),)), (1,))[0]
     right = at_knots(points[2:], piecewise(points[2:], 3, start=((1, 5),), end=((2, 0),)), (1,))[0]
     out["natural, third given 5"] = left + right[1:]

@@ -18,7 +18,7 @@ every machine. Inputs are doubles in shortest form and every result belongs to e
 value is the right limit, at the end of the domain the left limit. null stands for infinite or for "no such value".
 
 Numbers printed in the sources are checked digit by digit; a disagreement stops the script before it writes.
-With --check nothing is written: the exit status says whether oracles.json is up to date.
+With --check nothing is written: the exit status is 0 if oracles.json is up to date.
 """
 import sys
 import time

@@ -162,7 +162,7 @@ def trapezoid_cases():
 def make_s_curves():
     cases = [s_curve(entry) for entry in s_curve_cases()]
     assert len(cases) == 60, len(cases)
-    for entry in cases[:len(SHAPES) * len(VARIANTS)]:  # the names tell the truth
+    for entry in cases[:len(SHAPES) * len(VARIANTS)]:  # the names are right
         present = [int(entry["phases"][i] > 0) for i in (1, 3, 5)]
         assert present == PRESENT[entry.pop("shape")], entry["name"]
     return cases

@@ -49,7 +49,7 @@ std::vector<Box> text_boxes(const Markup& markup) {
   return boxes;
 }
 
-/// What no figure may do: be malformed, show a text outside or over another, or print a nan.
+/// No figure is malformed, shows a text outside or over another, or prints a nan.
 void expect_tidy(const Figure& figure, double width = 860) {
   const Markup markup(svg(figure, {.width = width}));
   for (const Element& e : markup.elements())

@@ -21,7 +21,7 @@ inline Cam pmc600_cam() {
       .cam;
 }
 
-/// How it is shown: limits that its third segment breaks, and the synchronous stretch.
+/// Its look: limits that its third segment breaks, and the synchronous stretch.
 inline CurveLook pmc600_look() {
   CurveLook look;
   look.title = "PMC600 Fig. 6.14";

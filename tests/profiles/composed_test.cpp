@@ -20,7 +20,7 @@ Jet chained(const Jet& f, const Jet& x) {
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};
 }
 
-/// Pointwise, away from breaks of the result (there the sides may be told apart differently).
+/// Pointwise, away from breaks of the result (there the two may take different sides).
 template <class Outer, class Inner>
 void expect_chain_rule(const Curve<Outer>& outer, const Curve<Inner>& inner) {
   const auto g = composed(outer, inner);

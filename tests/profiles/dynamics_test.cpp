@@ -86,8 +86,8 @@ TEST(VelocityRamp, RandomRampsUseEachAccelerationInItsSense) {
   }
 }
 
-/// Where speeding up and slowing down have jerks of their own, too: at both ends and in the middle of
-/// each phase, rest left out.
+/// Checks each direction also if speeding up and slowing down have different jerks: at both ends
+/// and in the middle of each phase, except at rest.
 void expect_each_sense(const Profile& p, const Dynamics& d) {
   const Trajectory f = p.curve();
   const double standstill = 1e-7 * std::abs(extrema(f, 1).peak().value);
@@ -129,7 +129,7 @@ TEST(VelocityRamp, RandomStatesWithinTheLimitsStayThere) {
     const double sense = random.uniform(-1, 1) < 0 ? -1 : 1;
     from.acceleration = random.uniform(0, 1) * sense * std::copysign(1, from.velocity) *
                         (sense > 0 ? d.acceleration : d.deceleration);
-    // What is left at rest of an acceleration that turns the axis round is another matter.
+    // Except the rest of an acceleration that reverses the axis.
     if (sense < 0 && d.deceleration > d.acceleration &&
         from.acceleration * from.acceleration > 2 * d.deceleration_jerk * std::abs(from.velocity))
       continue;
@@ -210,7 +210,7 @@ TEST(InFlight, ASecondMoveDuringTheFirstNeverStopsBetween) {
   const Trajectory first = point_to_point(0, 6000, d).curve();
   const Trajectory absolute = with_target(first, 2, 10000, d);
   EXPECT_EQ(absolute.at(absolute.end()).position, 10000);
-  EXPECT_GT(absolute.at(3.5).velocity, 1999);  // where the first would have stopped
+  EXPECT_GT(absolute.at(3.5).velocity, 1999);  // place where the first would have stopped
   const double t = 1.9;
   const double base = first.at(t).position;
   const Trajectory relative = with_target(first, t, base + 4000, d);

@@ -18,8 +18,8 @@
 namespace jounce::fourth_order_test {
 namespace {
 
-/// Ends, limits and joints, walked in long double along the jounces: what the segments say of
-/// themselves is not asked.
+/// Ends, limits and joints, walked in long double along the jounces, independent of the values in
+/// the segments.
 void expect_move(const Trajectory& f, const FourthOrderSpec& s) {
   using Long = long double;
   std::array<Long, 4> x{static_cast<Long>(s.from)};
@@ -57,7 +57,8 @@ TEST(FourthOrder, JounceAloneIsThePerfectSpline) {
 }
 
 TEST(FourthOrder, LambrechtsFifteenPhases) {
-  // With everything reached: T = h/v + v/a + a/j + j/s, and phases of j/s, a/j - j/s, v/a - a/j - j/s.
+  // All limits are reached: T = h/v + v/a + a/j + j/s, and phases of j/s, a/j - j/s, v/a - a/j -
+  // j/s.
   const Trajectory f =
       fourth_order({.to = 1, .velocity = 0.9, .acceleration = 4, .jerk = 40, .jounce = 1000});
   ASSERT_EQ(f.segments().size(), 15U);

@@ -26,7 +26,8 @@ MotionState state_at(const Profile& f, double t) {
   return {m.position, m.velocity, m.acceleration};
 }
 
-/// How far a move from a positive velocity passes its target, and the most that it moves back, u.
+/// Distance by which a move from a positive velocity passes its target, and the greatest motion
+/// back, u.
 struct Excess {
   double passes = 0, returns = 0;
 };
@@ -124,7 +125,7 @@ TEST(LoweredLimits, BrakingUnderWayGoesOnWhereTheTargetNeedsIt) {
     const Bounds before = random_bounds(r);
     const MotionState target{r.uniform(0.05, 5), 0, 0};
     const Profile running = move_to({}, target, before).profile;
-    // where the plan under way holds its deceleration
+    // the phase in which the plan under way holds its deceleration
     const auto [length, jerk] = running.phase(running.phases() - 2);
     if (jerk != 0) continue;
     const double last = running.phase(running.phases() - 1).duration;

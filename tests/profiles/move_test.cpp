@@ -19,7 +19,7 @@ namespace {
 
 // The random workloads, the independent checker and the independent search are in proof/.
 
-/// What may be said of every move: it arrives, keeps the bounds, and is smooth.
+/// Every move arrives, keeps the bounds, and is smooth.
 void expect_sound(const MoveResult& move, const MotionState& to, const Bounds& b) {
   ASSERT_TRUE(move) << explain(move.status);
   const Trajectory f = move.profile.curve();
@@ -196,7 +196,7 @@ TEST(Move, TheLeastDurationIsThatOfTheMotionWhereLittleIsLeft) {
 }
 
 TEST(Move, AMovingTargetBlocksDurations) {
-  // On at the velocity it has takes 0.1 s; a little longer is possible, but there is no room to stop:
+  // At the present velocity the move takes 0.1 s; a little longer is possible, but a stop is not:
   // then the axis is past the target and has to come back.
   const Bounds b = within(2, 2, 20);
   const MotionState from{0, 1, 0};
@@ -233,7 +233,7 @@ TEST(Move, StopsAtAWallWithoutTouchingIt) {
     EXPECT_GT(kept.profile.duration(), free.profile.duration());
     expect_sound(kept, to, b);
   }
-  // Hardest braking overshoots this one, whatever is done.
+  // Even the hardest braking overshoots this one.
   const MotionState too_near{0.5 * straight, 0, 0};
   b.position_max = too_near.position;
   EXPECT_EQ(move_to(from, too_near, b).status, MoveStatus::position_limit);

@@ -111,7 +111,7 @@ TEST(MovingAverage, SinesStaySinesOfTheirFrequency) {
   f.sines = 1;
   f.sine[0] = {-10 / two_pi, two_pi, 0};
   const Trajectory g = moving_average(Trajectory({f}), 0.5);
-  // Where the window lies inside: the mean of the line and of the sine in closed form.
+  // A window that lies inside: the mean of the line and of the sine in closed form.
   const double w = two_pi / 2;
   for (const double t : {0.6, 1.0, 1.7}) {
     const double line_mean = 5 * (t - 0.25);

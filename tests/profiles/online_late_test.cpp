@@ -19,7 +19,7 @@
 namespace jounce::online_late_test {
 namespace {
 
-constexpr double cycles = 300;  // of each move
+constexpr double cycles = 300;  // per move
 constexpr double late = 1.001;
 
 int cases(int usual) {
@@ -87,7 +87,7 @@ struct Late {
   int replanned = 0;
 };
 
-/// How many moves are late, the target as it is plus noise of this size.
+/// Counts the late moves, for a target with noise of this size.
 Late late_moves(MoveGoal goal, double noise, double tolerance, std::uint64_t seed, int n) {
   test::Random random(seed);
   Late count;
@@ -112,7 +112,7 @@ Late late_moves(MoveGoal goal, double noise, double tolerance, std::uint64_t see
 TEST(OnlineLate, NoMoveToAStateThatIsSetInEveryCycle) {
   const Late count = late_moves(MoveGoal::state, 0, 0, 71, cases(1000));
   EXPECT_EQ(count.generator, 0);
-  EXPECT_GT(count.replanned, cases(1000) / 20);  // what planning in every cycle costs
+  EXPECT_GT(count.replanned, cases(1000) / 20);  // the cost of planning in every cycle
 }
 
 TEST(OnlineLate, NoMoveToAStateWithTheNoiseOfRounding) {

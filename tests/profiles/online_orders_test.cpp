@@ -10,8 +10,9 @@
 
 #include "support/random.hpp"
 
-// Random orders to three axes in every manner, also wrong ones: whatever comes, the setpoints are those of
-// one continuous motion under the widest limits that were ever set. JOUNCE_CASES sets how many runs.
+// Random orders to three axes in every manner, also wrong ones: the setpoints are always those of
+// one continuous motion under the widest limits that were ever set. JOUNCE_CASES sets the number of
+// runs.
 
 namespace jounce::online_orders_test {
 namespace {

@@ -30,9 +30,9 @@ struct Triple {
   [[nodiscard]] Bounds bounds() const { return within(v, a, j); }
 };
 
-/// How far an axis with v > 0 goes before it can stand, integrated numerically: the acceleration is taken
-/// down as fast as it may be until letting it go again takes off the velocity that is left. Negative
-/// where the velocity passes zero whatever is done.
+/// Distance to rest of an axis with v > 0, integrated numerically: the acceleration falls at full
+/// jerk until its release removes the remaining velocity. Negative if the velocity passes zero in
+/// every case.
 double braking_distance(double v, double a, const Triple& limits) {
   if (a < 0 && a * a > 2 * limits.j * v * (1 + 1e-9)) return -1;
   const double dt = (v / limits.a + (limits.a + std::abs(a)) / limits.j) / 4000;
@@ -126,7 +126,7 @@ struct Tally {
   int overshoot = 0, reversal = 0, late = 0, wide = 0, other = 0, printed = 0, stopped = 0;
 };
 
-/// What rounding may do, as a share of the target.
+/// Permitted rounding, as a share of the target.
 constexpr double rounding = 1e-11;
 
 /// One axis from rest to rest whose limits are lowered on the way, each in `which` or not.
@@ -221,7 +221,7 @@ void lower_one_of_three(test::Random& r, Sync sync, Tally& tally) {
                    limits[which].a * r.log_uniform(0.05, 1),
                    limits[which].j * r.log_uniform(0.05, 1)};
   bool arrived = false;
-  bool bent = false;  // no motion on the line keeps the lowered limits: the status says so
+  bool bent = false;  // no motion on the line keeps the lowered limits: the status reports it
   bool stopped = false;
   double off_line = 0;
   for (int k = 0; k < 40000 && !arrived; ++k) {

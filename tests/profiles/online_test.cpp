@@ -78,7 +78,7 @@ TEST(Online, GoesOnAtTheVelocityOfItsTarget) {
   EXPECT_EQ(k, static_cast<int>(std::ceil(t / cycle)));
   run(g, 1);
   EXPECT_NEAR(g[0].position, 1 + 0.5 * ((k + 1000) * cycle - t), 1e-12);
-  g.set_target(0, {1, 0.5, 0});  // as every cycle
+  g.set_target(0, {1, 0.5, 0});  // repeated in every cycle
   EXPECT_FALSE(g.step(cycle).planned);
   g.set_bounds(0, within(3, 20, 200));  // it does not go back for it
   (void)g.step(cycle);

@@ -27,7 +27,7 @@ Overridden play(const OverrideSpec& spec) {
   return overridden(axes, std::span(&limits, 1), spec);
 }
 
-/// What must hold of whatever is asked.
+/// Conditions that hold for every request.
 void expect_played(const Overridden& played, std::span<const Trajectory> axes,
                    std::span<const Limits> all) {
   EXPECT_TRUE(check_continuity(with(played.clock, Extrapolation::refuse), 2).ok());
@@ -127,7 +127,7 @@ TEST(Override, BrakingAtTheLimitCannotBeHeld) {
   if (!late.ramps[0].granted) {
     EXPECT_NEAR(late.clock.end(), 5.7, 1e-14);
   }
-  // With room to spare the hold works anywhere.
+  // If the margin is ample, the hold works anywhere.
   const std::array axes{plan()};
   const std::array roomy{Limits{.velocity = 10, .acceleration = 40, .jerk = 800}};
   const Overridden held = overridden(axes, roomy, {{{5.3, 0}, {7, 1}}});

@@ -107,7 +107,7 @@ TEST(EntryVelocity, UndoesTheRampOverSixDecades) {
                  << distance << ' ' << exit << ' ' << ramp.acceleration << ' ' << ramp.jerk);
     const auto entry = entry_velocity(distance, exit, ramp);
     ASSERT_TRUE(entry);
-    // What stops from there over the distance: independent of how the entry was found.
+    // The stop from there over the distance, independent of the method that found the entry.
     const auto way = [&](Long e) { return Reference::ramp(exit, e, ramp).distance; };
     Long high = 1;
     while (way(high) < distance) high *= 2;
@@ -132,7 +132,7 @@ TEST(PeakVelocity, AndDurationAgreeWithBisectionOverSixDecades) {
     ASSERT_TRUE(peak && duration);
     const Answer expected = reference_way(distance, ends, ramp);
     expect_close(*duration, expected.duration, 2e-15, "duration");
-    // Of a short way beyond the direct ramp the peak is known as well as its excess.
+    // For a short distance beyond the direct ramp the peak is as accurate as its excess.
     expect_close(*peak, expected.peak, 2e-15, "peak");
   }
 }
@@ -211,7 +211,7 @@ TEST(Stopping, AgreesWithBisectionOverSixDecades) {
                                                             (2 * static_cast<Long>(ramp.jerk));
     const Long sign = rest < 0 ? -1 : 1;
     const Reference expected = reference_stop(now, ramp, sign);
-    // Where little is left once a is let go, the time is the square root of that little.
+    // If little is left after the release of a, the time is the square root of that rest.
     const Long size_of_parts = std::abs(now.velocity) + std::abs(rest - now.velocity);
     const double lost = 1e-15 * static_cast<double>(std::sqrt(size_of_parts / std::abs(rest)));
     EXPECT_NEAR(stop->duration, static_cast<double>(expected.duration),
@@ -278,7 +278,7 @@ TEST(Queries, DoNotDependOnTheUnit) {
 }
 
 TEST(Queries, AnswerWithNumbersUpToTheEdgesOfTheMagnitudes) {
-  // 1e-30 to 1e30, each value on its own: whatever is answered is a number, and meets the others.
+  // 1e-30 to 1e30, each value on its own: every answer is finite, and agrees with the others.
   test::Random random(46);
   const auto any = [&] {
     const int which = random.below(8);

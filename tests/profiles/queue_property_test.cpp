@@ -45,11 +45,11 @@ std::string text(const QueueSpec& spec) {
 
 // ---- random queues ---------------------------------------------------------------------------------
 
-/// What a profile leaves, in the worst of a million moves, where the halves of its curve meet.
+/// Gap between the halves of a profile's curve in the worst of a million moves.
 constexpr double rounding = 1e-11;
 
 struct Kind {
-  double decades = 1;  ///< of every number, either way
+  double decades = 1;  ///< range of every number, either way
   bool jerk = true;
   bool aborts = false;
   bool rest = false;  ///< from rest, to positions: over many decades a velocity leads anywhere
@@ -111,7 +111,7 @@ bool begins_a_batch(const QueueSpec& spec, std::size_t i) {
   return std::holds_alternative<MoveVelocity>(before);
 }
 
-/// Where a break stands among the segments.
+/// Index of a break among the segments.
 std::size_t segment_at(const Trajectory& f, double time) {
   return static_cast<std::size_t>(std::lower_bound(f.breaks().begin(), f.breaks().end(), time) -
                                   f.breaks().begin());

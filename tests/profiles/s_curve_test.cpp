@@ -18,7 +18,7 @@ namespace {
 
 using test::oracle;
 
-/// What every rest-to-rest move promises, for the move and its mirror image.
+/// Properties of every rest-to-rest move, for the move and its mirror image.
 void expect_move(const Profile& move, double velocity, double acceleration, double deceleration,
                  double jerk, int order) {
   const Trajectory f = move.curve();

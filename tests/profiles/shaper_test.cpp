@@ -89,7 +89,7 @@ TEST(Shaper, AShapedMoveLeavesNothing) {
       EXPECT_GT(residual_vibration(move(), mode), 0.2) << "the move excites the mode";
       EXPECT_LT(residual_vibration(quiet, mode), 1e-12 * 50);
       const test::Load load = test::after(quiet, mode);
-      EXPECT_NEAR(load.x, 50, 1e-9) << "the integrated spring says the same";
+      EXPECT_NEAR(load.x, 50, 1e-9) << "the integrated spring agrees";
       EXPECT_NEAR(load.v, 0, 1e-7);
     }
 }

@@ -32,7 +32,7 @@ void expect_kept(const Profile& profile, const Bounds& b, double rounding) {
 }
 
 void expect_end(const Profile& profile, const MotionState& end, double rounding) {
-  // What is measured from the start must meet what is measured from the end.
+  // The half measured from the start must meet the half measured from the end.
   const double half = profile.duration() / 2;
   const Motion a = profile.at(half * (1 - 1e-12));
   const Motion b = profile.at(half * (1 + 1e-12));
@@ -119,7 +119,8 @@ TEST(SynchroniseGoals, AnOrderWithoutAccelerationLimitsStepsToItsVelocity) {
   EXPECT_EQ(out.at(0.0625).velocity, 0.25);
 }
 
-/// Whether a motion to where the target is after t can last just that: asked without its coordinates.
+/// True if a motion to the target's position after t can last exactly t; computed without its
+/// coordinates.
 bool can_meet(const AxisMove& axis, double t) {
   MotionState there = axis.to;
   there.position += t * there.velocity;

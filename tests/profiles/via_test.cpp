@@ -64,8 +64,8 @@ TEST(Via, TurnsRoundWithoutBrakingGently) {
   EXPECT_LE(extrema(m.axes[0], 0).max.value, h * (1 + 1e-15));
 }
 
-/// Whether a stretch keeps its direction, looked at densely; and its bounds, which a start that
-/// cannot keep them leaves.
+/// True if a stretch keeps its direction, on dense samples, and its bounds, unless its start cannot
+/// keep them.
 bool goes_forward(std::span<const AxisMove> moves, std::span<const Profile> profiles) {
   for (std::size_t i = 0; i < moves.size(); ++i)
     for (int n = 0; n <= 64; ++n) {

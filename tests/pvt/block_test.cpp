@@ -40,7 +40,7 @@ Table random_table(Random& random, Interpolation rule, Extrapolation outside) {
 
 struct Block {
   std::vector<double> p, v, a;
-  // With a shift, so that blocks begin at any place of a cache line.
+  // The shift makes blocks begin at any place of a cache line.
   Block(std::size_t n, std::size_t shift = 0) : p(n + shift), v(n + shift), a(n + shift) {}
 };
 
@@ -137,7 +137,7 @@ void expect_kernel(const detail::SampleKernels& kernels) {
                     {out.p.data(), out.v.data(), out.a.data()});
     expect_jets(table, x, out.p.data(), out.v.data(), out.a.data(), "uniform");
     EXPECT_TRUE(kernels.ascends(x.data(), n));
-    if (n > 1) {  // two that change places, and one that is no number, wherever they are
+    if (n > 1) {  // two that change places, and one NaN, at any place
       auto turned = x;
       const auto k = static_cast<std::size_t>(random.below(static_cast<int>(n) - 1));
       std::swap(turned[k], turned[k + 1]);

@@ -24,8 +24,8 @@ using test::Random;
 constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
                            Interpolation::quintic_hermite};
 
-/// What tables are made of: wild values, smooth motion, dwells, cruises that are exact and ones that
-/// rounding makes rough, the same piece again and again.
+/// Shapes of tables: wild values, smooth motion, dwells, exact cruises and cruises that rounding
+/// makes rough, the same piece again and again.
 enum class Shape { wild, smooth, dwells, cruise, rough_cruise, repeated };
 constexpr std::array shapes{Shape::wild,   Shape::smooth,       Shape::dwells,
                             Shape::cruise, Shape::rough_cruise, Shape::repeated};

@@ -368,7 +368,7 @@ TEST(Fill, WithinLimitsFindsAWayWhereverThereIsOneAndNoLimitIsExceeded) {
   Random random(6);
   for (int round = 0; round < 1000; ++round) {
     FillSpec spec = random_spec(random, 2 + random.below(20), 4);
-    // A motion that keeps its own limits, from rest to rest, and then 3 % room.
+    // A motion that keeps its own limits, from rest to rest, and then a margin of 3 %.
     Columns known{spec.x, spec.p, std::vector<double>(spec.x.size(), 0.0), {}};
     for (std::size_t i = 1; i + 1 < spec.x.size(); ++i) known.v[i] = random.uniform(-5, 5);
     const Ranges peaks =
@@ -491,7 +491,7 @@ TEST(Fill, PeriodicIsCutOpenWhereAVelocityIsGiven) {
   spec.filling = Filling::periodic;
   const auto free = velocities(spec);
   spec.v.resize(spec.x.size());
-  spec.v[3] = free[3];  // what it would be anyway
+  spec.v[3] = free[3];  // the same as the free value
   expect_near(velocities(spec), free, 1e-13);
   spec.v[3].reset();
   spec.v.back() = free.back();

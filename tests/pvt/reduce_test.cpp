@@ -38,7 +38,7 @@ double stroke_of(const Cam& f) {
   return travel.max.value - travel.min.value;
 }
 
-/// Whether a straight segment of the curve ends or begins at x.
+/// True if a straight segment of the curve ends or begins at x.
 bool ends_a_line(const Cam& f, double x) {
   for (std::size_t i = 0; i < f.segments().size(); ++i)
     if (f.segments()[i].sines == 0 && f.segments()[i].degree <= 1 &&
@@ -75,7 +75,7 @@ Cam up_and_down(double dwell = 12000, double end_of_dwell = 20000) {
              0, Extrapolation::wrap);
 }
 
-/// What the rounding of its numbers is measured against.
+/// Reference magnitude for the rounding of its numbers.
 double magnitude_of(const Cam& f) {
   double all = 0;
   for (const Segment& segment : f.segments()) all = std::max(all, magnitude(segment));
@@ -96,9 +96,10 @@ SampleError seen(const Table& table, const Curve<Over>& f, int points = 20000) {
   return worst;
 }
 
-/// How many intervals a cycloid of stroke 1 needs when every one of them has the greatest error. An interval of
-/// length h errs by h^k |f^(k)| / C at most, so their number is the integral of (|f^(k)| / (C tolerance))^(1/k),
-/// with |f^(k)| = (2 pi)^(k-1) |sin 2 pi z| (k even), whose root integrates to a beta function.
+/// Number of intervals that a cycloid of stroke 1 needs when every one of them has the greatest
+/// error. An interval of length h has an error of at most h^k |f^(k)| / C, so their number is the
+/// integral of (|f^(k)| / (C tolerance))^(1/k), with |f^(k)| = (2 pi)^(k-1) |sin 2 pi z| (k even),
+/// whose root integrates to a beta function.
 double intervals_of_cycloid(double k, double c, double tolerance) {
   const double two_pi = 2 * std::acos(-1.0);
   const double m = 1 / k;
@@ -116,7 +117,7 @@ TEST(Reduced, NeedsAsFewFreeKnotsOnTheCycloidAsTheyCanBe) {
       const double fewest =
           intervals_of_cycloid(2.0 * static_cast<double>(i) + 2, divisor[i], tolerance);
       EXPECT_LE(made.error.position, tolerance);
-      if (tolerance <= 1e-6) {  // where the formula, of short intervals, holds
+      if (tolerance <= 1e-6) {  // the range in which the formula, for short intervals, holds
         EXPECT_NEAR(static_cast<double>(made.table.size() - 1), fewest, 1.1 + 1e-4 * fewest)
             << name(all_rules[i]) << " " << tolerance << " " << fewest;
       }
@@ -209,7 +210,7 @@ TEST(Reduced, MakesTheBestOfSoManyKnots) {
       EXPECT_LT(made.error.position, before);
       EXPECT_LE(made.error.position, 1.01 * sample(cycloid(), rule, most - 1).error.position);
       before = made.error.position;
-      // With a hundredth less, it takes more.
+      // A tolerance a hundredth lower takes more.
       const Sampled again = reduced(cycloid(), {.rule = rule, .tolerance = before * 0.97});
       EXPECT_GT(again.table.size(), most) << name(rule);
     }
@@ -459,7 +460,7 @@ TEST(Reduced, TakesTheErrorOfAFitOffItsTolerance) {
   EXPECT_THROW(reduced(fit, {.tolerance = 2e-4}), InputError);
 }
 
-/// What the error says.
+/// Text of the error.
 template <class Over>
 std::string refusal(const Curve<Over>& f, const Target& target) {
   return test::error_of([&] { (void)reduced(f, target); });

@@ -62,7 +62,7 @@ TEST(SegmentRow, OfALinearTableAgreesToOneRounding) {
   }
 }
 
-// Where x adds up exactly: a curve keeps lengths, rows their ends.
+// x adds up exactly here: a curve keeps lengths, rows their ends.
 TEST(SegmentRow, OfPtPointsIsPtToTheBit) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

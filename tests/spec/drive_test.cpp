@@ -34,7 +34,7 @@ std::string refused(const std::string& drive, const std::string& unit = "mm") {
 const std::string model = "model = \"servo_400w\"\nposition_per_rev = 10\n";
 
 TEST(DriveSpec, ReadsEveryNumberByItsKey) {
-  // Each number in turn, written where its key says, is what comes out.
+  // Each number in turn, written under its key, is the number read.
   Drive pattern = servo_400w();
   pattern.pendulum = Pendulum{3, 0, 0.5};
   for (const DriveNumber& number : numbers(pattern)) {

@@ -104,7 +104,7 @@ TEST(GearSpec, AClutchOfNoDistanceIsFoundWhereTheCamBegins) {
   EXPECT_EQ(sync_sentence(steps.findings[0], "0 deg"),
             "the ratio steps from 0 to 1.33333 mm/deg at 0 deg, where the slave engages");
   EXPECT_TRUE(checked("distance = 10\n").findings.empty());
-  EXPECT_TRUE(checked("distance = 0\nengage_at = 5\n").findings.empty()) << "continuity tells it";
+  EXPECT_TRUE(checked("distance = 0\nengage_at = 5\n").findings.empty()) << "continuity reports it";
 }
 
 std::string refusal(const std::string& text) {

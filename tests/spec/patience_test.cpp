@@ -11,7 +11,8 @@
 
 #include "support/errors.hpp"
 
-// How long an axis, its owner and its machine may be silent or late; and files that are named and missing.
+// Permitted silence and lateness of an axis, its owner and its machine; and named files that are
+// missing.
 
 namespace jounce::patience_test {
 namespace {
@@ -75,7 +76,7 @@ TEST(NamedFiles, ThatAreMissingAreSaidWhereTheyAreNamed) {
                "m.toml:4:1: axis[1].spec = x.toml: cannot be read: No such file");
   const InputError inside = InputError("cycle", "0", "must be more").at("x.toml", 3, 1);
   EXPECT_STREQ(document.naming("axis[1].spec", "x.toml", inside).what(), inside.what())
-      << "what is wrong in the file is said of the file";
+      << "an error in the file names the file";
 }
 
 TEST(NamedFiles, OfADriveAreSaidInTheAxissSpec) {

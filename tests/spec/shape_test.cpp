@@ -71,7 +71,7 @@ Spec spec_of(const std::string& from = "", const std::string& to = "") {
   return parse_spec(spec_text(from, to), "a.toml");
 }
 
-/// What the reader or the problem has against it.
+/// Objection of the reader or the problem.
 std::string complaint(const std::string& from, const std::string& to) {
   return test::error_of([&] { (void)make_shape_problem(spec_of(from, to)); });
 }
@@ -165,7 +165,7 @@ TEST(Load, DryFrictionAndALeverCountAtTheMotorWhicheverWayItTurns) {
     EXPECT_NEAR(torque.linear.by[2], 1e-3 * turn * 1e4, 1e-12);
     EXPECT_NEAR(torque.linear.constant, sign * 0.2, 1e-15);
     EXPECT_EQ(torque.coulomb, 0.05) << "always against the motion";
-    EXPECT_NEAR(torque.gravity, 3 / 10., 1e-15) << "the arm knows nothing of the motor";
+    EXPECT_NEAR(torque.gravity, 3 / 10., 1e-15) << "the arm does not depend on the motor";
     EXPECT_NEAR(torque.turn, std::numbers::pi / 180, 1e-15);
     EXPECT_EQ(torque.angle, 0.4);
     const EnergyOf energy = energy_of(load, 100, "deg");

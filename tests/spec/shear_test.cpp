@@ -145,7 +145,7 @@ TEST(ShearSpec, WarnsOfASyncThatIsAsGoodAsNone) {
   const auto of = [](const std::string& stroke) {
     return parse_spec(spec("cut_length = 1000\nline_speed = 1000\nstroke = " + stroke), "s");
   };
-  const Report little = check_sync(of("192"));  // of which run-up and braking take 187.5
+  const Report little = check_sync(of("192"));  // run-up and braking take 187.5 of it
   ASSERT_EQ(little.findings.size(), 1U);
   EXPECT_TRUE(little.ok());
   const Finding& f = little.findings[0];

@@ -83,7 +83,7 @@ TEST(Claim, IsUpAfterItHasAskedInVain) {
     EXPECT_EQ(claim.poll(now).size(), 1U);
     EXPECT_FALSE(claim.up());
   }
-  EXPECT_EQ(claim.poll(now).size(), 1U) << "now it says that it is up";
+  EXPECT_EQ(claim.poll(now).size(), 1U) << "now it reports that it is up";
   EXPECT_TRUE(claim.up());
   EXPECT_TRUE(claim.poll(now + 999ms).empty());
   EXPECT_EQ(claim.poll(now + 1s).size(), 1U);
@@ -116,7 +116,7 @@ TEST(Claim, AnswersWhoAsksAndNobodyElse) {
   EXPECT_LE(claim.poll(2ms).size(), 256U) << "bounded";
 }
 
-// Of executors that start together, on whatever network, exactly one goes on.
+// Exactly one of the executors that start together continues, on every network.
 TEST(Claim, OneGoesOnWhereSeveralStartTogether) {
   test::Random random(seed);
   for (int round = 0; round < 400; ++round) {

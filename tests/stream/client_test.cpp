@@ -145,7 +145,7 @@ TEST(Key, AnOperatorsStopIsObeyedOnce) {
   EXPECT_THAT(world.executor->log, ElementsAre("stop 0"));
 }
 
-/// All that was ever said to an executor, once more.
+/// Sends every earlier packet to the executor once more.
 void replay(World& world, const std::vector<Packet>& packets) {
   MemoryTransport attacker(world.network);
   for (const Packet& packet : packets) {
@@ -220,7 +220,7 @@ TEST(Key, AForgedAnswerConvincesNobody) {
   world.executor->answers = false;
   MemoryTransport attacker(world.network);
   Client client(world.link, "feeder", {.key = key, .patience = 200ms}, world.clock);
-  // Whatever the number, whatever the session: without the key it does not count.
+  // For every number and every session, a packet without the key does not count.
   world.each_turn = [&] {
     for (int number = 1; number < 4; ++number)
       send_message(

@@ -52,7 +52,8 @@ TEST(Driver, AFloodOfStrangersIsAnsweredWithinBounds) {
   world.executor->turn();
   MemoryTransport ear(world.network);
   ear.subscribe("JOUNCE2.feeder.reply", 1000);
-  for (std::int64_t session = 2; session < 66; ++session) {  // as many as may wait on a channel
+  for (std::int64_t session = 2; session < 66;
+       ++session) {  // the greatest number that may wait on a channel
     send_message(world.link, {"feeder", session, owner.body});
     send_message(world.link, {"feeder", session, wire::Heartbeat{.command = 1}});
   }
@@ -86,7 +87,7 @@ TEST(Driver, ReadsTheNewestStatus) {
   world.each_turn = publish;
   const auto message = next_status(world.link, "feeder", 50ms, world.clock);
   ASSERT_TRUE(message.has_value());
-  EXPECT_EQ(std::get<wire::Status>(message->body).tick, 6) << "1 had waited; 2 to 5 found no room";
+  EXPECT_EQ(std::get<wire::Status>(message->body).tick, 6) << "1 had waited; 2 to 5 did not fit";
 }
 
 TEST(Driver, AnOperatorStopsWhoeverStreams) {

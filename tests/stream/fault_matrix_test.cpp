@@ -23,7 +23,7 @@ struct Trial {
   StreamOutcome outcome;
   std::size_t wrong = 0;  // tables that were stored or armed and are not the one that was sent
   bool armed = false;     // the axis was given the table
-  bool idle = false;      // afterwards nobody owns the axis
+  bool idle = false;      // afterwards the axis has no owner
   Nanos time{};
 };
 
@@ -53,7 +53,7 @@ Trial attempt(const Table& table, const LossSpec& spec, Nanos restart = Nanos::m
   return trial;
 }
 
-/// What must hold however bad the link is; empty if it does.
+/// The violated condition among those that hold on every link; empty: none.
 std::string broken(const Trial& trial) {
   const StreamOutcome& outcome = trial.outcome;
   if (trial.wrong > 0) return "a wrong or incomplete table was armed";

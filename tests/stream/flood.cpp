@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Floods a bus: flood URL RATE EXECUTOR [SECONDS]. Of all messages a second, most are foreign (channels and
-// magic numbers of somebody else), and every hundredth is malformed on a channel of this executor: cut
-// short, too long, random, or one bit turned over. To be run in a namespace of its own, beside an
-// executor; ended by a signal, then it says how many it sent.
+// Floods a bus: flood URL RATE EXECUTOR [SECONDS]. Of all messages a second, most are foreign
+// (channels and magic numbers of other programs), and every hundredth is malformed on a channel of
+// this executor: cut short, too long, random, or with one bit changed. Run it in a namespace of its
+// own, beside an executor. A signal ends it; it then prints the number of sent messages.
 #include <atomic>
 #include <csignal>
 #include <cstdio>

@@ -106,7 +106,7 @@ inline std::string word(const StreamEvent& event) {
   return "operator " + session;
 }
 
-/// An executor on a link, whose axis obeys at once unless told otherwise.
+/// An executor on a link, whose axis obeys at once by default.
 class Executor {
  public:
   Executor(Transport& link, const Clock& clock, std::int64_t boot, ReceiverOptions options = {})
@@ -126,7 +126,7 @@ class Executor {
   std::vector<StartRequested> starts;  ///< that were asked for
   bool queue_armed = false, queue_started = false;
   bool answers = true;    ///< otherwise it leaves commands without an outcome
-  std::string objection;  ///< what the axis says to an arm or an order; empty: yes
+  std::string objection;  ///< rejection of an arm or an order by the axis; empty: accepted
 
  private:
   static ReceiverOptions named(ReceiverOptions options) {
@@ -180,7 +180,7 @@ class World {
     };
   }
 
-  /// A new executor that knows nothing, as after a restart.
+  /// A new executor without memory, as after a restart.
   void boot(std::int64_t number) {
     executor.reset();
     executor_link = std::make_unique<MemoryTransport>(network);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table whose hash is told last: what the header that tells it may meet with.
+// A table whose hash comes last: situations in which the header with the hash may arrive.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -169,7 +169,7 @@ TEST_F(LateHash, ThatNeverComesLeavesNothingBehind) {
   put(first);
   put_chunks(0, chunks);
   put(wire::Arm{.command = 1});
-  EXPECT_THAT(events(), IsEmpty()) << "no hash is nobody's name";
+  EXPECT_THAT(events(), IsEmpty()) << "zeros name no table";
   EXPECT_GT(receiver.store().bytes(), 0U);
   now += std::chrono::seconds(2);
   static_cast<void>(receiver.poll(now));
@@ -262,7 +262,8 @@ TEST_F(LateHashSender, SaysItAgainUntilItIsHeard) {
 TEST_F(LateHashSender, FailsWithANameIfItIsNeverHeard) {
   lose = 1'000'000;
   for (int i = 0; i < 20'000 && !sender.ended(); ++i) poll();
-  EXPECT_EQ(sender.outcome().error, StreamError::contact_lost) << "it says nothing else any more";
+  EXPECT_EQ(sender.outcome().error, StreamError::contact_lost)
+      << "it reports nothing else any more";
 }
 
 TEST_F(LateHashSender, DoesNotBelieveThatATableIsCompleteWhoseHashItHasNotTold) {

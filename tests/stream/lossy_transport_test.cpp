@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What comes out of a link that 10 000 numbers are sent through, 1 ms apart.
+/// Output of a link for 10 000 numbers sent 1 ms apart.
 std::vector<int> sent_through(const LossSpec& spec, bool receiving_side = false) {
   MemoryNetwork network;
   MemoryTransport link(network), other(network);

@@ -72,7 +72,7 @@ struct Bus {
   Clock clock = [this] { return now; };
 };
 
-// What a pump with a key hands on of signed, unsigned and wrongly signed samples.
+// A pump with a key, with signed, unsigned and wrongly signed samples.
 TEST(MasterIntake, WithAKeyOnlyWhatIsSignedIsHandedOn) {
   Bus bus;
   ReceiverPump pump(bus.here, ReceiverOptions{.executor = "knife", .key = key_of(1)}, 1, bus.clock);

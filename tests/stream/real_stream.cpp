@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Of both sides: a machine under load stretches a cut of the link.
+/// Patience of both sides: a machine under load stretches a cut of the link.
 constexpr Nanos patience = 10s;
 
 int expect_advice(const std::string& url) {
@@ -121,7 +121,7 @@ int stream_once(const Urls& url, const std::string& label, std::size_t knots, co
   return right && (status || may_end) ? 0 : 1;
 }
 
-/// What LCM's library has received: a message, by its channel.
+/// A message that LCM's library has received, with its channel.
 struct Heard {
   std::string channel;
   std::vector<std::byte> bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold whatever anybody sends, in any order: checked over random conversations.
+// Conditions that hold for all messages in any order, checked over random conversations.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ class Conversation {
     const auto session = static_cast<std::int64_t>(1 + random_.below(3)) + 3 * (tick_++ / 200);
     const bool is_stop = std::holds_alternative<wire::Stop>(body);
     const bool operators = is_stop && random_.below(8) == 0;
-    // Mostly what a streamer was told, now and then what it was told long ago, or nothing.
+    // Mostly the last challenge that a streamer received, now and then an old one, or none.
     if (random_.below(20) == 0) told_ = random_.below(4) == 0 ? 0 : receiver_.challenge();
     const std::int64_t challenge = random_.below(10) == 0 ? told_ : receiver_.challenge();
     receiver_.receive({"feeder", operators ? 0 : session, std::move(body),
@@ -144,7 +144,7 @@ TEST(ReceiverProperty, NothingStartsThatIsNotWholeArmedAndAgreedTo) {
     tables += conversation.tables;
     ends += conversation.ends;
   }
-  // The conversations must get far enough for the properties to say anything.
+  // The conversations must get far enough for the properties to be evidence.
   EXPECT_GT(starts, 500U);
   EXPECT_GT(tables, 1000U);
   EXPECT_GT(ends, 1000U);

@@ -20,7 +20,7 @@ using wire::Refusal;
 class ReceiverTest : public testing::Test {
  protected:
   void put(std::int64_t session, wire::Body body) { put({"feeder", session, std::move(body)}); }
-  /// As a streamer would that was told the challenge when its session began.
+  /// Sends like a streamer that received the challenge when its session began.
   void put(wire::Message message) {
     const auto told = challenges.find(message.session);
     message.challenge = message.session == 0       ? 0

@@ -22,7 +22,7 @@ inline wire::Queue queue_of(std::uint32_t capacity, std::uint32_t prefill = 1) {
   return {.units = {"s", "mm"}, .capacity = capacity, .prefill = prefill};
 }
 
-/// An executor that plays rows at a steady pace, and says starving where it has none.
+/// An executor that plays rows at a steady pace, and reports starving when it has none.
 class Player {
  public:
   Player(World& world, Nanos each) : world_(world), each_(each) {

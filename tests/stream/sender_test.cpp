@@ -116,7 +116,7 @@ TEST_F(SenderTest, SaysThatNobodyAnswers) {
   static_cast<void>(sender.poll(now));
   EXPECT_FALSE(sender.ended());
   now += 1ns;
-  EXPECT_THAT(sender.poll(now), IsEmpty()) << "no farewell to nobody";
+  EXPECT_THAT(sender.poll(now), IsEmpty()) << "no farewell without a receiver";
   EXPECT_EQ(sender.outcome().error, StreamError::no_answer);
   EXPECT_EQ(sender.outcome().reason, "no answer from executor feeder for 5000 ms");
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps executors busy: soak SECONDS LOSS NAME...: each of them plays one of 64 tables, 1 s round, and every
-// second another one takes over in motion (protocol page, "Swaps"), told over real multicast with so many
-// packets lost each way, each axis by a thread of its own. No axis ever rests.
+// Keeps executors busy: soak SECONDS LOSS NAME...: each of them plays one of 64 tables, 1 s round,
+// and every second another one takes over in motion (protocol page, "Swaps"), commanded over real
+// multicast with the share LOSS of packets lost each way, each axis by a thread of its own. No axis
+// ever rests.
 //
 // Beside it, every status is held against this clock and against the table that it names: since the start is at
 // a known tick, where the axis has to be in that tick is known too. One line of JSON an axis at the end. Run by
@@ -27,14 +28,14 @@ using namespace jounce;
 using namespace std::chrono_literals;
 
 constexpr const char* url = "udpm://239.255.76.67:7667?ttl=0";
-constexpr std::size_t tables = 64;       // of a session
+constexpr std::size_t tables = 64;       // tables of a session
 constexpr std::int64_t run_up = 10'000;  // ticks, in which all of them are downloaded
 constexpr std::int64_t round_ticks = 1000;
 const Units units{"s", "mm"};
 
-/// 2 sin w x + c (1 - cos w x)^2 over 1 s: whatever c is, position, velocity, acceleration and jerk at both
-/// ends are the same. So any of them can follow any other, at 12.6 mm/s: in a tick that is less than the axis's
-/// acceleration makes, so the first one may begin from rest.
+/// 2 sin w x + c (1 - cos w x)^2 over 1 s: for every c, position, velocity, acceleration and jerk
+/// at both ends are the same. So any table can follow any other, at 12.6 mm/s. In one tick the
+/// axis's acceleration gives more than that, so the first one may begin from rest.
 Table around(double c) {
   constexpr std::size_t knots = 301;
   constexpr double w = 2 * std::numbers::pi;
@@ -52,14 +53,14 @@ Table around(double c) {
                std::move(columns));
 }
 
-/// What became of one axis.
+/// Result of one axis.
 struct Result {
   std::size_t swaps = 0, resent = 0;
   std::string failure = {};
   long statuses = 0, errors = 0, rests = 0;
   std::int64_t finished = 0, late = 0;
   double drift = 0;  // s: the most by which ticks * period left this clock, over 20 statuses
-  double off = 0;    // u: the most that it was beside the table that it said it played
+  double off = 0;    // u: greatest distance from the table that its status named
 };
 
 /// Its tables, by the first bytes of their hash, as a status names them.
@@ -114,7 +115,7 @@ class Watch {
   }
 
  private:
-  /// A status is late by what it waits, never early: of some, the least late tells the time.
+  /// A status is late by its delay, never early: the least late of several gives the time.
   void time(const wire::Status& status, Result& result) {
     const double clock = std::chrono::duration<double>(steady_now()).count();
     const double ahead = static_cast<double>(status.tick * status.cycle_ns) * 1e-9 - clock;

@@ -34,7 +34,7 @@ TEST(StaticQueue, FillsArmsStartsSwitchesAndClears) {
   EXPECT_TRUE(queue.start().ok());
   EXPECT_TRUE(queue.switch_over().ok());
   EXPECT_TRUE(queue.clear(0).ok());
-  EXPECT_TRUE(queue.fill(0, rows_of(500)).ok()) << "as much room as at first";
+  EXPECT_TRUE(queue.fill(0, rows_of(500)).ok()) << "as much free space as at first";
   ASSERT_EQ(world.executor->rows.size(), 953U);
   EXPECT_EQ(world.executor->rows[452], test::row(2, true));
   EXPECT_EQ(world.executor->rows[453], test::row(0)) << "from x = 0 again";

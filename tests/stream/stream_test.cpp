@@ -274,7 +274,7 @@ TEST(Stream, AHeldSessionLivesByItsHeartbeats) {
   EXPECT_EQ(world.executor->pump.receiver().session(), 1);
 }
 
-/// A tap that keeps what is said to an executor.
+/// A tap that keeps the messages to an executor.
 struct Recorder {
   explicit Recorder(World& world) : link(world.network) {
     link.subscribe(wire::channel("feeder", wire::Lane::table), 100'000);

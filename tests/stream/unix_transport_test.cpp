@@ -122,7 +122,7 @@ TEST_F(UnixTransportTest, KeepsAsManyAsAskedForOfEachChannel) {
   EXPECT_EQ(got["many.a"].size(), 50U);
   EXPECT_EQ(got.size(), 2U);
   send_byte(link, "few", 9);
-  EXPECT_TRUE(link.receive(10s).has_value()) << "what was taken makes room";
+  EXPECT_TRUE(link.receive(10s).has_value()) << "a received message frees its place";
 }
 
 TEST_F(UnixTransportTest, LeavesNothingBehindAndRemovesWhatTheKilledLeft) {
@@ -162,7 +162,7 @@ class Sleeper {
 };
 
 TEST_F(UnixTransportTest, AProgramThatHangsHindersNoOther) {
-  // Some of these fill whatever a socket may have under way.
+  // Some of these fill the socket's limit of messages under way.
   const std::vector<std::byte> chunk(60000);
   const Sleeper sleeper(folder());
   UnixTransport here(folder());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page's test vectors: bytes that a script made from the page alone, and what they say. They are
-// also read by lcm-gen's own code.
+// The page's test vectors: bytes that a script made from the page alone, and their meaning. They
+// are also read by lcm-gen's own code.
 #include <fstream>
 #include <map>
 #include <numeric>
@@ -52,7 +52,7 @@ wire::Key the_key() {
   return key;
 }
 
-/// What the vectors say.
+/// The messages of the vectors.
 std::vector<Message> messages() {
   Sha256 hash{}, reversed{};
   std::iota(hash.begin(), hash.end(), std::uint8_t{1});

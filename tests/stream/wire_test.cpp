@@ -72,8 +72,8 @@ Reject reject(const Bytes& bytes) {
   return reason != nullptr ? *reason : Reject::too_short;
 }
 
-// lcm-gen exits with 0 on types it does not know. Hash and length of each type as LCM's type
-// specification gives them, computed from the .lcm files by a script that shares no code with it.
+// lcm-gen exits with 0 on unknown types. Hash and length of each type as LCM's type specification
+// gives them, computed from the .lcm files by a script that shares no code with it.
 template <class Lcm>
 void expect_type(std::uint64_t hash, int length) {
   EXPECT_EQ(static_cast<std::uint64_t>(Lcm::getHash()), hash) << Lcm::getTypeName();
@@ -100,7 +100,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::stop_t>(0xb6b153946f26a3c8, 81);
 }
 
-/// Whether the page that others implement the protocol from says so too.
+/// True if the protocol page, from which others implement the protocol, has the same values.
 template <class Lcm>
 bool is_documented(const std::string& page) {
   std::ostringstream hash;
@@ -192,7 +192,7 @@ TEST(Wire, AChunkIsAsLongAsItsCountSays) {
   EXPECT_LE(longest.size(), 65'000U) << "one datagram";
   EXPECT_TRUE(std::holds_alternative<Message>(wire::decode(longest)));
   EXPECT_THROW(chunk(wire::chunk_values / 4 + 1), InputError);
-  // Whatever count it names, 76 bytes from its beginning, nothing of that length is taken.
+  // For every count, 76 bytes from its beginning, no memory of that length is taken.
   for (const unsigned top : {0x00U, 0x10U, 0x7FU, 0x80U, 0xFFU}) {
     Bytes bytes = chunk(2);
     bytes[76] = static_cast<std::byte>(top);
@@ -339,7 +339,7 @@ TEST(Wire, SurvivesTruncationAtEveryLength) {
   }
 }
 
-/// What is not refused must be exactly what its bytes say: there is one encoding of a message.
+/// An accepted message must match its bytes exactly: there is one encoding of a message.
 bool refused_or_canonical(const Bytes& bytes) {
   const auto decoded = wire::decode(bytes);
   const auto* const message = std::get_if<Message>(&decoded);

@@ -51,8 +51,7 @@ double exact_peak(const CamSpec& cam, const Against& against, DriveFigure figure
   return std::abs(figure == DriveFigure::torque ? run.torque.value : run.following_error.value);
 }
 
-double
-rms_acceleration_torque() {  // of the least rms: theta'' is a straight line, sqrt(12) h / t^2
+double rms_acceleration_torque() {  // least rms: theta'' is a straight line, sqrt(12) h / t^2
   const double h = 2 * M_PI / 3;
   const double t = 180.0 / 1200;
   return 1e-4 * std::sqrt(12.0) * h / (t * t) * std::sqrt(180.0 / 240);
@@ -83,8 +82,8 @@ TEST(Against, WhatIsReachedIsWhatIsIntegrated) {
   }
 }
 
-/// A fast index: 500 instants are 0.5 ms apart, and the response has poles of 2 ms. exact_through() isolates the peaks of
-/// the whole motion.
+/// A fast index: 500 instants are 0.5 ms apart, and the response has poles of 2 ms. exact_through()
+/// isolates the peaks of the whole motion.
 TEST(Against, PeaksBetweenTheInstantsCount) {
   for (const DriveFigure figure : {DriveFigure::torque, DriveFigure::following_error}) {
     SCOPED_TRACE(name(figure));

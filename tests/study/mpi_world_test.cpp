@@ -86,7 +86,7 @@ TEST(MpiFarm, HandsOutEachCaseOnce) {
 TEST(MpiFarm, StopsWhenNoMoreIsWantedAndTakesWhatWasBegun) {
   const auto all = taken(4, 2000, 10);
   EXPECT_GE(all.size(), 10U);
-  EXPECT_LE(all.size(), 10U + 3 * 65 + 1);  // what three workers hold at most, and one here
+  EXPECT_LE(all.size(), 10U + 3 * 65 + 1);  // at most the cases of three workers, and one here
 }
 
 /// Cheap cases go out many in a message, dear ones one by one; each worker's lines come back one by one.

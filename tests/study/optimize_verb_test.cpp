@@ -62,7 +62,7 @@ class OptimizeVerb : public ::testing::Test {
     return ran;
   }
 
-  /// Of a file beside this test, by its name.
+  /// Optimizes a file beside this test, by its name.
   Ran optimized(const std::string& name, const std::string& options = "") const {
     return jounce("optimize " JOUNCE_SOURCE_DIR "/tests/study/optimize/" + name +
                   ".toml -o out.toml " + options);
@@ -346,7 +346,8 @@ std::vector<Json> figures_of(const Json& outcome) {
   return all;
 }
 
-/// What a figure's label names, of the segments of a spec (from 1; none: all): computed from the finished curve alone.
+/// The figure that a label names, over the segments of a spec (from 1; none: all), computed from
+/// the finished curve alone.
 double named(const std::string& label, const Spec& spec, const std::vector<std::size_t>& segments) {
   constexpr const char* quantities[] = {"geo_velocity", "geo_acceleration", "geo_jerk"};
   const int order = 1 + static_cast<int>(std::find(std::begin(quantities), std::end(quantities),
@@ -429,7 +430,7 @@ TEST_P(AnyOptimum, IsCheckedAndNotBelowItsBoundAndLeavesNothing) {
     ASSERT_FALSE(again.is_discarded()) << second.output << read_file(path("any.toml"));
     if (again["status"] == "stalled") continue;
     EXPECT_EQ(second.status, 0) << second.output << read_file(path("any.toml"));
-    const double rounding = 1e-12;  // of figures that are 0
+    const double rounding = 1e-12;  // rounding of figures that are 0
     const bool ordered = figures_of(first).size() > again.value("runs", Json::array()).size();
     const double tolerance = ordered && !GetParam() ? 1.01e-3 : 3e-6;
     EXPECT_GE(figures_of(again)[0]["reached"].get<double>() + rounding,

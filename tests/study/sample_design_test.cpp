@@ -57,7 +57,8 @@ TEST(SampleDesign, HasOneSampleInEachInterval) {
   expect_even({Design::sobol, 3, names(sobol_dimensions), 256}, sobol_dimensions, 256);
 }
 
-/// The first two coordinates of Sobol's sequence make a (0, k, 2)-net: one of 2^k points in every box of 2^-i by 2^-(k-i).
+/// The first two coordinates of Sobol's sequence make a (0, k, 2)-net: one of 2^k points in every
+/// box of 2^-i by 2^-(k-i).
 TEST(SampleDesign, OfSobolIsEvenOverTwoParametersAtOnce) {
   const SampleDesign design(Design::sobol, 9, names(2), 64);
   for (int i = 0; i <= 6; ++i) {

@@ -132,7 +132,7 @@ TEST_F(Sweeps, MeetTheSameSamplesInEveryCombination) {
   EXPECT_EQ(drawn.size(), 40U);
 }
 
-/// Of N samples of an even design one is in each N-th of every parameter's distribution.
+/// An even design of N samples has one in each N-th of every parameter's distribution.
 TEST_F(Sweeps, FillTheirRangesEvenlyWhereTheyAreAskedTo) {
   for (const std::string design : {"latin_hypercube", "sobol"}) {
     const SweepSpec spec = sweep(R"(figures = ["duration"]

@@ -193,7 +193,7 @@ TEST_F(SweepVerb, SaysWhatIsWrong) {
 
 #ifdef JOUNCE_MPIRUN
 
-/// On this machine alone: shared memory and loopback, whatever network there is or is not.
+/// On this machine alone: shared memory and loopback, with or without a network.
 constexpr const char* mpirun =
     "timeout 60 " JOUNCE_MPIRUN
     " --allow-run-as-root --oversubscribe --mca btl self,vader --mca plm isolated"

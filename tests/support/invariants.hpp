@@ -12,8 +12,7 @@
 
 namespace jounce::test {
 
-/// What must hold of whatever a generator makes, whatever its numbers: called from every
-/// generator's test.
+/// Conditions on every result of a generator, for all numbers; every generator's test calls this.
 ///
 /// - the joints are continuous up to the derivative `order` (to rounding of the curve's magnitude);
 /// - the derivative of the integral is the curve, and the derivative curve agrees with the jet;

@@ -7,7 +7,8 @@
 
 namespace jounce::test {
 
-/// Whether the strict writer of JSON takes the text: a reader of UTF-8 that shares no code with ours.
+/// True if the strict writer of JSON accepts the text: a reader of UTF-8 that shares no code with
+/// Jounce's.
 inline bool is_utf8(const std::string& text) {
   try {
     static_cast<void>(nlohmann::json(text).dump());

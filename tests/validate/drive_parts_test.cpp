@@ -20,7 +20,7 @@ namespace jounce::drive_parts_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double radians = pi / 180;  // of the unit of these tests
+constexpr double radians = pi / 180;  // rad per unit of these tests
 
 /// A rigid axis without friction, its loop as tight as a feed-forward makes it.
 Drive rigid() {
@@ -349,7 +349,7 @@ void expect_sampled(Drive drive, double limit) {
 TEST(Controller, SampledAgreesWithItsDifferenceEquations) {
   Drive drive = rigid();
   drive.controller.cycle = 1e-3;
-  const double limit = 1e-8 * 2 * pi;  // of the stroke
+  const double limit = 1e-8 * 2 * pi;  // share of the stroke
   expect_sampled(drive, limit);
   drive.controller.delay = 4e-4;
   expect_sampled(drive, limit);

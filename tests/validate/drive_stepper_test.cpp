@@ -15,8 +15,8 @@
 namespace jounce::drive_stepper_test {
 namespace {
 
-/// How far the stepped drive is from other samples at the same instants, as shares of the stroke and of
-/// the peak torque.
+/// Distance of the stepped drive from other samples at the same instants, as shares of the stroke
+/// and of the peak torque.
 struct Distance {
   double motor = 0;
   double load = 0;

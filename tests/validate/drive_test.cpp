@@ -179,8 +179,9 @@ TEST(Drive, SteadyTorqueIsInertiaTimesAccelerationPlusFriction) {
 }
 
 TEST(Drive, AStiffAxisWithoutFrictionNeedsTheFeedForwardAlone) {
-  // With a rigid shaft and no friction the feed-forward is the exact inverse: the following error
-  // vanishes and T = (J_m + J_l) a at every instant. What remains goes as the twist J_l a / c.
+  // For a rigid shaft and no friction the feed-forward is the exact inverse: the following error
+  // vanishes and T = (J_m + J_l) a at every instant. The rest is proportional to the twist J_l a /
+  // c.
   Drive drive = servo_400w();
   drive.train[0].stiffness = 1e7;
   drive.train[0].damping = 10;

@@ -12,11 +12,11 @@
 
 namespace jounce::test {
 
-/// The drive without a torque limit, solved exactly by matrix exponentials: x' = A x with
-/// x = (th_m, w_m, th_l, w_l, z, r, r', ..., r^(7)), the reference's derivatives being part of the
-/// state. Written from the equations in docs/validate/signals.md in absolute angles; it shares nothing with
-/// the room under test but the struct Drive. For references whose segments are polynomials of
-/// degree <= 7.
+/// The drive without a torque limit, solved exactly by matrix exponentials: x' = A x with x =
+/// (th_m, w_m, th_l, w_l, z, r, r', ..., r^(7)), the reference's derivatives being part of the
+/// state. Written from the equations in docs/validate/signals.md in absolute angles; it shares
+/// nothing with the module under test but the struct Drive. For references whose segments are
+/// polynomials of degree <= 7.
 class ExactDrive {
  public:
   static constexpr int derivatives = 8;

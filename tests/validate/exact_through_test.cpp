@@ -131,7 +131,7 @@ TEST(ExactThrough, AgreesWithTheIntegration) {
       EXPECT_NEAR(exact.energy.driving - exact.energy.regenerated,
                   by_steps.energy.driving - by_steps.energy.regenerated, 1e-8 * work);
       EXPECT_NEAR(exact.end_following_error, by_steps.end_following_error, 1e-8 * 360);
-      // what is a parabola there
+      // the curve is a parabola there
       const auto near = [](const Peak& a, const Peak& b) {
         EXPECT_NEAR(a.value, b.value, 1e-4 * std::abs(b.value) + 1e-12);
         EXPECT_GE(std::abs(a.value), std::abs(b.value) * (1 - 1e-4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a hostile reader would try: every balance that physics keeps, and input that nobody means.
+// Attempts of a hostile reader: every balance that physics keeps, and meaningless input.
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // ---- energy -------------------------------------------------------------------------------------
 
-/// Where the motor's work went, from samples alone: losses, heights and what still moves. Of a drive of
-/// one mass behind the motor, whose speed is the difference quotient of its samples.
+/// Destinations of the motor's work, from samples alone: losses, heights and kinetic energy. For a
+/// drive with one mass behind the motor, whose speed is the difference quotient of its samples.
 double accounted(const Drive& drive, const DriveResult& run) {
   const Mass& mass = drive.train[0];
   const Friction& a = drive.motor.friction;
@@ -160,7 +160,7 @@ TEST(Rest, UnderGravityLastsWhileTheMotorHoldsItWithinItsLimit) {
   EXPECT_NEAR(run.torque.value, drive.train[0].load_torque, 1e-6);
 }
 
-/// More load than the motor bears: it falls, and says so.
+/// More load than the motor can hold: it falls, and the result reports it.
 TEST(Rest, BeyondTheLimitIsLostWithTheAccelerationThatIsMissing) {
   Drive drive = plain();
   drive.motor.friction = drive.train[0].friction = {};
@@ -191,7 +191,7 @@ TEST(Rest, OfABodyThatSticksWithLessThanItsBreakawayLasts) {
   for (const DriveSample& s : run.samples) EXPECT_EQ(s.load, run.samples[0].load);
 }
 
-// ---- references that nobody means --------------------------------------------------------------
+// ---- meaningless references -----------------------------------------------------------------------
 
 TEST(HostileReference, OfNoLengthInPlaceIsAStandstill) {
   const Trajectory stays({line(1e-9, 5, 5)}, 0, Extrapolation::hold);
@@ -274,7 +274,7 @@ TEST(HostileNumbers, ThatAreNotFiniteAreRefusedByName) {
 
 // ---- failing midway ----------------------------------------------------------------------------
 
-/// A run that ended early knows no peaks: what it did not exceed by then is no finding.
+/// A run that ended early has no peaks: a limit that it did not exceed by then is no finding.
 TEST(FailedRun, PassesNoLimit) {
   const DriveLimits limits{.torque = 100,
                            .rms_torque = 100,
@@ -311,7 +311,7 @@ TEST(FailedRun, IsInNoFigureOfTolerances) {
   EXPECT_TRUE(all.report.findings[0].broken);
 }
 
-// ---- what is told ------------------------------------------------------------------------------
+// ---- reports --------------------------------------------------------------------------------------
 
 const Finding* found(const Report& report, const std::string& rule) {
   for (const Finding& f : report.findings)
@@ -379,7 +379,7 @@ TEST(SecondOpinion, IsInTheReportOfARunWithSamples) {
             nullptr);
 }
 
-/// Whatever tolerance is asked for, the two solutions agree to what the finding allows.
+/// For every tolerance the two solutions agree within the limit of the finding.
 TEST(SecondOpinion, HoldsAtEveryTolerance) {
   Drive late = plain();
   late.motor.current_lag = 1e-4;
@@ -452,7 +452,7 @@ TEST(HostileFollower, NumbersThatAreNotFiniteAreRefused) {
     }
 }
 
-// ---- recordings that say nothing ---------------------------------------------------------------
+// ---- recordings without information ---------------------------------------------------------------
 
 Recording still(std::size_t samples, double at) {
   Recording run;

@@ -272,7 +272,7 @@ TEST(Identify, FromTheRecordedCommandAlone) {
     EXPECT_NEAR(n.value, value_of(truth, n.key), 5e-3 * value_of(truth, n.key)) << n.key;
 }
 
-// ---- what a recording does not tell --------------------------------------------------------------
+// ---- numbers that a recording does not determine -------------------------------------------------
 
 TEST(Identify, SaysWhatCannotBeToldApart) {
   // friction of motor and load act alike on a shaft that is much faster than the motion
@@ -340,9 +340,9 @@ TEST(ResidualTests, HaveTheLimitsOfTheTables) {
   EXPECT_TRUE(std::isinf(detail::whiteness(noise(19, 1)).limit));
 }
 
-/// False alarms of 4000 recordings of noise of each length. Growth is exact: Binomial(4000, 0.001), more than 12 in less
-/// than one of a thousand cases. Ljung and Box's Q has 0.5, 0.3 and 0.15 % at these lengths (head of residual_tests.cpp):
-/// the bounds are those of that share in the same sense.
+/// False alarms of 4000 recordings of noise of each length. Growth is exact: Binomial(4000, 0.001),
+/// more than 12 in less than one of a thousand cases. Ljung and Box's Q has 0.5, 0.3 and 0.15 % at
+/// these lengths (head of residual_tests.cpp); its bounds follow from that share in the same way.
 TEST(ResidualTests, RarelyDoubtNoise) {
   for (const auto& [n, most] : {std::pair{60U, 36}, {101U, 25}, {500U, 15}}) {
     int white = 0, growth = 0;
@@ -437,7 +437,8 @@ TEST(LeastSquares, FindsTheValleyOfRosenbrock) {
   EXPECT_NEAR(found.x[1], 1, 1e-8);
 }
 
-// A search from such a place once went on for ever: no damping shortens a step that is not a number.
+// A search from such a place once continued without end: no damping shortens a step that is not a
+// number.
 TEST(LeastSquares, EndsWhereNoStepIsFinite) {
   constexpr double most = std::numeric_limits<double>::max();
   constexpr double inf = std::numeric_limits<double>::infinity();

@@ -231,7 +231,7 @@ TEST(LinearDrive, GivesASecondOpinionOnARun) {
       const auto opinion = exact_opinion(move, unlimited(drive), run);
       ASSERT_TRUE(opinion);
       EXPECT_FALSE(opinion->broken) << name << ": " << opinion->value;
-      run.samples[50].load += 1;  // a wrong run is told
+      run.samples[50].load += 1;  // a wrong run is reported
       EXPECT_TRUE(exact_opinion(move, unlimited(drive), run)->broken);
     }
 }
@@ -315,7 +315,7 @@ TEST(LinearDrive, ASampledControllerTendsToTheContinuousOne) {
     for (std::size_t i = 0; i < times.size(); ++i)
       worst = std::max(worst, std::abs(run.samples[i].load - continuous.samples[i].load));
     if (before > 0) {
-      EXPECT_NEAR(before / worst, 2, 0.3) << cycle;  // of first order
+      EXPECT_NEAR(before / worst, 2, 0.3) << cycle;  // the error is of first order
     }
     before = worst;
   }

@@ -161,7 +161,7 @@ TEST(Loop, ResponseIsTheOracles) {
   }
 }
 
-/// What an unstable loop does by itself is what its first pole says: the exact run, which knows of no poles.
+/// An unstable loop moves by itself as its first pole predicts: the exact run does not use poles.
 TEST(Loop, GrowsAsItsFirstPoleSays) {
   for (const char* name : {"two masses, delay 1.1 ms", "sampled, delay of cycles"}) {
     const Drive drive = oracle_drive(name);

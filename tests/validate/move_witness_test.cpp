@@ -10,7 +10,7 @@ namespace jounce::move_witness_test {
 namespace {
 
 // The long-double checker of tests/profiles/proof sees every random move; a sample of them is
-// integrated here by an ODE solver, which knows nothing of phases and their formulas.
+// integrated here by an ODE solver, which does not use phases and their formulas.
 
 MotionState random_state(test::Random& random) {
   return {random.uniform(-4, 4), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -37,7 +37,7 @@ TEST(MoveWitness, IntegratesASampleOfRandomMovesToTheirTargets) {
     ++integrated;
     if (HasFailure()) break;
   }
-  EXPECT_GT(integrated, 250);  // of the others, the target cannot be reached inside the bounds
+  EXPECT_GT(integrated, 250);  // the targets of the others cannot be reached inside the bounds
 }
 
 }  // namespace

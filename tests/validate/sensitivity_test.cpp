@@ -254,7 +254,7 @@ Eigen::VectorXd Driven::exact_gradient() const {
   x.setZero();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n + 1);
   for (int i = 0; i < n; ++i) {
-    x.bottomRows(2).setZero();  // of hat i and hat i + 1, and of their sum, the input
+    x.bottomRows(2).setZero();  // rows of hat i and hat i + 1, and of their sum, the input
     const auto k = static_cast<std::size_t>(i);
     x(states, i) = 1;
     x(states + 1, i) = -n;

@@ -134,8 +134,8 @@ TEST(Tolerances, DrawsHaveTheDistributionAskedFor) {
 }
 
 TEST(Tolerances, RmsTorqueOfARigidAxisGoesWithItsInertia) {
-  // Feed-forward knows the nominal inertia only through the drive it is given: it follows, so that
-  // without friction the torque is J a exactly and rms torque is linear in J.
+  // The feed-forward takes the nominal inertia from its drive, so it follows a change. Without
+  // friction the torque is then J a exactly, and the rms torque is linear in J.
   Drive drive = strong();
   drive.motor.friction = {};
   drive.train[0].friction = {};
@@ -197,7 +197,7 @@ TEST(Tolerances, IntegrateTheCasesThatMeetTheTorqueLimit) {
   const Trajectory move = test::s_curve_move();
   Drive drive = strong();
   const double peak = std::abs(exact_through(move, drive).value().torque.value);
-  drive.motor.torque_limit = peak;  // of the nominal one: about half of the cases are beyond
+  drive.motor.torque_limit = peak;  // peak of the nominal one: about half of the cases are beyond
   const ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.1}}};
   const ToleranceResult all = over_tolerances(move, drive, {}, spec);
   EXPECT_EQ(all.cases, 2u);

@@ -24,7 +24,7 @@ namespace {
 
 using test::MadeUp;
 
-/// All three quantities within `limit`, whatever the report's own limit is.
+/// All three quantities within `limit`, independent of the report's own limit.
 void expect_agreement(const Witness& w, double limit) {
   EXPECT_TRUE(w.report.ok());
   EXPECT_TRUE(w.integration.ok()) << w.integration.reason;
@@ -58,7 +58,7 @@ Followed three_periods() {
 // ---- the truth is believed ----------------------------------------------------------------------
 
 TEST(Witness, AgreesOnEveryLawInEveryForm) {
-  constexpr double accuracy = 1e-11;  // of the integration: 1.5e-12 with three harmonics
+  constexpr double accuracy = 1e-11;  // accuracy of the integration: 1.5e-12 with three harmonics
   for (const LawInfo& law : all_laws()) {
     if (!has_own_shape(law.law)) continue;
     SCOPED_TRACE(law.name);
@@ -193,7 +193,7 @@ TEST(Witness, SmallErrorsAddUp) {
   // 200.
   const auto truth = std::make_shared<Table>(
       sample(test::law_345(1, 1), Interpolation::quintic_hermite, 200u).table);
-  const double peak = 10 / std::sqrt(3.0);  // of the law's acceleration
+  const double peak = 10 / std::sqrt(3.0);  // peak of the law's acceleration
   const MadeUp lie{[=](double t, Side side) {
                      Jet f = truth->jet(t, side);
                      f[3] += 2e-10 * peak;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A headless Chromium, told what to do over its debugging pipe (Chrome DevTools Protocol)."""
+"""A headless Chromium, controlled over its debugging pipe (Chrome DevTools Protocol)."""
 import base64
 import itertools
 import json

@@ -38,7 +38,7 @@ def override(percent):
 
 
 def inked(canvas="canvas"):
-    """Whether a plot, that of the position, has pixels in the line's colour."""
+    """True if a plot, that of the position, has pixels in the line's colour."""
     return f"(() => {{ const c = document.querySelector('{canvas}');" + """
       const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
       let n = 0;

@@ -35,7 +35,7 @@ done
 [ -n "$second" ] && [ "$second" != "$first" ] || fail "the page was not started again: $(cat "$scratch/said")"
 python3 "$(dirname "$0")/attack_page.py" "$address" $executor stop || fail "the new page does not stop the axis"
 kill -STOP "$second"
-"$jounce" order feeder jog -0.5mm/s > /dev/null || fail "the axis obeys nobody while its page is stopped"
+"$jounce" order feeder jog -0.5mm/s > /dev/null || fail "the axis obeys no order while its page is stopped"
 moves "the page was stopped, and the axis does not move"
 kill -INT $executor
 wait $executor || fail "the executor ended badly: $(cat "$scratch/said")"

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A link on which an axis says how it is, one tick after another, and answers each stop.
+/// A link on which an axis sends its status, one tick after another, and answers each stop.
 class OneAxis : public Transport {
  public:
   void subscribe(const std::string& channel, int /*capacity*/) override {

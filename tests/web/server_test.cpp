@@ -124,7 +124,8 @@ class Raw {
     return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
            static_cast<ssize_t>(text.size());
   }
-  /// All that comes until the server closes the connection, or resets it; ends with "still open" if it does neither in 20 s.
+  /// Everything received until the server closes or resets the connection; ends with "still open"
+  /// if it does neither in 20 s.
   [[nodiscard]] std::string rest() const {
     std::string all;
     char bytes[4096];
@@ -133,7 +134,7 @@ class Raw {
       all.append(bytes, static_cast<std::size_t>(n));
     return n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) ? all + "still open" : all;
   }
-  /// What comes first.
+  /// The first bytes received.
   [[nodiscard]] std::string first() const {
     char bytes[64];
     const ssize_t n = recv(socket_, bytes, sizeof bytes, 0);
@@ -220,7 +221,7 @@ TEST(Server, AStopWaitsForNoOtherOrder) {
   EXPECT_EQ(answered + late, Server::most_orders);
 }
 
-// Its sender may be gone: what is carried out late moves an axis that nobody watches.
+// Its sender may be gone: a late order would move an axis without an observer.
 TEST(Server, AnOrderThatWaitedForOthersIsNotCarriedOut) {
   std::atomic<int> begun{0};
   std::atomic<int> quick{0};
@@ -250,7 +251,7 @@ TEST(Server, AnOrderThatWaitedForOthersIsNotCarriedOut) {
   EXPECT_EQ(quick, 1);
 }
 
-/// Reads events until `enough` says so.
+/// Reads events until `enough` returns true.
 template <class Enough>
 void read_events(std::uint16_t port, Enough enough) {
   httplib::Client client("127.0.0.1", port);

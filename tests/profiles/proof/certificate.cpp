@@ -18,7 +18,7 @@ struct Quadratic {
 
   [[nodiscard]] Real at(Real s) const { return c0 + s * (c1 + s * c2); }
   [[nodiscard]] Real integral(Real s) const { return s * (c0 + s * (c1 / 2 + s * c2 / 3)); }
-  /// Where it vanishes in (0, h), ascending; h is the rest.
+  /// Its zeros in (0, h), ascending; unused ones are h.
   [[nodiscard]] std::array<Real, 2> zeros(Real h) const {
     const Real d = c1 * c1 - 4 * c2 * c0;
     if (d < 0) return {h, h};
@@ -75,7 +75,7 @@ class Sum {
         slope_(f.v) {}
 
   Real run();
-  std::vector<Real> steps;  ///< where q changes its sign
+  std::vector<Real> steps;  ///< sign changes of q
 
  private:
   using Flat = Functional::Flat;
@@ -154,7 +154,7 @@ Real Sum::run() {
   return sum_ + q_ * from_.a + slope_ * from_.v;
 }
 
-/// How much earlier than T the functional excludes; 0 if not even T.
+/// Length of the interval before T that the functional excludes; 0 if not even T.
 Real excluded(const Functional& f, const Question& q, Real most) {
   for (Real early = most; early > most * 1e-9L; early *= 0.75L)
     if (least_value(f, q, early) > bound(f, q, std::abs(Real{q.to.acceleration}) * early, early))
@@ -167,7 +167,7 @@ std::vector<Real> grid(const Question& q, Real T, std::vector<Real> bends, int p
   for (const Envelope* e : {&q.top, &q.bottom})
     for (const Arc& arc : e->arcs) bends.push_back(arc.begin);
   for (int i = 1; i <= parts; ++i) bends.push_back(T * i / parts);
-  for (Real t = T / parts; t > T * 1e-4L; t /= 2) {  // what is short is near the ends
+  for (Real t = T / parts; t > T * 1e-4L; t /= 2) {  // short stretches are near the ends
     bends.push_back(t);
     bends.push_back(T - t);
   }
@@ -179,8 +179,8 @@ std::vector<Real> grid(const Question& q, Real T, std::vector<Real> bends, int p
   return at;
 }
 
-/// Where the jerk steps, there the next grid is to bend; and half-way to the neighbours of where
-/// the functional presses.
+/// Bends of the next grid: the steps of the jerk, and points half-way to the neighbours of the
+/// places where the functional presses.
 std::vector<Real> bends(const Functional& f, const Question& q) {
   Sum sum(f, q, 0, 0);
   sum.run();

@@ -44,8 +44,9 @@ std::vector<Piece> integrated(const Profile& f) {
   return pieces;
 }
 
-constexpr Real bound_ulps = 4 * 0x1p-53L;               ///< of a bound
-constexpr Real floor_ulps = 16 * 0x1p-53L / tolerance;  ///< of the sums with nothing cancelled
+constexpr Real bound_ulps = 4 * 0x1p-53L;  ///< tolerance of a bound
+constexpr Real floor_ulps =
+    16 * 0x1p-53L / tolerance;  ///< tolerance of the sums with nothing cancelled
 
 /// The same terms with nothing cancelled, at the end of each piece.
 std::vector<State> uncancelled(const std::vector<Piece>& pieces, const MotionState& from) {
@@ -55,7 +56,7 @@ std::vector<State> uncancelled(const std::vector<Piece>& pieces, const MotionSta
   State s = size({from.position, from.velocity, from.acceleration, 0});
   std::vector<State> ends;
   for (const Piece& piece : pieces) {
-    const State begin = size(piece.begin);  // what a lower order steps to
+    const State begin = size(piece.begin);  // the value to which a lower order steps
     s = {s.p, std::max(s.v, begin.v), std::max(s.a, begin.a), begin.j};
     s = Piece{s, 0}.at(piece.length);
     ends.push_back(s);
@@ -84,7 +85,7 @@ Scale sums(const std::vector<Piece>& pieces, const Case& c) {
   return s;
 }
 
-/// What is not resolved, absolutely.
+/// Absolute resolution.
 Scale floor_of(const std::vector<State>& ends, const Bounds& b) {
   const auto resolved = [](double min, double max) {
     const double least = std::min(-min, max);
@@ -156,7 +157,7 @@ class Check {
   void limits(Real sign, const Side& side);
   void acceleration(Real sign, const Side& side);
   void velocity(Real sign, const Side& side);
-  [[nodiscard]] Real start_peak() const;  ///< of the velocity, in magnitude, unavoidable
+  [[nodiscard]] Real start_peak() const;  ///< unavoidable peak of the velocity, in magnitude
   void position(Real sign);
   /// Notes how far x lies above a bound; false where that is too far.
   bool below(Real x, Real bound, Real scale, const char* what);
@@ -165,7 +166,7 @@ class Check {
   const Case& c_;
   Bounds b_;       ///< in force
   Real hold_;      ///< s that the start's acceleration is held
-  Real sign_ = 1;  ///< of the side that is checked
+  Real sign_ = 1;  ///< sign of the checked side
   std::vector<Piece> pieces_;
   std::vector<State> sizes_;  ///< see uncancelled
   Verdict verdict_;
@@ -177,7 +178,8 @@ std::string text(Real x) {
   return buffer.data();
 }
 
-/// What a motion of that order can be asked for: its control steps, so it is no part of the state.
+/// Compares the state of a motion of that order: its control may step, so it is no part of the
+/// state.
 bool equal(const MotionState& x, const MotionState& y, int order) {
   return x.position == y.position && (order < 2 || x.velocity == y.velocity) &&
          (order < 3 || x.acceleration == y.acceleration);
@@ -201,9 +203,9 @@ void Check::exact() {
          ", not the duration asked for");
 }
 
-/// How exactly a duration can be told and kept: to `tolerance` of it and of the time in which the control's
-/// bound builds up that of what it drives (a_max/j_max; order 2: v_max/a_max), the axis' own measure
-/// of time.
+/// Resolution of a duration: `tolerance` of it and of the time in which the bound of the control
+/// builds up the next lower bound (a_max/j_max; order 2: v_max/a_max), the axis' own measure of
+/// time.
 Real Check::instant() const {
   const auto least = [](double min, double max) { return std::min(-min, max); };
   const Bounds& b = c_.bounds;

@@ -14,8 +14,7 @@ struct Case {
   MotionState to = {};
   Bounds bounds = {};
   std::optional<double> duration = {};
-  bool by_velocity =
-      false;  ///< of move_velocity: the target's position is where that happens to end
+  bool by_velocity = false;  ///< move_velocity: the target position is the end of that motion
 };
 
 /// The C++ line that asks it again, doubles as hex.
@@ -42,13 +41,13 @@ struct Scale {
   long double acceleration = 0;
 };
 
-/// What a check found. `fault` is empty where all is well, else one sentence.
+/// Result of a check. `fault` is empty if there is none, else one sentence.
 struct Verdict {
   std::string fault;
-  double end_error = 0;      ///< of the end state, worst of three, relative to `scale`
+  double end_error = 0;      ///< error of the end state, worst of three, relative to `scale`
   double excess = 0;         ///< beyond a limit, relative to it; see check
-  long double duration = 0;  ///< of the phases, summed in long double
-  long double instant = 0;   ///< how exactly it can be told: see `a duration asked for` below
+  long double duration = 0;  ///< sum of the phases in long double
+  long double instant = 0;   ///< resolution of the duration: see `a duration asked for` below
   Scale scale;
   Scale floor;  ///< the least that is resolved: the ulps named above, in u, u/s, u/s^2
 

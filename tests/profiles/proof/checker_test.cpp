@@ -110,7 +110,7 @@ TEST(Checker, MeasuresEachLimitInItsDirection) {
               HasSubstr("acceleration_min"));
   EXPECT_THAT(with([](Bounds& b) { b.velocity_max *= 1 - 1e-10; }), HasSubstr("velocity_max"));
   EXPECT_THAT(with([](Bounds& b) { b.position_max = 2 - 1e-10; }), HasSubstr("position_max"));
-  // What is not reached may be as tight as it likes.
+  // A limit that is not reached may be arbitrarily tight.
   EXPECT_EQ(with([](Bounds& b) { b.velocity_min = -1e-9; }), "");
   EXPECT_EQ(with([](Bounds& b) {
               b.position_min = 0;
@@ -167,7 +167,7 @@ Case too_fast(const MotionState& to) {
   return {{0, 2, 0}, to, within(1, 1, 1), {}};
 }
 
-/// Where the phases lead: faults are then those of limits alone.
+/// End state of the phases: faults are then those of limits alone.
 MotionState led(const MotionState& from, const Phases& phases) {
   MotionState s = from;
   for (const auto& [t, j] : phases)

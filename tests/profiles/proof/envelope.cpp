@@ -10,7 +10,7 @@ namespace {
 /// A start that is outside by no more than this share of its terms is inside.
 constexpr Real by_rounding = 1e-13L;
 
-/// Where a predicate that holds at y and not at x begins to hold.
+/// The boundary at which a predicate begins to hold; it holds at y and not at x.
 template <class F>
 Real bisected(F holds, Real x, Real y) {
   for (int i = 0; i < 200; ++i) {
@@ -25,7 +25,7 @@ Arc after(const Arc& arc, Real t, Real jerk) {
   return {t, arc.velocity(t), arc.acceleration(t), jerk};
 }
 
-/// As low as the velocity can go: the acceleration falls, or returns, to a_min and stays there.
+/// The lowest possible velocity: the acceleration falls, or returns, to a_min and stays there.
 std::vector<Arc> braking(Real v, Real a, const Side& s) {
   const bool below = a < s.a_min;
   Arc first{0, v, a, below ? s.rise : -s.fall};
@@ -90,7 +90,7 @@ const Arc& Envelope::arc(Real t) const {
 
 namespace {
 
-/// With the level return from its very beginning.
+/// Envelope with the level return from its very beginning.
 Envelope from_the_start(Real v, Real a, const Side& s) {
   const Arc limit{0, s.top, 0, 0};
   if (!std::isfinite(s.rise)) {  // the acceleration steps: braking at once
@@ -150,8 +150,8 @@ Freedom along(const std::vector<Arc>& arcs, Real x, Real time) {
 
 namespace {
 
-/// The one admissible motion at first: held, then braking towards one side or the other. As of the
-/// side that it brakes towards, `sign` telling which.
+/// The one admissible motion at first: held, then braking towards one side or the other. Values
+/// refer to the side towards which it brakes, which `sign` gives.
 struct Forced {
   std::vector<Arc> arcs;
   Real sign = 1;
@@ -206,7 +206,7 @@ namespace {
 Real stop_distance(const MotionState& from, Real rise, Real x) {
   const Arc up{0, from.velocity, from.acceleration, rise};
   const Arc hold = after(up, (-x - up.a) / rise, 0);
-  const Real rest = level({0, hold.v, -x, rise});  // what the hold takes away
+  const Real rest = level({0, hold.v, -x, rise});  // the reduction by the hold
   const Arc last{hold.begin + rest / x, hold.v - rest, -x, rise};
   return along({up, hold, last}, 0, last.begin + x / rise).x;
 }

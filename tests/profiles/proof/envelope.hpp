@@ -18,7 +18,7 @@ struct Side {
   Real rise = 0, fall = 0;  ///< jerk_max and -jerk_min, both > 0
 };
 Side upper(const Bounds& bounds);
-Side lower(const Bounds& bounds);  ///< of the negated motion
+Side lower(const Bounds& bounds);  ///< side of the negated motion
 
 /// A stretch of constant jerk: the state at its begin, and where that is in time.
 struct Arc {
@@ -39,7 +39,7 @@ struct Arc {
 /// - where the acceleration can first be back at zero above the limit only: the fastest level
 ///   return, that is full braking, released so that velocity reaches the limit with acceleration 0.
 ///   Up to where that passes the limit, the limit: a target that runs out, too, may be met there;
-/// - where the braking carries the velocity through the limit whatever is done: the velocity under
+/// - where the braking carries the velocity through the limit in every case: the velocity under
 ///   full jerk upwards until it passes the limit, then the limit.
 ///
 /// Found by plain integration: the instant of the release is bisected, no profile is solved. To the
@@ -52,7 +52,7 @@ struct Envelope {
   [[nodiscard]] const Arc& arc(Real t) const;
   [[nodiscard]] Real velocity(Real t) const { return arc(t).velocity(t); }
 };
-/// Of third order, or of second where `rise` is infinite.
+/// Envelope of third order, or of second if `rise` is infinite.
 Envelope envelope(Real v, Real a, const Side& side);
 
 /// A state on the way, and when it is there.
@@ -75,17 +75,17 @@ Freedom fastest_stop(const MotionState& from, const Bounds& bounds);
 /// The distance of the fastest change from rest to a state that can be reached without moving
 /// backwards.
 Real run_up(const MotionState& to, const Bounds& bounds);
-/// Whether it can.
+/// True if it can.
 bool forward(const MotionState& to, const Bounds& bounds);
 
-/// What holds for a move to a target at rest, where the start brakes towards it harder than its limit: that
-/// limit stays where the target is not passed with it. Where it is, but would not be if the
-/// braking went on, the limit is the least (in magnitude) with which it is not. Where it is passed in
-/// any case, the braking is first held for as long as its stop needs. Found by integrating the stop
-/// and bisecting the limit.
+/// Limits for a move to a target at rest whose start brakes towards it harder than its limit
+/// permits. The limit stays if the move does not pass the target with it. If the move passes the
+/// target, but would not if the braking continued, the limit is the least (in magnitude) with which
+/// it does not. If the move passes the target in any case, the braking is first held for as long as
+/// its stop needs. Found by integrating the stop and bisecting the limit.
 struct Force {
-  Bounds bounds = {};  ///< of the shortest move
-  Bounds longer = {};  ///< of those of longer durations
+  Bounds bounds = {};  ///< bounds of the shortest move
+  Bounds longer = {};  ///< bounds of moves of longer durations
   Real hold = 0;       ///< s that the start's acceleration is held first
 };
 /// `slack`: how much farther away the target is taken to be, u.

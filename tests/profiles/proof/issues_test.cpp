@@ -18,7 +18,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// The checked move; as short as the witness says.
+/// The checked move; as short as that of the witness.
 Profile expect_optimal(const MotionState& from, const MotionState& to, const Bounds& bounds) {
   Tally tally;
   const Case c{from, to, bounds, {}};
@@ -438,7 +438,7 @@ TEST(Issue, Ruckig160ResidualStatesSecond) {
 TEST(Issue, Ruckig188AVelocityThatMustNotReverse) {
   Bounds b = within(1, 1.5, 0.5);
   b.velocity_min = -1e-9;
-  // The start brakes so hard that it reverses whatever is done: v - a^2/(2 j) < 0, within rounding.
+  // The start brakes so hard that it reverses in every case: v - a^2/(2 j) < 0, within rounding.
   expect_optimal({0, 0.092317526809040512, -0.30818708575763137}, {0.018480837230235015, 0, 0}, b);
 }
 
@@ -640,7 +640,7 @@ TEST(Issue, Jounce17ATargetThatRunsOutAsTheStartDoes) {
 }
 
 TEST(Issue, Jounce17AVelocityThatRunsOutAsTheStartDoes) {
-  // What runs out may be met before it is out; nothing else passes a limit.
+  // A target that runs out may be met before it is out; nothing else passes a limit.
   const MotionState from{0, 0, -4};
   const Bounds b = within(1, 4, 4);
   const MoveResult move = move_velocity(from, -1, b, -4);

@@ -24,13 +24,13 @@ Slack slack_of(const Verdict& move, Real share);
 std::vector<Span> reachable(const Case& c, const Verdict& move, Real share);
 Real minimum(const std::vector<Span>& spans);
 
-/// What the witness itself may round.
+/// Permitted rounding of the witness itself.
 constexpr Real last_bit = 0x1p-60L;
 
 /// The least duration if the data may be off by a share of their scale.
 using Reference = std::function<Real(Real share)>;
 
-/// What was asked, for people.
+/// The question as text, for people.
 using Asked = std::function<std::string()>;
 
 /// Compares a duration with a reference: equal, a tie, or a failure.

@@ -73,7 +73,7 @@ std::vector<Dial> dials(const Functional& f) {
   for (std::size_t i = 0; i + 1 < f.at.size(); ++i) {
     const Real room = std::min(f.at[i].t - (i > 0 ? f.at[i - 1].t : 0), f.at[i + 1].t - f.at[i].t);
     all.push_back({nullptr, &Instant::t, i, room / 4});
-    const bool entry = f.at[i + 1].before == Flat::velocity;  // what a cruise begins with
+    const bool entry = f.at[i + 1].before == Flat::velocity;  // start of a cruise
     if (const Real m = f.at[i].velocity; m != 0 || entry)
       all.push_back({nullptr, &Instant::velocity, i,
                      std::max(std::abs(m) / 8, entry ? std::abs(f.p) * T / 64 : 0)});
@@ -119,7 +119,7 @@ Trial explored(Trial best, const std::vector<Dial>& dials, Real scale, const Que
   return best;
 }
 
-/// As far again in the direction of the last round.
+/// One more step in the direction of the last round.
 Functional onward(const Functional& from, const Functional& to, const std::vector<Dial>& dials) {
   Functional f = to;
   Functional old = from;

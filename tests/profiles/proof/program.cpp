@@ -11,7 +11,7 @@
 namespace jounce::proof {
 namespace {
 
-/// Where an envelope admits one motion only, rounding must not make the program infeasible.
+/// Slack for envelopes that admit only one motion: rounding must not make the program infeasible.
 constexpr double loose = 1e-7;
 
 /// Variables and rows, in units of their own, so that all are near 1.
@@ -97,7 +97,7 @@ void Program::integrate(std::size_t i) {
   for (const Column what : {acceleration, velocity, position}) {
     const int row = add_row(0, 0);
     set(row, i, what, -1);
-    Real factor = 1;  // of Taylor's series
+    Real factor = 1;  // factor of Taylor's series
     for (int lower = what; lower > jerk; --lower) {
       before(row, i, static_cast<Column>(lower), in_units(factor, lower, what));
       factor *= h / (what - lower + 1);
@@ -151,7 +151,8 @@ void Program::spread(Functional& f) const {
   }
 }
 
-/// What a cruise begins with is a pressure of its own; half of that on the stretch is contained in it.
+/// The start of a cruise has a pressure of its own; it contains half of the pressure on the
+/// stretch.
 void Program::cruise(Functional& f, std::size_t begin, std::size_t end) const {
   Functional::Instant& first = f.at[begin];
   if (first.before != Functional::Flat::velocity)

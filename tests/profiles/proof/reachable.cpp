@@ -77,7 +77,7 @@ struct Cut {
   std::vector<Real> breaks;  ///< between these the slope is monotone
 };
 
-/// Where an increasing or decreasing f changes sign, f(x) and f(y) being of different signs.
+/// Zero of an increasing or decreasing f; f(x) and f(y) have different signs.
 template <class F>
 Real crossing(F f, Real x, Real y) {
   const bool rising = f(x) < 0;
@@ -344,7 +344,7 @@ Real at_rest(Real v, Real a, Real j) {
   return v - a * a / (2 * j);
 }
 
-/// Of second order: brakes until the velocity is inside.
+/// Start of second order: brakes until the velocity is inside.
 Freedom braked(const MotionState& from, const Bounds& b) {
   const Real v = from.velocity;
   const Real down = (v - b.velocity_max) / -b.acceleration_min;
@@ -458,7 +458,7 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
 
 std::vector<Span> reachable_velocity(const MotionState& from, double velocity, double acceleration,
                                      const Bounds& b, const Slack& slack) {
-  if (!std::isfinite(b.jerk_max))  // braking is the fastest, whatever is outside
+  if (!std::isfinite(b.jerk_max))  // braking is the fastest, for every quantity outside
     return first({from.velocity, velocity, b.velocity_min, b.velocity_max}, b.acceleration_min,
                  b.acceleration_max, slack.velocity);
   if (from.velocity == velocity && from.acceleration == acceleration) return {Span{}};

@@ -15,8 +15,8 @@ struct Span {
   Real to = 0;
 };
 
-/// How much is forgiven when asking whether a state is reached: u, u/s, u/s^2. Above zero the
-/// problem is a little easier than the one given, below zero a little harder.
+/// Permitted deviation of a reached state: u, u/s, u/s^2. Above zero the problem is a little easier
+/// than the one given, below zero a little harder.
 struct Slack {
   Real position = 0;
   Real velocity = 0;
@@ -41,9 +41,9 @@ std::vector<Span> reachable(const MotionState& from, const MotionState& to, cons
 std::vector<Span> reachable_velocity(const MotionState& from, double velocity, double acceleration,
                                      const Bounds& bounds, const Slack& slack = {});
 
-/// Whether a start can stay inside the bounds of velocity and acceleration.
+/// True if a start can stay inside the bounds of velocity and acceleration.
 bool safe_start(const MotionState& from, const Bounds& bounds);
-/// Whether a target lies inside, and can be reached without a velocity outside.
+/// True if a target lies inside, and can be reached without a velocity outside.
 bool safe_target(const MotionState& to, const Bounds& bounds);
 
 /// Does any of the spans hold T?

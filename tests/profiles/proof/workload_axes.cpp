@@ -90,7 +90,7 @@ namespace {
 
 /// Axes that are integer multiples of one parameter, in exact arithmetic.
 struct Line {
-  Case parameter;  ///< with the bounds that all axes leave it
+  Case parameter;  ///< the move along the line, with the bounds that all axes leave it
   std::vector<AxisMove> axes;
   std::vector<int> factors;
 };
@@ -162,13 +162,14 @@ void expect_straight(const Line& line, std::span<const Profile> out, double t, T
       tally.fail("leaves the line", line.parameter);
 }
 
-/// Where the parameter starts outside although every axis is inside, the line cannot be kept.
+/// True if the parameter starts outside although every axis is inside: the line cannot be kept.
 bool must_refuse(const Line& line) {
   return !safe_start(line.parameter.from, line.parameter.bounds) &&
          std::all_of(line.axes.begin(), line.axes.end(), inside_its_own);
 }
 
-/// Whether the parameter's own move, brought inside, would make an axis pass bounds it is inside of.
+/// True if the parameter's own move, brought inside, would make an axis pass bounds that it keeps
+/// now.
 bool breaks_an_axis(const Line& line) {
   const Case& c = line.parameter;
   const Profile f = move_to(c.from, c.to, c.bounds).profile;

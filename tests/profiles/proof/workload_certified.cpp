@@ -10,7 +10,7 @@ namespace jounce::proof {
 
 namespace {
 
-/// How near to an edge the certificate is to come, finest first.
+/// Required distances of the certificate from an edge, finest first.
 constexpr Real gaps[] = {1e-3L, 1e-2L, 1e-1L};
 
 /// No motion takes a time in (from, to), but for a share of `to` at its ends. A tie is one where that

@@ -34,7 +34,7 @@ void optimality_unequal(Random& r, Tally& tally) {
 
 namespace {
 
-/// What the witness says about a duration, for data that are a little easier or harder.
+/// The witness's verdict on a duration, for data that are a little easier or harder.
 struct Possible {
   bool easily = false, hardly = false;
 };
@@ -44,7 +44,7 @@ Possible possible(const Case& c, const Verdict& shortest, double T) {
           contains(reachable(c, shortest, -rounding), T)};
 }
 
-/// move_to of duration T succeeds exactly if it is possible, and Durations knows it. Where rounding
+/// move_to of duration T succeeds exactly if it is possible, and Durations agrees. Where rounding
 /// of the data decides, each of the two may answer either way: they use different formulas.
 void ask(Case c, double T, const Durations& known, const Verdict& shortest, Tally& tally) {
   c.duration = T;
@@ -57,12 +57,12 @@ void ask(Case c, double T, const Durations& known, const Verdict& shortest, Tall
     return;
   }
   const std::string truth = std::string("this duration is ") + (is.easily ? "" : "im") + "possible";
-  if (is.easily != bool(move)) tally.fail(truth + ", move_to says " + explain(move.status), c);
+  if (is.easily != bool(move)) tally.fail(truth + ", move_to returns " + explain(move.status), c);
   if (is.easily != known.allows(T))
-    tally.fail(truth + ", allows() says " + (known.allows(T) ? "yes" : "no"), c);
+    tally.fail(truth + ", allows() returns " + (known.allows(T) ? "yes" : "no"), c);
 }
 
-/// An edge that Durations tells is itself possible, where what lies next to it surely is.
+/// An edge of Durations is itself possible if the durations beside it surely are.
 void ask_edge(Case c, double T, int side, const Verdict& shortest, Tally& tally) {
   c.duration = T;
   ++tally.cases;
@@ -208,7 +208,7 @@ void stops(Random& r, Tally& tally) {
       c, tally);
   const Freedom wanted = fastest_stop(c.from, c.bounds);
   const Real x = Real{c.to.position} - c.from.position;
-  // What rounding does to the duration, it does to the distance at the greatest velocity.
+  // Rounding of the duration changes the distance at the greatest velocity.
   const Range v = halt.profile.phases() > 0 ? extrema(halt.profile.curve(), 1) : Range{};
   const Real fastest = std::max(std::abs(v.min.value), std::abs(v.max.value));
   if (!(std::abs(x - wanted.x) <=

@@ -22,8 +22,8 @@ Case negated(Case c) {
   return c;
 }
 
-/// It moves towards the target and has room to stop and to run up to the target's velocity, or there
-/// is room if it goes on braking as it does.
+/// True if the axis moves towards the target and has the distance to stop and to run up to the
+/// target's velocity, or has it with its present braking.
 bool has_room(const Case& c) {
   const Real d = Real{c.to.position} - c.from.position;
   if (!(c.from.velocity > 0) || !forward(c.to, c.bounds)) return false;

@@ -9,7 +9,7 @@ namespace jounce::proof {
 
 namespace {
 
-/// Whether a motion keeps its position limits, with something to spare.
+/// True if a motion keeps its position limits, with a margin.
 bool clearly_inside(const Profile& f, Case c) {
   const double spare = 1e-9 * static_cast<double>(check(f, c).scale.position);
   c.bounds.position_min += spare;
@@ -18,7 +18,7 @@ bool clearly_inside(const Profile& f, Case c) {
          f.start().position <= c.bounds.position_max;
 }
 
-/// Whether stopping from a state stays inside.
+/// True if a stop from a state stays inside.
 bool stops_inside(const MotionState& s, const Bounds& b) {
   Bounds open = b;
   open.position_max = Bounds::none;

@@ -10,7 +10,7 @@
 
 namespace jounce::proof {
 
-/// What a workload found.
+/// Result of a workload.
 struct Tally {
   std::int64_t cases = 0;
   std::int64_t failures = 0;
@@ -20,7 +20,7 @@ struct Tally {
   double end_error = 0;  ///< worst, see Verdict
   double excess = 0;     ///< worst, see Verdict
   double longer = 0;     ///< worst, longer than the reference by this share of it, ties left out
-  std::vector<std::string> examples = {};  ///< of failures, the first `kept`
+  std::vector<std::string> examples = {};  ///< failures, the first `kept`
   std::size_t kept = 5;
 
   void fail(const std::string& why, const std::string& asked);
@@ -33,16 +33,16 @@ struct Workload {
   std::string name;
   std::string what;
   void (*once)(Random&, Tally&);  ///< null: check moves drawn by the draw of that name
-  double weight = 100;            ///< of a total, less where a case takes longer
+  double weight = 100;            ///< share of a total, less if a case takes longer
 };
 
 const std::vector<Workload>& workloads();
-/// What falls on a workload of `total` cases over all.
+/// Number of the `total` cases that this workload gets.
 std::int64_t share(const Workload& workload, double total);
 
 Tally run(const Workload& workload, std::int64_t count, std::uint64_t seed, std::size_t kept = 5);
 
-/// What double precision leaves open in the data of a problem, as a share of their scale.
+/// Uncertainty of the data of a problem in double precision, as a share of their scale.
 constexpr double rounding = 64 * 0x1p-53;
 /// Two durations are the same if they differ by no more than this share.
 constexpr double same = 1e-9;
