@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <span>
-#include <stdexcept>
 #include <utility>
-
-#include <nlopt.hpp>
 
 #include "optimize/src/search/search_shown.hpp"
 #include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/solvers/local_solver.hpp"
 
 // NLopt's part of a search. What NLopt answers is not looked at: Trials keeps the best of all that was asked,
 // by its own reading of the constraints (dependencies as measured: infeasible ends are called a success).
@@ -21,37 +18,37 @@
 namespace jounce::optimizer {
 namespace {
 
-/// One run of a solver. What is thrown while it asks stops it and is thrown again afterwards: NLopt
-/// would forget it.
+/// The function of a search as a solver sees it: values and slopes of one point are computed once.
 class Run {
  public:
-  Run(nlopt::algorithm algorithm, Trials& trials, double hair, double difference)
-      : trials_(trials),
-        hair_(hair),
-        difference_(difference),
-        solver_(algorithm, static_cast<unsigned>(trials.size())) {
-    solver_.set_lower_bounds(0.0);
-    solver_.set_upper_bounds(1.0);
-    solver_.set_min_objective(&Run::objective, this);
-    const std::size_t rows = trials.best().answer.constraints.size() + 1;
-    solver_.add_inequality_mconstraint(&Run::constraints, this, std::vector<double>(rows, 0.0));
-  }
+  Run(Trials& trials, double hair, double difference)
+      : trials_(trials), hair_(hair), difference_(difference) {}
 
-  nlopt::opt& solver() { return solver_; }
-
-  Choice from(Choice z) {
-    double least = 0;
-    try {
-      solver_.optimize(z, least);
-    } catch (const std::runtime_error&) {     // roundoff, "nlopt failure", our own stop
-    } catch (const std::invalid_argument&) {  // a radius that the bounds leave no room for
-    }
-    if (trouble_) std::rethrow_exception(trouble_);
-    return z;
+  /// Runs a method with its ends set in `local`.
+  void from(const Choice& z, LocalProblem local) {
+    local.lower = Choice(z.size(), 0.0);
+    local.upper = Choice(z.size(), 1.0);
+    local.rows = trials_.best().answer.constraints.size() + 1;
+    local.objective = [&](std::span<const double> x, std::span<double> gradient) {
+      const Choice at(x.begin(), x.end());
+      const double value = shown_at(at).objective;
+      for (std::size_t k = 0; k < gradient.size(); ++k) gradient[k] = slopes_at(at)[k].objective;
+      return value;
+    };
+    local.constraints = [&](std::span<const double> x, std::span<double> rows,
+                            std::span<double> gradient) {
+      const Choice at(x.begin(), x.end());
+      std::copy_n(shown_at(at).rows.begin(), rows.size(), rows.begin());
+      if (gradient.empty()) return;
+      for (std::size_t k = 0; k < at.size(); ++k)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          gradient[i * at.size() + k] = slopes_at(at)[k].rows[i];
+    };
+    run_local_solver(local, z);
   }
 
  private:
-  const Shown& at(const Choice& z) {
+  const Shown& shown_at(const Choice& z) {
     if (z != z_) {
       now_ = shown(trials_, z, hair_);
       z_ = z;
@@ -66,50 +63,12 @@ class Run {
     return slopes_;
   }
 
-  template <class Do>
-  void guarded(const Do& what) {
-    if (trouble_) return;
-    try {
-      what();
-    } catch (...) {
-      trouble_ = std::current_exception();
-      solver_.force_stop();
-    }
-  }
-
-  static double objective(unsigned n, const double* x, double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
-    double value = 0;
-    run.guarded([&] {
-      const Choice z(x, x + n);
-      value = run.at(z).objective;
-      if (gradient == nullptr) return;
-      for (std::size_t k = 0; k < n; ++k) gradient[k] = run.slopes_at(z)[k].objective;
-    });
-    return value;
-  }
-
-  static void constraints(unsigned rows, double* result, unsigned n, const double* x,
-                          double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
-    std::fill(result, result + rows, 0.0);
-    run.guarded([&] {
-      const Choice z(x, x + n);
-      std::copy_n(run.at(z).rows.begin(), rows, result);
-      if (gradient == nullptr) return;
-      for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t i = 0; i < rows; ++i) gradient[i * n + k] = run.slopes_at(z)[k].rows[i];
-    });
-  }
-
   Trials& trials_;
   double hair_;
   double difference_;
-  nlopt::opt solver_;
   Choice z_, slopes_at_;
   Shown now_;
   std::vector<Shown> slopes_;
-  std::exception_ptr trouble_;
 };
 
 /// Where a run of asking ended: the best since `from`.
@@ -157,19 +116,18 @@ bool is_gain(const Trials& trials, const Trial& before, const Trial& after) {
 
 Trial descend(Trials& trials, const Choice& z, double radius, double smallest, int evaluations) {
   const std::size_t from = trials.all().size();
-  Run run(nlopt::LN_COBYLA, trials, 0, 0);
-  run.solver().set_initial_step(radius);
-  run.solver().set_xtol_abs(smallest);
-  run.solver().set_maxeval(evaluations);
-  run.from(z);
+  Run(trials, 0, 0)
+      .from(z, {.method = LocalProblem::Method::cobyla,
+                .initial_step = radius,
+                .x_absolute = smallest,
+                .max_evaluations = evaluations});
   return best_since(trials, from);
 }
 
 void slide(Trials& trials, const Choice& z, double step, int iterations) {
-  Run run(nlopt::LD_SLSQP, trials, 1e-3 * trials.options().tolerance, step);
-  run.solver().set_xtol_abs(1e-2 * trials.options().tolerance);
-  run.solver().set_maxeval(iterations);
-  run.from(z);
+  const double tolerance = trials.options().tolerance;
+  Run(trials, 1e-3 * tolerance, step)
+      .from(z, {.x_absolute = 1e-2 * tolerance, .max_evaluations = iterations});
 }
 
 bool polish(Trials& trials) {
