@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "optimize/src/search/drawn.hpp"
+#include "optimize/src/shapes/optimized_from.hpp"
 
 namespace jounce::optimizer {
 namespace {
@@ -51,14 +52,15 @@ FoundShape FixedKnots::only_shape() const {
 }
 
 FoundShape FixedKnots::run(const VectorXd& start, SearchBudget& budget,
-                           const ShapeKeepGoing& keep_going) {
+                           const KeepGoing& keep_going) {
   FoundShape best = standing(start);
   VectorXd y = start;
   for (int round = 0, idle = 0; round < most_rounds && !budget.spent(); ++round) {
     const DescentProgram rows = program();
     const int left = budget.most_evaluations - budget.evaluations;
     const auto go_on = [&] {
-      if (keep_going && !keep_going(budget.rounds, best.value)) budget.cancelled = true;
+      if (keep_going && !keep_going(round_progress(budget.rounds, budget.evaluations, best.value)))
+        budget.cancelled = true;
       return !budget.cancelled && !(budget.until && Clock::now() >= *budget.until);
     };
     Descended found = descend(rows, y, std::min(evaluations_a_round, left), go_on);
@@ -84,7 +86,7 @@ FoundShape FixedKnots::run(const VectorXd& start, SearchBudget& budget,
 
 VectorXd FixedKnots::beside(int start) const {
   VectorXd y = VectorXd::Zero(reduced_.size());
-  std::uint64_t state = problem_.seed * 1000003U + static_cast<std::uint64_t>(start);
+  std::uint64_t state = problem_.options.seed * 1000003U + static_cast<std::uint64_t>(start);
   const double width = start == 0 ? 0 : 0.5 / std::sqrt(static_cast<double>(y.size()));
   for (double& each : y) each = width * (2 * drawn(state) - 1);
   return y;
@@ -109,7 +111,7 @@ std::vector<double> FixedKnots::finer(const std::vector<Segment>& shape) const {
 
 bool FixedKnots::gain(const FoundShape& now, const FoundShape& best, double share) const {
   if (best.violation > 0 || now.violation > 0) return now.violation < 0.9 * best.violation;
-  return now.value < best.value - share * problem_.tolerance * std::abs(best.value);
+  return now.value < best.value - share * problem_.options.tolerance * std::abs(best.value);
 }
 
 void FixedKnots::add_lost(const Pointwise& figure, const std::vector<Segment>& shape,

@@ -67,8 +67,7 @@ class FixedKnots {
   [[nodiscard]] FoundShape only_shape() const;
 
   /// Each round starts from the best shape so far: where SLSQP gets lost, its next start is no worse.
-  FoundShape run(const Eigen::VectorXd& start, SearchBudget& budget,
-                 const ShapeKeepGoing& keep_going);
+  FoundShape run(const Eigen::VectorXd& start, SearchBudget& budget, const KeepGoing& keep_going);
 
   /// y of a shape beside the nearest one, in direction number `start`; 0: that itself.
   [[nodiscard]] Eigen::VectorXd beside(int start) const;
@@ -126,7 +125,9 @@ class FixedKnots {
   /// Adds what the shape breaks; how many rows.
   int exchange(const std::vector<Segment>& shape, const Eigen::VectorXd& t);
 
-  [[nodiscard]] double precision() const { return std::min(1e-7, 0.1 * problem_.tolerance); }
+  [[nodiscard]] double precision() const {
+    return std::min(1e-7, 0.1 * problem_.options.tolerance);
+  }
 
   int add_peaks(const SearchedFigure& part, std::size_t t, const std::vector<Segment>& shape,
                 double level);

@@ -162,12 +162,9 @@ void require_valid(const CamProblem& problem) {
   require_valid(problem.limits);
   require_free(problem);
   require_objectives(problem.minimize);
-  if (problem.starts < 1) throw InputError("starts", problem.starts, "must be at least 1");
-  if (problem.max_evaluations < 1)
-    throw InputError("max_evaluations", problem.max_evaluations, "must be at least 1");
-  if (problem.seconds) require_positive("seconds", *problem.seconds);
-  if (!(problem.tolerance >= 1e-9 && problem.tolerance <= 1))
-    throw InputError("tolerance", problem.tolerance, "must be between 1e-9 and 1");
+  require_valid(problem.options);
+  require_not_negative("ramp", problem.ramped.ramp);
+  require_valid(problem.ramped.limits);
 }
 
 }  // namespace jounce

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "jounce/optimize/ramped.hpp"
+#include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 
 #include "optimize/src/knots/space.hpp"

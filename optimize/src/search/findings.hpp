@@ -24,8 +24,9 @@ std::string broken_sentence(const Finding& finding);
 /// The cam against all limits; segments as the curve has them.
 Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam);
 
-/// Outcome::active for the cam at z.
+/// Outcome::active for the cam at z; `figures` are the results of `minimize`.
 std::vector<Finding> active_findings(const Space& space, std::span<const DerivativeBound> ceilings,
-                                     const Point& z, std::span<const ObjectiveResult> objectives);
+                                     const Point& z, std::span<const Objective> minimize,
+                                     std::span<const FigureResult> figures);
 
 }  // namespace jounce::optimizer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optimize/src/search/drawn.hpp"
 #include "optimize/src/search/search_steps.hpp"
@@ -42,7 +43,8 @@ class Roaming {
 
   Roamed run(double share) {
     search_from(trials_.best());
-    while (trials_.used() < share &&
+    const int most = trials_.options().starts.value_or(std::numeric_limits<int>::max());
+    while (trials_.used() < share && roamed_.searches < most &&
            expects_more(roamed_.searches, static_cast<double>(basins_.size()))) {
       const std::size_t first = trials_.all().size();
       for (std::size_t i = 0; i < 3 * (trials_.size() + 1); ++i)
@@ -120,7 +122,7 @@ void survey(Trials& trials) {
     trials.at(z);
   }
   std::uint64_t state = trials.options().seed ^ 0x5bd1e995U;
-  if (trials.options().global)
+  if (trials.is_global())
     for (std::size_t i = 0; i < 2 * n; ++i) trials.at(drawn_choice(n, state));
   while (!trials.any_possible()) trials.at(drawn_choice(n, state));
   trials.settle_scales();

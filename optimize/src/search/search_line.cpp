@@ -36,7 +36,7 @@ class Line {
 
  private:
   void look() {
-    const int cells = std::clamp(trials_.options().max_evaluations / 4, 8, 256);
+    const int cells = std::clamp(trials_.max_evaluations() / 4, 8, 256);
     places_.push_back(trials_.at(trials_.start()));
     for (int i = 0; i <= cells; ++i) {
       const Choice z{static_cast<double>(i) / cells};

@@ -27,11 +27,10 @@ struct Stop {};
 /// Everything that was asked of a search's function: counts, keeps the best, ends in time.
 class Trials {
  public:
-  using KeepGoing = std::function<bool(const SearchProgress&)>;
   enum class Ended { no, evaluations, seconds, cancelled };
 
   Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-         const SearchOptions& options, const KeepGoing& keep_going);
+         const OptimizeOptions& options, const KeepGoing& keep_going);
 
   /// Asks, except for the choice asked last. Throws Stop.
   const Trial& at(const Choice& z);
@@ -40,7 +39,10 @@ class Trials {
   [[nodiscard]] std::vector<double> numbers(const Choice& z) const;
   [[nodiscard]] std::size_t size() const { return free_.size(); }
   [[nodiscard]] const std::vector<std::size_t>& free() const { return free_; }
-  [[nodiscard]] const SearchOptions& options() const { return options_; }
+  [[nodiscard]] const OptimizeOptions& options() const { return options_; }
+  [[nodiscard]] int max_evaluations() const { return options_.budget.evaluations.value_or(5000); }
+  /// True if there is a global phase.
+  [[nodiscard]] bool is_global() const { return options_.starts != 1; }
   [[nodiscard]] const std::deque<Trial>& all() const { return all_; }
   [[nodiscard]] const Trial& best() const { return all_[best_]; }
   [[nodiscard]] bool any_possible() const { return !all_.empty() && best().answer.possible; }
@@ -62,7 +64,7 @@ class Trials {
 
   const std::vector<SearchVariable>& variables_;
   const SearchFunction& f_;
-  const SearchOptions& options_;
+  const OptimizeOptions& options_;
   const KeepGoing& keep_going_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::vector<std::size_t> free_;

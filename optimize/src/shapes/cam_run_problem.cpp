@@ -171,9 +171,7 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, 
   for (const Corridor& corridor : problem.corridors)
     cut(narrowed(corridor, problem, run, accuracy), run, p.corridors);
   p.ceilings = problem.ceilings;
-  p.seed = problem.seed;
-  p.max_evaluations = problem.max_evaluations;
-  p.tolerance = problem.tolerance;
+  p.options = problem.options;
   return p;
 }
 

@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 using detail::CamRunOf;
 
 /// So that what was minimised may still be met where its least value is 0: of its given value.
@@ -24,14 +24,22 @@ constexpr double least_concession = 1e-6;
 constexpr double rounding = 1.2e-16;
 constexpr double joints = 1e-11;
 
+/// Passes the progress of one stage of one run on, as progress of the whole.
 struct Watch {
-  const CamShapeKeepGoing& keep_going;
-  CamShapeProgress progress;
+  const KeepGoing& keep_going;
+  std::size_t run = 0;
+  std::size_t runs = 0;
+  std::size_t stage = 0;
+  std::size_t stages = 0;
 
-  bool operator()(int round, double value) {
-    progress.round = round;
-    progress.value = value;
-    return !keep_going || keep_going(progress);
+  bool operator()(OptimizeProgress progress) const {
+    if (!keep_going) return true;
+    const auto before = static_cast<double>(run * stages + stage);
+    progress.done = (before + progress.done) / static_cast<double>(runs * stages);
+    progress.run = run;
+    progress.runs = runs;
+    progress.stage = stage;
+    return keep_going(progress);
   }
 };
 
@@ -70,11 +78,10 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
   ShapeOutcome best;
   std::vector<FigureResult> stages;  // of those before
   for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
-    watch.progress.stage = stage;
+    watch.stage = stage;
     run.minimize = problem.minimize[stage];
     run.ceilings = kept(problem, stages);
-    ShapeOutcome found = optimizer::optimized_from(
-        run, best.segments, [&](int round, double value) { return watch(round, value); });
+    ShapeOutcome found = optimizer::optimized_from(run, best.best, watch);
     if (stage > 0 && !found.usable()) {
       best.status = found.status == Status::cancelled ? found.status : Status::stalled;
       best.reason = name(problem.minimize[stage].front().figure) +
@@ -90,9 +97,9 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
 
 CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, ShapeProblem shape,
                         Watch& watch) {
-  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch), {}};
-  if (outcome.shape.segments.empty()) return outcome;
-  outcome.figures = figures_of(problem, shape, outcome.shape.segments);
+  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch)};
+  if (outcome.shape.best.empty()) return outcome;
+  outcome.shape.figures = figures_of(problem, shape, outcome.shape.best);
   for (Finding& finding : detail::kept_jerks(run))
     outcome.shape.active.push_back(std::move(finding));
   return outcome;
@@ -107,30 +114,26 @@ Report limits_of(const CamSpec& cam, const Limits& limits) {
   return report;
 }
 
-int badness(Status status) {
-  switch (status) {
-    case Status::optimal:
-      return 0;
-    case Status::converged:
-      return 1;
-    case Status::stalled:
-      return 2;
-    case Status::cancelled:
-      return 3;
-    case Status::infeasible:
-      break;
+/// The outcome of all runs from that of each.
+void sum_up(CamShapeOutcome& outcome) {
+  outcome.status = Status::optimal;
+  outcome.feasible = outcome.limits.ok();
+  for (const CamRunOutcome& run : outcome.runs) {
+    const ShapeOutcome& shape = run.shape;
+    if (outcome.reason.empty() || shape.status > outcome.status) {
+      outcome.status = shape.status;
+      outcome.reason = shape.reason;
+    }
+    outcome.feasible = outcome.feasible && shape.feasible;
+    outcome.figures.insert(outcome.figures.end(), shape.figures.begin(), shape.figures.end());
+    outcome.active.insert(outcome.active.end(), shape.active.begin(), shape.active.end());
+    outcome.evaluations += shape.evaluations;
+    outcome.rounds += shape.rounds;
   }
-  return 4;
+  if (outcome.runs.size() != 1) return;
+  outcome.value = outcome.runs.front().shape.value;
+  outcome.bound = outcome.runs.front().shape.bound;
 }
-
-}  // namespace
-
-bool CamShapeOutcome::usable() const {
-  return !runs.empty() && limits.ok() &&
-         std::all_of(runs.begin(), runs.end(), [](const auto& r) { return r.shape.usable(); });
-}
-
-namespace {
 
 /// Whether a segment that begins at x keeps a corridor, to the digits that `check` forgives.
 bool keeps(const Corridor& corridor, const Segment& segment, double x) {
@@ -178,15 +181,16 @@ bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamR
 /// the last digits as points: then once more, by as much below.
 void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
               CamShapeOutcome& outcome) {
-  const double parts = static_cast<double>(watch.progress.runs * watch.progress.stages);
+  const double parts = static_cast<double>(watch.runs * watch.stages);
   CamRunOutcome found;
   CamSpec best = outcome.best;
   for (const double accuracy : {rounding, joints, 100 * joints}) {
     ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
-    if (problem.seconds) shape.seconds = *problem.seconds / parts;
+    if (problem.options.budget.seconds)
+      shape.options.budget.seconds = *problem.options.budget.seconds / parts;
     found = optimized(problem, run, shape, watch);
-    if (found.shape.segments.empty()) break;
-    best = detail::with_shape(outcome.best, run, shape, found.shape.segments);
+    if (found.shape.best.empty()) break;
+    best = detail::with_shape(outcome.best, run, shape, found.shape.best);
     if (!found.shape.usable() || keeps_limits(best, problem, run)) break;
   }
   outcome.best = std::move(best);
@@ -195,26 +199,18 @@ void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
 
 }  // namespace
 
-CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
-                                    const CamShapeKeepGoing& keep_going) {
+CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem, const KeepGoing& keep_going) {
   require_valid(problem);
   const auto runs = detail::runs_of(problem);
   CamShapeOutcome outcome;
   outcome.best = problem.cam;
-  Watch watch{keep_going, {}};
-  watch.progress.runs = runs.size();
-  watch.progress.stages = problem.minimize.size();
+  Watch watch{.keep_going = keep_going, .runs = runs.size(), .stages = problem.minimize.size()};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    watch.progress.run = i;
+    watch.run = i;
     take_run(problem, runs[i], watch, outcome);
   }
-  const auto worst =
-      std::max_element(outcome.runs.begin(), outcome.runs.end(), [](const auto& a, const auto& b) {
-        return badness(a.shape.status) < badness(b.shape.status);
-      });
-  outcome.status = worst->shape.status;
-  outcome.reason = worst->shape.reason;
   outcome.limits = limits_of(outcome.best, problem.limits);
+  sum_up(outcome);
   return outcome;
 }
 

@@ -19,7 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int most_refinements = 14;
-constexpr int starts = 3;
 
 std::vector<SearchedFigure> parts_of(const ShapeProblem& p, const std::vector<Segment>& given,
                                      const SplineSpace& space) {
@@ -45,7 +44,7 @@ bool at_bound(const ShapeProblem& problem, const std::vector<Segment>& shape) {
   const auto bound = known_bound(problem, figure);
   const auto found = pointwise(figure, problem.begin);
   return bound && found &&
-         value_of(*found, shape, problem.begin) <= *bound * (1 + problem.tolerance);
+         value_of(*found, shape, problem.begin) <= *bound * (1 + problem.options.tolerance);
 }
 
 NotConvexResult result_of(FoundShape best, const SearchBudget& budget, bool finite) {
@@ -77,12 +76,12 @@ bool needs_search(const ShapeProblem& problem) {
 }
 
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
-                             const ShapeKeepGoing& keep_going) {
-  SearchBudget budget{.most_evaluations = problem.max_evaluations};
-  if (problem.seconds)  // for ever is a year: more would not fit the clock
+                             const KeepGoing& keep_going) {
+  SearchBudget budget{.most_evaluations = problem.options.budget.evaluations.value_or(2000)};
+  if (problem.options.budget.seconds)  // for ever is a year: more would not fit the clock
     budget.until =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                           std::chrono::duration<double>(std::min(*problem.seconds, 3e7)));
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                           std::min(*problem.options.budget.seconds, 3e7)));
   const ShapeModel first(convex_part(problem), first_knots(problem), given);
   const std::vector<SearchedFigure> parts = parts_of(problem, given, first.space);
   auto search = std::make_unique<FixedKnots>(problem, parts, first_knots(problem), given);
@@ -95,6 +94,7 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
     best = search->only_shape();
     return result_of(std::move(best), budget, true);
   }
+  const int starts = problem.options.starts.value_or(3);
   for (int start = 0; start < starts && !budget.spent(); ++start) {
     FoundShape now = search->run(search->beside(start), budget, keep_going);
     finite = finite && search->finite();

@@ -30,7 +30,7 @@ bool needs_search(const ShapeProblem& problem);
 /// and peaks hold at every place (exchange), as in the convex solver. With ShapeProblem::refine pieces on
 /// which a peaked figure leaves or meets its level are halved and the search goes on.
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
-                             const ShapeKeepGoing& keep_going);
+                             const KeepGoing& keep_going);
 
 /// The given shape; where it has sines, products of which fit no segment, the spline with the same
 /// derivatives at the knots.
@@ -38,6 +38,6 @@ std::vector<Segment> given_as_spline(const ShapeProblem& problem);
 
 /// The same as the answer of optimize_shape(): figures, limits and what is active judged on the finished
 /// shape, with a bound where one is known.
-ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going);
+ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going);
 
 }  // namespace jounce::optimizer

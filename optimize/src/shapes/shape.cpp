@@ -149,8 +149,7 @@ ShapeFigure peak_of(const ShapeFigure& figure) {
 class ShapeSearch {
  public:
   /// `start`: a shape to begin with; none: the given one.
-  ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start,
-              const ShapeKeepGoing& keep_going)
+  ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start, const KeepGoing& keep_going)
       : problem_(problem),
         keep_going_(keep_going),
         begin_(Clock::now()),
@@ -163,6 +162,14 @@ class ShapeSearch {
   }
 
   ShapeOutcome run() {
+    optimize();
+    if (nothing_left()) take_smoothest();
+    out_.feasible = out_.limits.ok() && !out_.best.empty();
+    return std::move(out_);
+  }
+
+ private:
+  void optimize() {
     std::vector<double> knots = optimizer::first_knots(problem_);
     std::vector<Segment> from = start_.empty() ? given_ : start_;
     for (int k = 0;; ++k) {
@@ -171,22 +178,20 @@ class ShapeSearch {
       const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
       if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
-      if (near_bound() || before - out_.value < problem_.tolerance / 100 * out_.value) break;
+      if (near_bound() || before - out_.value < problem_.options.tolerance / 100 * out_.value)
+        break;
       const std::vector<double> more = Switches(problem_, model, found.z).places();
       if (more.empty()) break;
       knots.insert(knots.end(), more.begin(), more.end());
       std::sort(knots.begin(), knots.end());
-      from = out_.segments;
+      from = out_.best;
     }
-    if (nothing_left()) take_smoothest();
-    return std::move(out_);
   }
 
- private:
   /// Whether responses alone are minimised and only rounding is left of them, which may have stopped
   /// the solver.
   [[nodiscard]] bool nothing_left() const {
-    using Status = Outcome::Status;
+    using Status = OptimizeStatus;
     const bool answers = std::all_of(problem_.minimize.begin(), problem_.minimize.end(),
                                      [](const WeightedFigure& m) {
                                        return std::holds_alternative<ResponseOf>(m.figure) ||
@@ -202,22 +207,23 @@ class ShapeSearch {
     calm.minimize = {{RmsOf{derivative_of_shape(std::min(3, problem_.degree))}}};
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k)
       calm.ceilings.push_back({peak_of(problem_.minimize[k].figure), nothing_of_[k]});
-    if (problem_.seconds) calm.seconds = std::max(*problem_.seconds - elapsed(), 1e-3);
+    if (problem_.options.budget.seconds)
+      calm.options.budget.seconds = std::max(*problem_.options.budget.seconds - elapsed(), 1e-3);
     const ShapeOutcome found = ShapeSearch(calm, {}, keep_going_).run();
     out_.rounds += found.rounds;
     out_.evaluations += found.evaluations;
-    if (found.status == Outcome::Status::cancelled)
+    if (found.status == OptimizeStatus::cancelled)
       return answer(found.status, "stopped by the caller");
     if (!found.usable()) return;
     const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
-    out_.segments = found.segments;
-    out_.value = optimizer::weighted_sum(model, out_.segments);
-    out_.limits = optimizer::checked(problem_, model, out_.segments);
-    out_.spline_bound = 0;
+    out_.best = found.best;
+    out_.value = optimizer::weighted_sum(model, out_.best);
+    out_.limits = optimizer::checked(problem_, model, out_.best);
+    out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.segments);
+    out_.active = optimizer::active(problem_, model, out_.best);
     answer(
-        Outcome::Status::optimal,
+        OptimizeStatus::optimal,
         "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
   }
 
@@ -242,10 +248,13 @@ class ShapeSearch {
 
   ShapeSolution improve(const ShapeModel& model, const Coordinates& from) {
     const auto go_on = [&](int round, double value) {
-      out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
-      return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value * scale_));
+      out_of_time_ =
+          problem_.options.budget.seconds && elapsed() > *problem_.options.budget.seconds;
+      return !out_of_time_ &&
+             (!keep_going_ || keep_going_(optimizer::round_progress(
+                                  out_.rounds + round, out_.evaluations, value * scale_)));
     };
-    const double tolerance = problem_.tolerance;
+    const double tolerance = problem_.options.tolerance;
     return optimizer::minimised(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
   }
 
@@ -258,7 +267,7 @@ class ShapeSearch {
     bool any = false;
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k) {
       const FigureResult& r = out_.figures[k];
-      if (!r.bound || r.reached > *r.bound * (1 + problem_.tolerance)) return false;
+      if (!r.bound || r.reached > *r.bound * (1 + problem_.options.tolerance)) return false;
       any = true;
     }
     return any;
@@ -272,61 +281,62 @@ class ShapeSearch {
     out_.evaluations += found.iterations;
     const double value = optimizer::weighted_sum(model, shape) * model.scale;
     Report limits = optimizer::checked(problem_, model, shape);
-    const bool first = out_.segments.empty();
+    const bool first = out_.best.empty();
     if (!first && (found.end != End::solved || !limits.ok() || value > out_.value)) {
       if (found.end == End::stopped) set_status(found);
       return false;
     }
-    out_.segments = std::move(shape);
+    out_.best = std::move(shape);
     out_.value = value;
     out_.limits = std::move(limits);
-    out_.spline_bound = found.bound;
+    out_.bound = found.bound;
     if (found.bound)  // no figure is below 0
-      out_.spline_bound = std::max(*found.bound * model.scale, 0.0);
+      out_.bound = std::max(*found.bound * model.scale, 0.0);
     nothing_ = 0;
     nothing_of_.clear();
     for (const auto& term : model.terms) {
       nothing_of_.push_back(term.rows.nothing * term.rows.natural);
       nothing_ += term.weight * nothing_of_.back() / term.unit * model.scale;
     }
-    if (out_.value <= nothing_ && out_.spline_bound) out_.spline_bound = 0;
+    if (out_.value <= nothing_ && out_.bound) out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.segments);
+    out_.active = optimizer::active(problem_, model, out_.best);
     set_status(found);
     return true;
   }
 
   void fill_figures(const ShapeModel& model) {
-    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.segments);
+    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.best);
   }
 
-  void answer(Outcome::Status status, std::string reason) {
+  void answer(OptimizeStatus status, std::string reason) {
     out_.status = status;
     out_.reason = std::move(reason);
   }
 
   void set_status(const ShapeSolution& found) {
-    using Status = Outcome::Status;
+    using Status = OptimizeStatus;
     if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
     if (found.end == End::stopped)
       return out_of_time_ ? answer(Status::stalled, "the time limit of " +
-                                                        brief(*problem_.seconds) + " s is reached")
+                                                        brief(*problem_.options.budget.seconds) +
+                                                        " s is reached")
                           : answer(Status::cancelled, "stopped by the caller");
     if (!out_.limits.ok())
       return answer(Status::stalled, "the shape found exceeds a limit: " +
                                          optimizer::broken_sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
-    const double gap = out_.spline_bound ? (out_.value - *out_.spline_bound) / out_.value : 1;
-    if (out_.value <= nothing_ || gap <= problem_.tolerance)
+    const double gap = out_.bound ? (out_.value - *out_.bound) / out_.value : 1;
+    if (out_.value <= nothing_ || gap <= problem_.options.tolerance)
       return answer(Status::optimal, "no spline over these knots is better, to a relative " +
-                                         brief(problem_.tolerance));
+                                         brief(problem_.options.tolerance));
     answer(Status::converged,
            "at most " + brief(100 * gap) + " % could still be saved by a spline over these knots");
   }
 
   const ShapeProblem& problem_;
-  const ShapeKeepGoing& keep_going_;
+  const KeepGoing& keep_going_;
   Clock::time_point begin_;
   std::vector<Segment> given_;
   std::vector<Segment> start_;
@@ -339,12 +349,12 @@ class ShapeSearch {
 
 }  // namespace
 
-ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going) {
   return optimizer::optimized_from(problem, {}, keep_going);
 }
 
 ShapeOutcome optimizer::optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
-                                       const ShapeKeepGoing& keep_going) {
+                                       const KeepGoing& keep_going) {
   require_valid(problem);
   if (needs_search(problem)) return searched(problem, keep_going);
   return ShapeSearch(problem, std::move(start), keep_going).run();

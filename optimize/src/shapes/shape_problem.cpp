@@ -189,10 +189,7 @@ void require_valid(const ShapeProblem& p) {
   require(p.degree >= 2 && p.degree <= 7, "degree", p.degree, "must be 2 to 7");
   const auto pieces = static_cast<double>(p.pieces);
   require(p.pieces >= 1 && p.pieces <= 100000, "pieces", pieces, "must be 1 to 100000");
-  require(p.tolerance >= 1e-9 && p.tolerance <= 1, "tolerance", p.tolerance,
-          "must be in [1e-9, 1]");
-  require(p.max_evaluations >= 1, "max_evaluations", p.max_evaluations, "must be at least 1");
-  if (p.seconds) require(*p.seconds > 0, "seconds", *p.seconds, "must be > 0");
+  require_valid(p.options);
   require_place(p);
   require_end("from", p.from, p.degree, p.end - p.begin);
   require_end("to", p.to, p.degree, p.end - p.begin);

@@ -39,7 +39,7 @@ namespace {
 
 using detail::DrivenCam;
 using Lists = DrivenCam::Lists;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 using Clock = std::chrono::steady_clock;
 
 constexpr double worth_a_round = 1e-3;  ///< relative gain
@@ -129,35 +129,34 @@ struct Standing {
 
 class Search {
  public:
-  Search(const CamShapeProblem& problem, const Against& against,
-         const CamShapeKeepGoing& keep_going)
+  Search(const CamShapeProblem& problem, const Against& against, const KeepGoing& keep_going)
       : problem_(problem),
         against_(against),
         keep_going_(keep_going),
         driven_(problem, against),
         prepared_(problem, driven_) {
     for (const Ceiling& c : problem.ceilings) at_most_.push_back(c.at_most);
-    out_.given = driven_.run(problem.cam);
-    best_.excess = breaks_ceiling(out_.given);
-    exact_ = driven_.is_linear() && out_.given.saturation.empty();
+    out_.driven_given = driven_.run(problem.cam);
+    best_.excess = breaks_ceiling(out_.driven_given);
+    exact_ = driven_.is_linear() && out_.driven_given.saturation.empty();
   }
 
   AgainstOutcome run() {
-    if (!out_.given.integration.ok()) return failed();
+    if (!out_.driven_given.integration.ok()) return failed();
     if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Correction{});
-    for (out_.rounds = 1;; ++out_.rounds) {
+    for (solutions_ = 1;; ++solutions_) {
       const bool more = round();
-      if (!more || out_.rounds == against_.max_rounds) break;
+      if (!more || solutions_ == against_.max_rounds) break;
     }
-    return told();
+    return concluded();
   }
 
  private:
   AgainstOutcome failed() {
-    out_.shapes.status = Status::infeasible;
-    out_.shapes.reason = "the drive model could not be integrated with the given cam: " +
-                         out_.given.integration.reason;
-    out_.shapes.best = problem_.cam;
+    out_.status = Status::infeasible;
+    out_.reason = "the drive model could not be integrated with the given cam: " +
+                  out_.driven_given.integration.reason;
+    out_.best = problem_.cam;
     return out_;
   }
 
@@ -165,7 +164,7 @@ class Search {
   bool round() {
     CamShapeOutcome found = solved();
     if (!found.usable()) {
-      if (!have_) out_.shapes = std::move(found);
+      if (!have_) shapes() = std::move(found);
       return false;
     }
     DriveResult run = driven_.run(found.best);
@@ -189,8 +188,9 @@ class Search {
   CamShapeOutcome solved() {
     for (int k = 0;; ++k) {
       CamShapeProblem& problem = prepared_.with(correction_, at_most_);
-      if (problem_.seconds) problem.seconds = std::max(*problem_.seconds - gone(), 1e-3);
-      CamShapeOutcome found = optimize_cam_shapes(problem, watched());
+      if (problem_.options.budget.seconds)
+        problem.options.budget.seconds = std::max(*problem_.options.budget.seconds - gone(), 1e-3);
+      CamShapeOutcome found = optimize_cam_shapes(problem, keep_going_);
       const bool done = !exact_ || !found.usable() || found.status == Status::cancelled ||
                         k == max_exchanges || out_of_time();
       if (done || add_peaks(found) == 0) return found;
@@ -200,12 +200,14 @@ class Search {
   [[nodiscard]] double gone() const {  // s
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
-  [[nodiscard]] bool out_of_time() const { return problem_.seconds && gone() >= *problem_.seconds; }
+  [[nodiscard]] bool out_of_time() const {
+    return problem_.options.budget.seconds && gone() >= *problem_.options.budget.seconds;
+  }
 
   /// How many peaks of the drive's figures stand out of the instants that were looked at.
   std::size_t add_peaks(const CamShapeOutcome& found) {
     std::size_t added = 0;
-    auto figure = found.runs.front().figures.begin();
+    auto figure = found.runs.front().shape.figures.begin();
     const auto look = [&](const ShapeFigure& of, double level) {
       if (const auto drive = drive_figure(of))
         added += driven_.add_peaks(*drive, found.best,
@@ -255,13 +257,13 @@ class Search {
   bool take(CamShapeOutcome found, DriveResult run, bool excess) {
     const Standing now{weighted(found, run), excess};
     const bool better = now.better_than(best_);
-    if (have_ && !better && !now.better_than(told_)) return false;
+    if (have_ && !better && !now.better_than(kept_)) return false;
     have_ = true;
-    told_ = now;
+    kept_ = now;
     if (better) best_ = now;
     promised_ = weighted(found, std::nullopt);
-    out_.shapes = std::move(found);
-    out_.best = std::move(run);
+    shapes() = std::move(found);
+    out_.driven_best = std::move(run);
     return better;
   }
 
@@ -272,11 +274,11 @@ class Search {
     double all = 0;
     for (std::size_t i = 0; i < problem_.minimize.front().size(); ++i) {
       const WeightedFigure& m = problem_.minimize.front()[i];
-      const FigureResult& figure = found.runs.front().figures[i];
+      const FigureResult& figure = found.runs.front().shape.figures[i];
       double given = figure.given;
       double reached = figure.reached;
       if (const auto drive = run ? drive_figure(m.figure) : std::nullopt) {
-        given = detail::value_of(*drive, out_.given);
+        given = detail::value_of(*drive, out_.driven_given);
         reached = detail::value_of(*drive, *run);
       }
       sum += m.weight * (given > 0 ? reached / given : 1 + reached);
@@ -285,31 +287,29 @@ class Search {
     return sum / all;
   }
 
-  [[nodiscard]] CamShapeKeepGoing watched() const {
-    return [this](const CamShapeProgress& p) { return !keep_going_ || keep_going_(p); };
-  }
-
-  AgainstOutcome told() {
+  AgainstOutcome concluded() {
+    out_.rounds = solutions_;
     if (!have_) return out_;
     add_figures();
     // Where the given cam breaks a ceiling, or the best within the limits is no better, it need not be.
-    const bool improved = told_.score < 1 || breaks_ceiling(out_.given) ||
-                          (promised_ >= 1 && out_.shapes.status == Status::optimal);
-    out_.real = !told_.excess && improved;
+    const bool improved = kept_.score < 1 || breaks_ceiling(out_.driven_given) ||
+                          (promised_ >= 1 && out_.status == Status::optimal);
+    out_.real = !kept_.excess && improved;
     if (!exact_) without_bounds();
-    if (told_.excess)
-      out_.shapes.reason = "by integration, a limit of the drive is exceeded";
+    if (kept_.excess)
+      out_.reason = "by integration, a limit of the drive is exceeded";
     else if (!improved)
-      out_.shapes.reason = "by integration, the given cam is at least as good for the drive";
-    if (!out_.real) out_.shapes.status = Status::stalled;
+      out_.reason = "by integration, the given cam is at least as good for the drive";
+    if (!out_.real) out_.status = Status::stalled;
+    out_.feasible = out_.feasible && out_.real;
     return out_;
   }
 
   void add_figures() {
     const auto add = [&](const ShapeFigure& figure) {
       if (const auto drive = drive_figure(figure))
-        out_.figures.push_back({name(*drive), detail::value_of(*drive, out_.given),
-                                detail::value_of(*drive, out_.best)});
+        out_.driven_figures.push_back({name(*drive), detail::value_of(*drive, out_.driven_given),
+                                       detail::value_of(*drive, out_.driven_best)});
     };
     for (const auto& stage : problem_.minimize)
       for (const WeightedFigure& m : stage) add(m.figure);
@@ -317,28 +317,33 @@ class Search {
   }
 
   void without_bounds() {
-    for (CamRunOutcome& run : out_.shapes.runs) {
-      run.shape.spline_bound.reset();
-      for (FigureResult& figure : run.figures) figure.bound.reset();
+    out_.bound.reset();
+    for (FigureResult& figure : out_.figures) figure.bound.reset();
+    for (CamRunOutcome& run : out_.runs) {
+      run.shape.bound.reset();
+      for (FigureResult& figure : run.shape.figures) figure.bound.reset();
     }
-    if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
-    out_.shapes.reason = "the drive is not linear: better in its own runs, but not proven best (" +
-                         std::to_string(out_.rounds) + " rounds tried)";
+    if (out_.status == Status::optimal) out_.status = Status::converged;
+    out_.reason = "the drive is not linear: better in its own runs, but not proven best (" +
+                  std::to_string(solutions_) + " rounds tried)";
   }
+
+  CamShapeOutcome& shapes() { return out_; }
 
   const CamShapeProblem& problem_;
   const Against& against_;
-  const CamShapeKeepGoing& keep_going_;
+  const KeepGoing& keep_going_;
   DrivenCam driven_;
   Prepared prepared_;
   AgainstOutcome out_;
   Correction correction_;
+  int solutions_ = 0;
   std::vector<double> at_most_;
   bool exact_ = true;  ///< the linear drive is the drive
   Clock::time_point begin_ = Clock::now();
   bool have_ = false;
   Standing best_;  ///< of the given cam to begin with
-  Standing told_;  ///< of `out_`
+  Standing kept_;  ///< of `out_`
   double promised_ = 1;
   int worse_ = 0;
 };
@@ -368,7 +373,7 @@ void require_valid(const CamShapeProblem& problem, const Against& against) {
 }  // namespace
 
 AgainstOutcome optimize_against(const CamShapeProblem& problem, const Against& against,
-                                const CamShapeKeepGoing& keep_going) {
+                                const KeepGoing& keep_going) {
   require_valid(problem, against);
   return Search(problem, against, keep_going).run();
 }

@@ -167,7 +167,7 @@ Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, i
 }
 
 /// The best in as few digits as lose no more than half the tolerance: three of the range to nine.
-void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) {
+void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best) {
   const double objective = best.answer.objective;
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
   for (int digits = 3; digits < 10; ++digits)
@@ -203,7 +203,7 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
       required.push_back(f.name + " is at its maximum, " + number(*f.at_most) + " " + f.unit);
   }
   const std::size_t rules = tuned.rules().size();
-  for (const std::size_t i : outcome.search.active) {
+  for (const std::size_t i : outcome.search.met) {
     if (i >= rules) all.push_back(required.at(i - rules));
     if (i >= rules || tuned.rules()[i].empty()) continue;
     std::string worst = worst_of(outcome.report, tuned.rules()[i], labels);
@@ -252,7 +252,7 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
 
 }  // namespace
 
-TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress&)>& keep_going) {
+TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   if (!spec.parameters)
     throw InputError("optimize.parameter", "",
                      "is missing: name each number that may change in an [[optimize.parameter]]")
@@ -261,7 +261,7 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   const std::vector<TunedFigure> given = given_figures(tuned);
   TuneOutcome outcome;
   outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
-  const bool cancelled = outcome.search.status == Outcome::Status::cancelled;
+  const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
   if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
   add_numbers(tuned, outcome);
   outcome.text = tuned.text(outcome.search.best);
@@ -271,7 +271,7 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   outcome.figures = tuned.figures(best);
   for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
   if (!outcome.usable()) {
-    if (outcome.search.status == Outcome::Status::infeasible)
+    if (outcome.search.status == OptimizeStatus::infeasible)
       outcome.search.reason = "no values tried keep all limits";
     outcome.active = missed_of(outcome.figures);
     return outcome;
