@@ -8,8 +8,8 @@
 
 namespace jounce::cli {
 
-/// Runs an optimizer, shows its progress on the terminal, and stops it at Ctrl-C. `state(progress)` is the text beside
-/// the bar. `optimize(keep_going)` returns the outcome.
+/// Runs an optimizer, shows its progress on the terminal, and stops it at Ctrl-C. `state(progress)` is the
+/// text beside the bar. `optimize(keep_going)` returns the outcome.
 template <class State, class Optimize>
 auto watched(const char* work, const State& state, const Optimize& optimize) {
   Progress progress(work);

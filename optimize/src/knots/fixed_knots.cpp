@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One round: SLSQP on the rows there are, the signs of the velocity held; then the exact extrema of the
-// shape it found, where they exceed a row's level, become rows, and the signs are taken anew. Converged are
-// eight rounds that gain nothing and turn no sign, or one that adds no row either. What counts is always the
-// exact value of the shape, never what the rows promise.
+// One round: SLSQP runs on the present rows, with the signs of the velocity fixed. The exact extrema of the
+// result that exceed the level of a row then become rows, and the signs are determined again. The search has
+// converged after eight rounds without a gain and without a change of sign, or after one such round that also
+// adds no row. The exact value of the shape counts, not the value of the rows.
 
 #include "optimize/src/knots/fixed_knots.hpp"
 
@@ -23,12 +23,12 @@ using Eigen::VectorXd;
 using Clock = std::chrono::steady_clock;
 
 constexpr int most_rounds = 30;
-constexpr int most_idle = 8;  ///< rounds that gain nothing
+constexpr int most_idle = 8;  ///< rounds without a gain
 constexpr int evaluations_a_round = 200;
 
 }  // namespace
 
-/// The problem's convex part.
+/// The convex part of the problem.
 ShapeProblem convex_part(ShapeProblem p) {
   std::erase_if(p.minimize, [](const WeightedFigure& m) { return !has_rows(m.figure); });
   std::erase_if(p.ceilings, [](const Ceiling& c) { return !has_rows(c.figure); });

@@ -23,7 +23,7 @@ using optimizer::Space;
 using optimizer::Stage;
 using Clock = std::chrono::steady_clock;
 
-/// A change of the k-th derivative that this cam would notice.
+/// A significant change of the k-th derivative of this cam.
 double natural(const Space& space, std::size_t order) {
   return space.stroke / std::pow(space.length(), static_cast<double>(order));
 }
@@ -32,7 +32,7 @@ std::size_t order_of(Objective objective) {
   return objective == Objective::peak_jerk ? 3 : 2;
 }
 
-/// One call of optimize(): starts, one objective after the other, and the answer.
+/// One call of optimize(): the starts, one objective after the other, and the outcome.
 class Search {
  public:
   Search(const CamProblem& problem, const KeepGoing& keep_going)
@@ -68,7 +68,7 @@ class Search {
 
   [[nodiscard]] int evaluations_left() const { return max_evaluations_ - outcome_.evaluations; }
 
-  /// Asked again and again while the starts of an objective run.
+  /// Called repeatedly while the starts of an objective run.
   bool go_on(std::size_t objective, std::size_t done, std::size_t starts,
              const std::optional<double>& reached) {
     const std::chrono::duration<double> gone = Clock::now() - begin_;
@@ -86,7 +86,7 @@ class Search {
     return !cancelled_ && !out_of_time_;
   }
 
-  /// All starts of a stage, each with its share of the evaluations that are left.
+  /// Runs all starts of a stage, each with its share of the remaining evaluations.
   std::vector<Attempt> attempted(std::size_t objective, const Stage& stage,
                                  const std::vector<Point>& starts,
                                  const std::function<bool(const Attempt&)>& enough) {
@@ -105,12 +105,12 @@ class Search {
     return all;
   }
 
-  /// Whether more evaluations might have led an attempt further.
+  /// True if an attempt ended for lack of evaluations.
   [[nodiscard]] bool starved(const Attempt& attempt) const {
     return !attempt.converged && attempt.evaluations >= share_;
   }
 
-  /// The limits alone, from every start: what keeps them goes into the pool.
+  /// Minimizes the violation of the limits from every start. The pool receives the points that keep the limits.
   void find_feasible() {
     const Stage stage{space_, ceilings_, {}, {}, 0, problem_.options.tolerance};
     const int count = space_.convex() ? 1 : problem_.options.starts.value_or(8);
@@ -128,7 +128,7 @@ class Search {
     exhausted_ = !feasible() && least_violated_ && starved(*least_violated_);
   }
 
-  /// Limits, and the objectives before the k-th kept within tolerance.
+  /// The limits, and the objectives before the k-th, each kept within the tolerance.
   [[nodiscard]] Stage stage(std::size_t k) const {
     const double natural_k = natural(space_, order_of(problem_.minimize[k]));
     Stage stage{
@@ -137,7 +137,7 @@ class Search {
       const FigureResult& r = outcome_.figures[i];
       const Objective objective = problem_.minimize[i];
       const std::size_t order = order_of(objective);
-      // At the bound, the tolerance counts from there, so that `optimal` stays true.
+      // At the bound, the tolerance is relative to the bound, so that `optimal` stays true.
       const double from = at_bound(i, r.reached) ? *r.bound : r.reached;
       const double cap =
           std::max(from * (1 + problem_.options.tolerance), 1e-9 * natural(space_, order));
@@ -299,7 +299,8 @@ class Search {
   std::vector<DerivativeBound> ceilings_;
   std::vector<Point> pool_;
   std::optional<Attempt> least_violated_;
-  std::optional<Finding> broken_where_fixed_;  ///< a limit, where nothing free reaches
+  std::optional<Finding>
+      broken_where_fixed_;  ///< a limit that is broken where no free quantity changes the cam
   Outcome<CamSpec> outcome_;
   Clock::time_point begin_ = Clock::now();
   int share_ = 0;  ///< evaluations for each start

@@ -8,11 +8,10 @@
 
 #include "optimize/src/solvers/local_solver.hpp"
 
-// Why SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients, a
-// vertex, at which sequential quadratic programming converges quadratically. In whitened variables it needs
-// 0.1 s for 50 coefficients and 2000 rows and 2.2 s for 200 and 4000, and agrees with an interior point
-// method to 6 digits; MMA and CCSAQ end up to 40 times off with a success code, COBYLA needs seconds for
-// 20 coefficients.
+// Reasons for SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients.
+// Sequential quadratic programming converges quadratically at such a vertex. In whitened variables it needs 0.1
+// s for 50 coefficients and 2000 rows, and 2.2 s for 200 and 4000, and agrees with an interior point method to
+// 6 digits. MMA and CCSAQ end up to 40 times off with a success code. COBYLA needs seconds for 20 coefficients.
 
 namespace jounce::optimizer {
 namespace {
@@ -73,7 +72,8 @@ struct Run {
   }
 
  private:
-  /// Where its rows are almost dependent, SLSQP steps to NaN, which it would take for a constraint that holds.
+  /// Throws for an x with NaN. SLSQP steps there if its rows are almost dependent, and NaN would count as a
+  /// constraint that holds.
   void require_finite(std::span<const double> x) {
     lost = !std::all_of(x.begin(), x.end(), [](double each) { return std::isfinite(each); });
     if (lost) throw StopSolver{};

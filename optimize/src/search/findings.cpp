@@ -9,9 +9,9 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;  ///< relative: closer than this is there
+constexpr double met = 1e-6;  ///< relative distance below which a limit counts as reached
 
-/// What a ceiling limits, and its rule.
+/// The quantity of a ceiling, and its rule.
 std::string quantity_of(const DerivativeBound& ceiling) {
   const std::string name = OverMaster::names[ceiling.order];
   return ceiling.lower == 0 ? name : name + " while the master accelerates";

@@ -18,8 +18,10 @@ using optimizer::Trial;
 using optimizer::Trials;
 using Status = OptimizeStatus;
 
-constexpr double edge = 1e-3;       ///< of the ranges: what is beyond it is told
-constexpr double near_zero = 1e-4;  ///< of a constraint's usual size: it is met, no more
+constexpr double edge =
+    1e-3;  ///< share of the ranges: the outcome reports an impossible choice that is closer
+constexpr double near_zero =
+    1e-4;  ///< share of a constraint's usual size: a constraint that is closer to 0 is met
 
 void require_valid(const SearchVariable& v, std::size_t i) {
   const std::string key = "variable[" + std::to_string(i + 1) + "].";
@@ -44,9 +46,9 @@ void require_valid(const std::vector<SearchVariable>& variables, const OptimizeO
     throw InputError("max_evaluations", *most, "must be at most 1000000");
 }
 
-/// What the searching came to.
+/// The result of the phases of a search.
 struct Searched {
-  bool settled = false;  ///< nothing gained any more
+  bool settled = false;  ///< no phase gains any more
   optimizer::Roamed roamed;
 };
 
@@ -74,7 +76,7 @@ std::string plural(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// What is to be said where nothing meets the constraints.
+/// The reason where no point meets the constraints.
 std::string missed(const Trials& trials) {
   const Trial& best = trials.best();
   if (!best.answer.possible) return "no point of the search is possible: " + best.answer.why;
@@ -128,7 +130,7 @@ void judge(const Trials& trials, const Searched& how, SearchOutcome& outcome) {
     outcome.reason = missed(trials) + (how.settled ? "" : "; " + ending(trials));
 }
 
-/// What stops further improvement.
+/// Adds the reasons that stop further improvement.
 void add_reasons(const Trials& trials, SearchOutcome& outcome) {
   const Trial& best = trials.best();
   for (std::size_t k = 0; k < trials.size(); ++k)

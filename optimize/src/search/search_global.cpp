@@ -15,13 +15,13 @@
 //   MLSL, BOBYQA      20  13   1                  5      15         20         all 20   (penalty)
 //   ISRES             17   5   0                 20      18         10         all 20
 //
-// DIRECT and MLSL know no constraints and need a penalty, whose weight nobody knows; MLSL and ISRES
-// do not end by themselves. So: multi-start with NLopt's COBYLA, which knows constraints, from places
-// that are good and far from where others went, as MLSL does (A. Rinnooy Kan and G. Timmer,
-// Mathematical Programming 39, 1987), ended by the rule of C. Boender and A. Rinnooy Kan (Math. Prog. 37,
-// 1987): after N searches that found w basins, there are expected to be
+// DIRECT and MLSL do not support constraints and need a penalty, whose right weight is unknown. MLSL and ISRES
+// do not end by themselves. This phase is therefore a multi-start with NLopt's COBYLA, which supports
+// constraints. It starts from good places that are far from earlier searches, as MLSL does (A. Rinnooy Kan and
+// G. Timmer, Mathematical Programming 39, 1987). It ends by the rule of C. Boender and A. Rinnooy Kan (Math.
+// Prog. 37, 1987): after N searches that found w basins, the expected number of basins is
 //
-//   (1)  w (N - 1) / (N - w - 2)     of them, and it is enough where that is below w + 1/2.
+//   (1)  w (N - 1) / (N - w - 2),     and the phase ends where that is below w + 1/2.
 
 namespace jounce::optimizer {
 namespace {
@@ -80,7 +80,7 @@ class Roaming {
                        [&](const Choice& each) { return distance(each, place.z) >= reach(); });
   }
 
-  /// Where a variable has no say, one basin has many ends: equal values are one too.
+  /// Two ends are one basin if their values are equal: a variable without influence gives one basin many ends.
   [[nodiscard]] bool is_same(const Trial& a, const Trial& b) const {
     const double away = std::abs(a.answer.objective - b.answer.objective);
     const bool as_good = a.violation == 0 && b.violation == 0 && away <= 1e-2 * trials_.spread();

@@ -8,23 +8,23 @@
 #include "optimize/src/search/search_steps.hpp"
 #include "optimize/src/solvers/local_solver.hpp"
 
-// NLopt's part of a search. What NLopt answers is not looked at: Trials keeps the best of all that was asked,
-// by its own reading of the constraints (dependencies as measured: infeasible ends are called a success).
+// The local solvers of a search. Trials keeps the best of all evaluated points, by its own evaluation of the
+// constraints. The status of NLopt is ignored: it reports success at infeasible ends.
 //
-// COBYLA needs no derivatives and no smoothness, but creeps in curved valleys; SLSQP with central
-// differences runs along them. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc
-// (5 of 20 starts), with SLSQP before it on none of them.
+// COBYLA needs neither derivatives nor smoothness, but makes small steps in curved valleys. SLSQP with central
+// differences follows such valleys. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc (5 of
+// 20 starts). With SLSQP before it, it failed on none.
 
 namespace jounce::optimizer {
 namespace {
 
-/// The function of a search as a solver sees it: values and slopes of one point are computed once.
+/// The function of a search in the form of a solver. Values and slopes of one point are computed once.
 class Run {
  public:
   Run(Trials& trials, double hair, double difference)
       : trials_(trials), hair_(hair), difference_(difference) {}
 
-  /// Runs a method with its ends set in `local`.
+  /// Runs a method. `local` has its stopping criteria.
   void from(const Choice& z, LocalProblem local) {
     local.lower = Choice(z.size(), 0.0);
     local.upper = Choice(z.size(), 1.0);
@@ -71,21 +71,23 @@ class Run {
   std::vector<Shown> slopes_;
 };
 
-/// Where a run of asking ended: the best since `from`.
+/// The best point since evaluation number `from`.
 Trial best_since(const Trials& trials, std::size_t from) {
   const auto begin = trials.all().begin() + static_cast<std::ptrdiff_t>(from);
   if (begin == trials.all().end()) return trials.best();
   return *std::min_element(begin, trials.all().end(), better);
 }
 
-/// Whether something near the best is better: in each direction of a turned cross, at three distances.
+/// True if a point near the best is better: tries each direction of a turned cross at three distances.
 bool probe(Trials& trials) {
   const Trial before = trials.best();
   const std::size_t n = trials.size();
   for (const double radius : {1e-2, 1e-3, 1e-4})
     for (std::size_t k = 0; k < n; ++k)
       for (const double sign : {1.0, -1.0}) {
-        Choice z = before.z;  // half along axis k, half along the next: edges are often axes
+        Choice z =
+            before
+                .z;  // half along axis k and half along the next axis, because edges are often parallel to an axis
         z[k] = std::clamp(z[k] + sign * radius, 0.0, 1.0);
         z[(k + 1) % n] = std::clamp(z[(k + 1) % n] + radius / 2, 0.0, 1.0);
         trials.at(z);
@@ -93,7 +95,7 @@ bool probe(Trials& trials) {
   return is_gain(trials, before, trials.best());
 }
 
-/// Variables that ended beside a bound are put on it where that is no loss.
+/// Moves variables that ended next to a bound onto it, where that is no loss.
 void settle_at_bounds(Trials& trials) {
   for (std::size_t k = 0; k < trials.size(); ++k) {
     Choice z = trials.best().z;
@@ -134,7 +136,8 @@ bool polish(Trials& trials) {
   const int n = static_cast<int>(trials.size());
   const double smallest = 0.1 * trials.options().tolerance;
   double radius = 0.1;
-  double step = 1e-4;  // of SLSQP's differences: above the noise of an integration, then finer
+  double step =
+      1e-4;  // for the differences of SLSQP: first above the errors of an integration, then finer
   for (int round = 0; round < 12; ++round) {
     const Trial before = trials.best();
     slide(trials, before.z, step, 60);

@@ -10,7 +10,7 @@
 namespace jounce::optimizer {
 namespace {
 
-/// Whether every figure to be minimised is within the tolerance of a proven bound.
+/// True if every minimized figure is within the tolerance of a proven bound.
 bool at_bound(const ShapeProblem& problem, const ShapeOutcome& out) {
   for (std::size_t k = 0; k < problem.minimize.size(); ++k) {
     const FigureResult& r = out.figures[k];
@@ -19,7 +19,7 @@ bool at_bound(const ShapeProblem& problem, const ShapeOutcome& out) {
   return true;
 }
 
-/// What the bounds of the single figures leave open.
+/// The remaining gap of the figures as a sentence.
 std::string gap_text(const ShapeOutcome& out) {
   for (const FigureResult& r : out.figures)
     if (r.bound && r.reached > 0)

@@ -60,7 +60,7 @@ void require_limits(const SplineTimesSpec& spec) {
   for (std::size_t j = 0; j < joints; ++j) {
     const Limits& l = spec.limits[j];
     require_valid(l);
-    if (shortest && !l.jerk)  // the accelerations at the ends would rise in no time
+    if (shortest && !l.jerk)  // the accelerations at the ends would rise in zero time
       throw InputError("limits[" + std::to_string(j + 1) + "].jerk", "",
                        "is missing: the shortest times of splines need a jerk limit");
   }
@@ -76,8 +76,8 @@ void require_valid(const SplineTimesSpec& spec) {
     throw InputError("duration", spec.duration, "is found by times = \"shortest\": leave it out");
 }
 
-/// The first: equal intervals, the outer ones a third of the others. The others: each of them times
-/// 1/e to e.
+/// The intervals of a start. The first start has equal intervals, the outer ones a third of the others. In the
+/// others each interval is multiplied by a factor from 1/e to e.
 std::vector<double> start(const SplineTimesSpec& spec, int which, std::uint64_t& state) {
   std::vector<double> h(spec.points.size() + 1, 3.0);
   h.front() = h.back() = 1;
@@ -91,7 +91,7 @@ bool is_same(double a, double b, double size) {
   return std::abs(a - b) <= agreement * size;
 }
 
-/// Peaks of one joint that are at the limit; each once, though two intervals share a knot.
+/// Adds the peaks of one joint that are at the limit. Each is listed once, though two intervals share a knot.
 void add_active(const Trajectory& f, std::size_t joint, std::size_t order, double limit,
                 const char* kind, std::vector<Finding>& active) {
   const char* quantity = OverTime::names[order];

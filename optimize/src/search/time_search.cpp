@@ -12,8 +12,8 @@
 #include "optimize/src/search/joint_spline.hpp"
 #include "optimize/src/solvers/local_solver.hpp"
 
-// With all intervals times s, velocity, acceleration and jerk go with 1 / s, 1 / s^2, 1 / s^3. So from any
-// intervals the shortest ones of the same ratios are known:
+// If all intervals are multiplied by s, velocity, acceleration and jerk change by 1 / s, 1 / s^2, 1 / s^3. So
+// for any intervals the shortest ones with the same ratios are known:
 //
 //   (1)  s = max over joints and places of  |v| / V,  sqrt(|a| / A),  cbrt(|jerk| / J)
 //
@@ -21,21 +21,20 @@
 // between, |a| at knots, |jerk| constant. The maximum is not smooth; its epigraph is. In the
 // logarithms y of the intervals:
 //
-//   (2)  shortest           minimise log sum h  subject to  +- quantity / limit <= 1, each one
-//   (3)  least_peak_jerk    the same with the jerk alone, limit 1: T^3 max |jerk| is what counts
-//   (4)  least_square_jerk  minimise log(sum of the integrals) + 5 log sum h, free of any limit
+//   (2)  shortest           minimize log sum h  subject to  +- quantity / limit <= 1, each one
+//   (3)  least_peak_jerk    the same with the jerk alone and limit 1: T^3 max |jerk| is minimized
+//   (4)  least_square_jerk  minimize log(sum of the integrals) + 5 log sum h, without limits
 //
-// SLSQP with gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e)
-// has the imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. What the solver
-// answers is not believed: (1) makes it feasible, and the search begins anew there until it
-// gains nothing.
+// SLSQP gets gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e) has the
+// imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. The result of the solver need not
+// be feasible: (1) makes it feasible, and the search starts again there until it gains nothing.
 
 namespace jounce::optimizer {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double step = 1e-100;
-constexpr double farthest = 1e4;  ///< ratio that an interval may change by in one search
+constexpr double farthest = 1e4;  ///< greatest ratio by which an interval changes in one run
 
 struct Peak {
   std::size_t order;  ///< 1: velocity ...
@@ -173,7 +172,8 @@ std::vector<double> exponentials(std::vector<double> y) {
   return y;
 }
 
-/// Makes the intervals as short as the limits allow, or as long as is asked; the objective's value.
+/// Makes the intervals as short as the limits allow, or as long as required. Returns the value of the
+/// objective.
 double settle(const SplineTimesSpec& spec, const TimeProblem& problem, std::vector<double>& h) {
   const double total = std::accumulate(h.begin(), h.end(), 0.0);
   const bool shortest = spec.objective == TimeObjective::shortest;

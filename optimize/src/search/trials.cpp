@@ -16,7 +16,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// NaN compares false with everything: a solver would take it for a constraint that is met.
+/// Marks an answer with NaN as not possible: NaN compares false, so a solver would treat it as a constraint
+/// that is met.
 void refuse_not_finite(SearchAnswer& answer) {
   if (!answer.possible) return;
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -58,7 +59,7 @@ std::vector<double> Trials::numbers(const Choice& z) const {
   for (const SearchVariable& v : variables_) x.push_back(v.start);
   for (std::size_t k = 0; k < free_.size(); ++k) {
     const SearchVariable& v = variables_[free_[k]];
-    // The start and the bounds themselves where they are meant, whatever rounding would make of them.
+    // The start and the bounds are exact, free of rounding.
     if (z[k] == start_[k]) continue;
     const double inner = v.lower + z[k] * (v.upper - v.lower);
     x[free_[k]] = z[k] >= 1 ? v.upper : std::clamp(inner, v.lower, v.upper);
@@ -77,7 +78,7 @@ double Trials::used() const {
 
 void Trials::require_going() {
   if (ended_ == Ended::no && count() >= max_evaluations()) ended_ = Ended::evaluations;
-  // One answer there is always.
+  // There is always one answer.
   if (ended_ == Ended::no && !all_.empty() && used() >= 1) ended_ = Ended::seconds;
   if (ended_ != Ended::no) throw Stop{};
 }

@@ -11,20 +11,20 @@
 
 namespace jounce::optimizer {
 
-/// A choice of the variables that are free, each 0 at its lower bound and 1 at its upper.
+/// A choice of the free variables, each 0 at its lower bound and 1 at its upper.
 using Choice = std::vector<double>;
 
-/// One choice and what it gave.
+/// One choice and its answer.
 struct Trial {
   Choice z;
   SearchAnswer answer;
   double violation = 0;  ///< the largest constraint, in its usual size; 0: all are met
 };
 
-/// Thrown out of Trials::at(), through whatever searches: there is no more to be asked.
+/// Thrown out of Trials::at(), through the running phase: the budget is spent or the caller stops the search.
 struct Stop {};
 
-/// Everything that was asked of a search's function: counts, keeps the best, ends in time.
+/// All evaluations of the function of a search: counts them, keeps the best and ends in time.
 class Trials {
  public:
   enum class Ended { no, evaluations, seconds, cancelled };
@@ -32,7 +32,7 @@ class Trials {
   Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
          const OptimizeOptions& options, const KeepGoing& keep_going);
 
-  /// Asks, except for the choice asked last. Throws Stop.
+  /// Evaluates a choice, unless it is the last one. Throws Stop.
   const Trial& at(const Choice& z);
 
   [[nodiscard]] const Choice& start() const { return start_; }
@@ -48,11 +48,11 @@ class Trials {
   [[nodiscard]] bool any_possible() const { return !all_.empty() && best().answer.possible; }
   [[nodiscard]] int count() const { return static_cast<int>(all_.size()); }
   [[nodiscard]] Ended ended() const { return ended_; }
-  /// The share used of evaluations or seconds, whichever is more.
+  /// The used share of the evaluations or of the time, whichever is greater.
   [[nodiscard]] double used() const;
 
-  /// Constraints and objective are measured by their usual sizes from here on: medians of what was
-  /// asked so far.
+  /// From here on, constraints and objective are measured by their usual sizes, the medians of the evaluations
+  /// so far.
   void settle_scales();
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
   [[nodiscard]] double spread() const { return spread_; }  ///< spread of the objective
@@ -76,8 +76,8 @@ class Trials {
   Ended ended_ = Ended::no;
 };
 
-/// What meets its constraints before what does not, the lower objective or violation first; what is
-/// not possible last.
+/// True if a is better. Choices that meet their constraints come before the others, then the lower objective or
+/// violation decides. Choices that are not possible come last.
 bool better(const Trial& a, const Trial& b);
 
 /// The largest distance in any variable.

@@ -17,14 +17,14 @@ namespace {
 using Status = OptimizeStatus;
 using detail::CamRunOf;
 
-/// So that what was minimised may still be met where its least value is 0: of its given value.
+/// Share of the given value of a figure: permits a later stage where the least value of an earlier figure is 0.
 constexpr double least_concession = 1e-6;
 
-/// How true positions are, relative: of doubles, and of the joints of a spline from an iteration.
+/// Relative accuracy of positions: of doubles, and of the joints of a spline after an iteration.
 constexpr double rounding = 1.2e-16;
 constexpr double joints = 1e-11;
 
-/// Passes the progress of one stage of one run on, as progress of the whole.
+/// Passes on the progress of one stage of one run as progress of the whole.
 struct Watch {
   const KeepGoing& keep_going;
   std::size_t run = 0;
@@ -52,7 +52,7 @@ std::vector<Ceiling> kept(const CamShapeProblem& problem, const std::vector<Figu
   return ceilings;
 }
 
-/// What became of one figure of a run.
+/// The result for one figure of a run.
 FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
                        const std::vector<Segment>& shape) {
   run.minimize = {{figure}};
@@ -63,7 +63,7 @@ FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
   return optimizer::figure_results(run, model.space, given, shape).front();
 }
 
-/// The figures of all entries of `minimize`, whether their turn came or not, then those of the ceilings.
+/// The figures of all entries of `minimize`, including those that were not reached, then those of the ceilings.
 std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const ShapeProblem& run,
                                      const std::vector<Segment>& shape) {
   std::vector<FigureResult> figures;
@@ -73,10 +73,10 @@ std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const Shape
   return figures;
 }
 
-/// One entry of `minimize` after the other, until one fails: then what was reached before stands.
+/// Minimizes one entry of `minimize` after the other. If one fails, the result of the one before stands.
 ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
   ShapeOutcome best;
-  std::vector<FigureResult> stages;  // of those before
+  std::vector<FigureResult> stages;  // results of the earlier entries
   for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
     watch.stage = stage;
     run.minimize = problem.minimize[stage];
@@ -105,7 +105,7 @@ CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, Sha
   return outcome;
 }
 
-/// check() of the cam as designed, told by the segments of the spec.
+/// check() of the cam as designed, with the segments of the spec.
 Report limits_of(const CamSpec& cam, const Limits& limits) {
   const CamDesign made = design(cam);
   Report report = check(made.cam, limits);
@@ -114,7 +114,7 @@ Report limits_of(const CamSpec& cam, const Limits& limits) {
   return report;
 }
 
-/// The outcome of all runs from that of each.
+/// Combines the outcomes of the runs.
 void sum_up(CamShapeOutcome& outcome) {
   outcome.status = Status::optimal;
   outcome.feasible = outcome.limits.ok();
@@ -135,7 +135,7 @@ void sum_up(CamShapeOutcome& outcome) {
   outcome.bound = outcome.runs.front().shape.bound;
 }
 
-/// Whether a segment that begins at x keeps a corridor, to the digits that `check` forgives.
+/// True if a segment that begins at x keeps a corridor, to the digits of `check`.
 bool keeps(const Corridor& corridor, const Segment& segment, double x) {
   if (corridor.from == corridor.to || x + segment.length > corridor.to * (1 + rounding) ||
       x < corridor.from * (1 - rounding))
@@ -154,7 +154,7 @@ bool keeps(const Corridor& corridor, const Segment& segment, double x) {
                corridor.lower->at_from - forgiven * std::abs(corridor.lower->at_from));
 }
 
-/// Whether the segments of a run keep the corridors of derivatives as designed.
+/// True if the segments of a run keep the corridors of derivatives as designed.
 bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
                      const CamRunOf& run) {
   const CamDesign made = design(cam);
@@ -167,7 +167,7 @@ bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
   return true;
 }
 
-/// Whether the segments of a run keep the limits as designed.
+/// True if the segments of a run keep the limits as designed.
 bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamRunOf& run) {
   if (!keeps_corridors(cam, problem.corridors, run)) return false;
   const Report report = limits_of(cam, problem.limits);
@@ -177,8 +177,8 @@ bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamR
   });
 }
 
-/// Optimises one run and puts it into outcome.best. What keeps the limits as a spline may break them in
-/// the last digits as points: then once more, by as much below.
+/// Optimizes one run and writes it to outcome.best. A spline that keeps the limits may break them in the last
+/// digits when it is written as points. Then the run is optimized again with tighter limits.
 void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
               CamShapeOutcome& outcome) {
   const double parts = static_cast<double>(watch.runs * watch.stages);

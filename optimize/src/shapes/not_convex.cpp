@@ -37,7 +37,7 @@ std::vector<SearchedFigure> parts_of(const ShapeProblem& p, const std::vector<Se
   return parts;
 }
 
-/// Whether there is one figure to minimise, with a bound, and it is there.
+/// True if there is one figure to minimize and it is at its bound.
 bool at_bound(const ShapeProblem& problem, const std::vector<Segment>& shape) {
   if (problem.minimize.size() != 1) return false;
   const ShapeFigure& figure = problem.minimize.front().figure;
@@ -78,7 +78,7 @@ bool needs_search(const ShapeProblem& problem) {
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
                              const KeepGoing& keep_going) {
   SearchBudget budget{.most_evaluations = problem.options.budget.evaluations.value_or(2000)};
-  if (problem.options.budget.seconds)  // for ever is a year: more would not fit the clock
+  if (problem.options.budget.seconds)  // at most a year: more would overflow the clock
     budget.until =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
                            std::min(*problem.options.budget.seconds, 3e7)));
@@ -104,7 +104,8 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
     std::vector<double> knots = search->finer(best.shape);
     if (budget.spent() || knots.size() == search->pieces() + 1) break;
     if (at_bound(problem, best.shape)) break;
-    // Not from the best: at its vertex of active rows SLSQP does not move, however much finer the knots.
+    // Starts from the given shape: at the vertex of active rows of the best one SLSQP does not move, even with
+    // finer knots.
     search = std::make_unique<FixedKnots>(problem, parts, std::move(knots), given);
     FoundShape now = search->run(search->beside(0), budget, keep_going);
     const bool worth_it = search->gain(now, best, 0.2);

@@ -11,18 +11,19 @@
 #include "optimize/src/shapes/optimized_from.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
-// Where the least peak is that of the highest derivative, the optimum is +-peak on every piece but those
-// in which it ought to switch: there it is the mean. A piece with the mean b between neighbours with a
-// and c switches where the mean is kept, at the share
+// If the figure is the peak of the highest derivative, the optimum is +-peak on every piece, except where it
+// should switch within a piece: there it is the mean. A piece with the mean b between neighbors with a and c
+// switches where the mean is preserved, at the share
 //
 //   (1)  s = (b - c) / (a - c)
 //
-// of its length. A knot there, and the next optimum has less to average. A piece with a mean b beyond both neighbours, or at an
-// end, holds a shorter stretch at a limit l of that derivative (its peak, or an edge of a corridor), and beside it the value a of a neighbour:
+// of its length. With a knot there, the next optimum averages less. A piece with a mean b beyond both
+// neighbors, or at an end, contains a shorter interval at a limit l of that derivative (its peak, or an edge of
+// a corridor), and beside it the value a of a neighbor:
 //
-//   (2)  share of the stretch = (b - a) / (l - a)
+//   (2)  share of the interval = (b - a) / (l - a)
 //
-// next to the neighbour that is like b, else in the middle.
+// next to the neighbor whose value is like b, otherwise in the middle.
 
 namespace jounce {
 namespace {
@@ -35,9 +36,9 @@ using Clock = std::chrono::steady_clock;
 using End = ShapeSolution::End;
 
 constexpr int max_refinements = 12;
-constexpr int max_lowerings = 3;  ///< of limits that a solution exceeds by rounding
+constexpr int max_lowerings = 3;  ///< attempts with lower limits, if rounding exceeds them
 constexpr std::size_t most_new_knots = 24;
-constexpr double shortest_piece = 1e-7;  ///< of the shape
+constexpr double shortest_piece = 1e-7;  ///< share of the length of the shape
 
 /// A place for a knot.
 struct KnotPlace {
@@ -45,13 +46,13 @@ struct KnotPlace {
   double x = 0;
 };
 
-/// What the highest derivative may be on a piece.
+/// The range of the highest derivative on a piece.
 struct TopRange {
   double lower = -HUGE_VAL;
   double upper = HUGE_VAL;
 };
 
-/// Finds where (1) and (2) want knots.
+/// Finds the places of new knots by (1) and (2).
 class Switches {
  public:
   Switches(const ShapeProblem& problem, const ShapeModel& model, const Coordinates& z)
@@ -62,7 +63,7 @@ class Switches {
     }
   }
 
-  /// The largest steps first.
+  /// The places with the largest steps first.
   std::vector<double> places() {
     for (std::size_t i = 0; i < top_.size(); ++i) look(i);
     std::sort(found_.begin(), found_.end(), [](auto& a, auto& b) { return a.weight > b.weight; });
@@ -110,7 +111,7 @@ class Switches {
            std::count_if(q.by.begin(), q.by.end(), [](double by) { return by != 0; }) == 1;
   }
 
-  /// By corridors, and by the peak that is minimised.
+  /// The range by corridors, and by the peak that is minimized.
   [[nodiscard]] TopRange range_of(std::size_t i) const {
     TopRange range;
     const double x = space_.knots()[i] + space_.length(i) / 2;
@@ -139,8 +140,8 @@ class Switches {
   std::vector<KnotPlace> found_;
 };
 
-/// Of a response and of its rms, which is not above it: planes hold what is next to nothing, a
-/// multiplier does not.
+/// The peak of a response, also for its rms, which is not above it: planes can hold a value close to zero, a
+/// multiplier cannot.
 ShapeFigure peak_of(const ShapeFigure& figure) {
   if (const auto* rms = std::get_if<RmsResponseOf>(&figure)) return ResponseOf{rms->name, rms->of};
   return figure;
@@ -148,7 +149,7 @@ ShapeFigure peak_of(const ShapeFigure& figure) {
 
 class ShapeSearch {
  public:
-  /// `start`: a shape to begin with; none: the given one.
+  /// `start`: the first shape; none: the given one.
   ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start, const KeepGoing& keep_going)
       : problem_(problem),
         keep_going_(keep_going),
@@ -188,8 +189,8 @@ class ShapeSearch {
     }
   }
 
-  /// Whether responses alone are minimised and only rounding is left of them, which may have stopped
-  /// the solver.
+  /// True if only responses are minimized and their values are only rounding, which may have stopped the
+  /// solver.
   [[nodiscard]] bool nothing_left() const {
     using Status = OptimizeStatus;
     const bool answers = std::all_of(problem_.minimize.begin(), problem_.minimize.end(),
@@ -201,7 +202,7 @@ class ShapeSearch {
     return out_.value <= nothing_ || out_.status == Status::stalled;
   }
 
-  /// Many shapes leave nothing, most of them wild: of all, the one with the least rms jerk.
+  /// Many shapes have a figure of zero, and most of them oscillate. Takes the one with the least rms jerk.
   void take_smoothest() {
     ShapeProblem calm = problem_;
     calm.minimize = {{RmsOf{derivative_of_shape(std::min(3, problem_.degree))}}};
@@ -227,8 +228,8 @@ class ShapeSearch {
         "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
   }
 
-  /// The pieces of a solution join exactly, which may take a limit beyond the last digits of the solver:
-  /// then once more, below it. The bound stays that of the problem.
+  /// Solves the program. The pieces of a solution join exactly, which may exceed a limit by the rounding of the
+  /// solver. Then it is solved again with a lower limit. The bound remains that of the problem.
   ShapeSolution improve(const ShapeModel& model, const std::vector<double>& knots,
                         const std::vector<Segment>& from) {
     ShapeSolution found = improve(model, model.space.coordinates(from));
@@ -262,7 +263,7 @@ class ShapeSearch {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  /// Whether every figure with a known bound is at it, and there is one.
+  /// True if every figure has a known bound and is at it.
   [[nodiscard]] bool near_bound() const {
     bool any = false;
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k) {
@@ -273,7 +274,7 @@ class ShapeSearch {
     return any;
   }
 
-  /// The outcome of these knots, unless the one before was better; whether it is taken.
+  /// Takes the outcome of these knots, unless the one before was better. Returns true if it is taken.
   bool take(const ShapeModel& model, const ShapeSolution& found) {
     std::vector<Segment> shape = model.space.segments(found.z);
     optimizer::make_exact(problem_, shape);
@@ -290,7 +291,7 @@ class ShapeSearch {
     out_.value = value;
     out_.limits = std::move(limits);
     out_.bound = found.bound;
-    if (found.bound)  // no figure is below 0
+    if (found.bound)  // a figure is never below 0
       out_.bound = std::max(*found.bound * model.scale, 0.0);
     nothing_ = 0;
     nothing_of_.clear();
@@ -343,7 +344,7 @@ class ShapeSearch {
   double scale_ = 1;  ///< scale of the model
   ShapeOutcome out_;
   bool out_of_time_ = false;
-  double nothing_ = 0;              ///< a sum that is only rounding
+  double nothing_ = 0;              ///< weighted sum that is only rounding
   std::vector<double> nothing_of_;  ///< the same of each figure
 };
 

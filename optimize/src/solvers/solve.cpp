@@ -21,7 +21,7 @@ struct Constraints {
     return program.rows.size() + 2 * program.space.variables.size();
   }
 
-  /// `gradient`, row by row, is always written.
+  /// Always writes `gradient`, row by row.
   void operator()(std::span<double> result, std::span<const double> x,
                   std::span<double> gradient) const {
     const std::size_t n = x.size() - 1;
@@ -71,8 +71,8 @@ struct Tangents {
   std::vector<double> slope;
 };
 
-/// SLSQP from (0, t) with |y| <= radius. Rows are scaled to 1. A row may be exceeded by less than the margin that the caller
-/// keeps. NaN stops the run: NLopt would take it for a constraint that holds.
+/// SLSQP from (0, t) with |y| <= radius. Rows are scaled to 1. A row may be exceeded by less than the margin
+/// that the caller keeps. NaN stops the run: NLopt would treat it as a constraint that holds.
 template <class Function>
 Solved run(const Program& program, const Whitening& whitening, const Function& function, double t,
            double radius, int max_evaluations, const std::function<bool()>& go_on) {

@@ -64,7 +64,7 @@ class Tuned {
     }
   }
 
-  /// The rule behind each constraint; what is required follows, lower and upper bounds in turn.
+  /// The rule of each constraint. The required figures follow, each with its lower and then its upper bound.
   [[nodiscard]] const std::vector<std::string>& rules() const { return rows_.rules(); }
 
   [[nodiscard]] std::vector<TunedFigure> figures(const Assessment& at) const {
@@ -84,7 +84,7 @@ class Tuned {
   }
 
  private:
-  /// A variable is counted as the file counts it: what is written back is what was searched.
+  /// A variable has the unit of the file, so the number that is written is the number of the search.
   void add(std::size_t i) {
     const SpecParameter& p = wanted_.parameters[i];
     const std::string written = numbers_.unit(p.key);
@@ -149,7 +149,7 @@ bool meets(const SearchAnswer& answer) {
                      [](double constraint) { return constraint <= 0; });
 }
 
-/// x to so many decimals, each up or down as the bits of `how` say.
+/// Rounds x to a number of digits, each entry up or down according to the bits of `how`.
 Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, int digits,
                  unsigned how) {
   Point y = x;
@@ -166,7 +166,8 @@ Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, i
   return y;
 }
 
-/// The best in as few digits as lose no more than half the tolerance: three of the range to nine.
+/// Rounds the best to the fewest digits that cost no more than half the tolerance: from three digits of the
+/// range to nine.
 void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best) {
   const double objective = best.answer.objective;
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
@@ -228,7 +229,7 @@ void add_numbers(const Tuned& tuned, TuneOutcome& outcome) {
   }
 }
 
-/// What is required and not held, as sentences.
+/// The required figures that are not met, as sentences.
 std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
   std::vector<std::string> all;
   const auto add = [&](const TunedFigure& f, const char* bound, double limit) {
@@ -242,7 +243,7 @@ std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
   return all;
 }
 
-/// What the spec came to as it was given; nothing where it cannot be made.
+/// The figures of the given spec; none if it cannot be made.
 std::vector<TunedFigure> given_figures(Tuned& tuned) {
   Point start;
   for (const SearchVariable& v : tuned.variables()) start.push_back(v.start);

@@ -72,9 +72,9 @@ struct CamRunOutcome {
   ShapeOutcome shape;
 };
 
-/// The cam `best` has laws `hermite` in place of the free ones. Status and reason are those of the worst run; figures,
-/// active constraints and counts are those of all runs in turn. `limits` is check(best, limits), with segments of
-/// the spec counted from 0.
+/// The cam `best` has laws `hermite` in place of the free ones. Status and reason are those of the worst run;
+/// figures, active constraints and counts are those of all runs in turn. `limits` is check(best, limits),
+/// with segments of the spec counted from 0.
 struct CamShapeOutcome : Outcome<CamSpec> {
   std::vector<CamRunOutcome> runs = {};
 };

@@ -32,7 +32,7 @@ struct Budget {
   std::optional<double> seconds = {};   ///< > 0; the result then depends on the machine
 };
 
-/// How an optimizer works. The same problem, options and evaluations give the same outcome.
+/// Options of an optimizer. The same problem, options and evaluations give the same outcome.
 struct OptimizeOptions {
   double tolerance = 1e-6;         ///< relative, of the objective; in [1e-9, 1]
   std::uint64_t seed = 1;          ///< seed of random starts
@@ -40,13 +40,14 @@ struct OptimizeOptions {
   Budget budget = {};
 };
 
-/// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value out of its range.
+/// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value out of
+/// its range.
 void require_valid(const OptimizeOptions& options, double greatest_tolerance = 1);
 
 /// State of a run.
 struct OptimizeProgress {
   double done = 0;      ///< estimated share of the work, in [0, 1]
-  std::size_t run = 0;  ///< of `runs`: a cam may have several runs of free segments
+  std::size_t run = 0;  ///< index of the run of free segments of a cam
   std::size_t runs = 1;
   std::size_t stage = 0;  ///< index into `minimize` of the problem
   int round = 0;          ///< rounds of an exchange method so far
@@ -55,7 +56,8 @@ struct OptimizeProgress {
       {};  ///< value of the objective so far; none: no feasible point yet
 };
 
-/// Receives the progress between evaluations. Return false to stop: the outcome is then `cancelled`, with the best so far.
+/// Receives the progress between evaluations. Return false to stop: the outcome is then `cancelled`, with the
+/// best so far.
 using KeepGoing = std::function<bool(const OptimizeProgress&)>;
 
 /// From the best end to the worst.
@@ -74,7 +76,8 @@ struct FigureResult {
   std::string name;    ///< "peak geo_jerk"
   double given = 0;    ///< value of the given curve
   double reached = 0;  ///< value of the best one
-  /// Proven: nothing within the constraints has less, if this figure alone is minimized; none: no bound is known.
+  /// Proven: nothing within the constraints has less, if this figure alone is minimized; none: no bound is
+  /// known.
   std::optional<double> bound = {};
 
   /// The greatest share of `reached` that can still be saved: 0 at the bound; none: no bound is known.
@@ -93,8 +96,8 @@ struct Outcome {
   std::optional<double> bound = {};
   std::vector<FigureResult> figures = {};  ///< those of `minimize`, then those that are limited
   Report limits = {};  ///< constraints of `best`, judged independently of the solver
-  /// What stops further improvement: limits reached ("limit/..."), free quantities at a bound ("bound/..."), places where
-  /// a peak is attained ("objective/...").
+  /// The reasons that stop further improvement: limits reached ("limit/..."), free quantities at a bound ("bound/..."),
+  /// places where a peak is attained ("objective/...").
   std::vector<Finding> active = {};
   int evaluations = 0;
   int starts = 0;    ///< starts of a multi-start that were tried

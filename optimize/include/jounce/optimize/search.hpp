@@ -30,11 +30,12 @@ struct SearchAnswer {
 
 using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>;
 
-/// The result of a search: `best` are the numbers. `status` is never `optimal`: a search proves nothing. `feasible` follows
-/// from one more evaluation at the end. `limits` has one finding "constraint/N" for each constraint, `active` those that
-/// are met to 1e-4 of their usual size, and "bound/NAME" of the variables at a bound.
+/// The result of a search: `best` are the numbers. `status` is never `optimal`: a search proves nothing.
+/// `feasible` follows from one more evaluation at the end. `limits` has one finding "constraint/N" for each
+/// constraint, `active` those that are met to 1e-4 of their usual size, and "bound/NAME" of the variables at
+/// a bound.
 struct SearchOutcome : Outcome<std::vector<double>> {
-  SearchAnswer answer = {};  ///< of the function at `best`
+  SearchAnswer answer = {};  ///< answer of the function at `best`
   std::vector<std::size_t> at_bound =
       {};                             ///< variables that are at a bound, except those that stay
   std::vector<std::size_t> met = {};  ///< constraints met to 1e-4 of their usual size
@@ -60,8 +61,8 @@ struct SearchOutcome : Outcome<std::vector<double>> {
 /// range is bisected to 1e-3 of the tolerance, each dip narrowed down to the tolerance. The search needs
 /// neither monotonicity nor convexity; it can miss an island narrower than a 256th of the range.
 ///
-/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the objective and of each
-/// range; `starts`: the most local searches of the global phase, and 1 leaves that phase out.
+/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the objective and
+/// of each range; `starts`: the most local searches of the global phase, and 1 leaves that phase out.
 ///
 /// **Several variables** with a bound that is feasible only within a hair's breadth, or a best in a
 /// narrow curved valley, may end early: the status is `stalled` if that was detected.

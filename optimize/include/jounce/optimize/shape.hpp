@@ -40,8 +40,8 @@ struct RmsOf {
   LinearQuantity quantity;
 };
 
-/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end, the worst
-/// over a band: frequencies in cycles per unit of x, damping ratios.
+/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end,
+/// the worst over a band: frequencies in cycles per unit of x, damping ratios.
 struct ResidualOf {
   double low = 0;
   double high = 0;  ///< low == high: one frequency
@@ -171,23 +171,23 @@ struct ShapeProblem {
   std::vector<WeightedFigure> minimize = {};
   std::vector<Corridor> corridors = {};
   std::vector<Ceiling> ceilings = {};
-  /// Where a figure is not convex: 3 starts and 2000 evaluations unless stated.
+  /// A figure that is not convex has 3 starts and 2000 evaluations unless stated.
   OptimizeOptions options = {};
 };
 
 /// Result of optimize_shape(): `best` is the shape, from `begin` on.
 ///
-/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its places (ResponseOf). `value`
-/// is the weighted sum. `bound` follows by weak duality, for convex problems: no spline over these knots, of up to 1000
-/// times the size of this one in every derivative, has a weighted sum below. (One beyond, k times as far, could be better
-/// by k times what `value` is above the bound, and no more.)
+/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its places
+/// (ResponseOf). `value` is the weighted sum. `bound` follows by weak duality, for convex problems: no spline
+/// over these knots, of up to 1000 times the size of this one in every derivative, has a weighted sum below.
+/// (One beyond, k times as far, could be better by k times what `value` is above the bound, and no more.)
 ///
-/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also "fixed/..." and
-/// "joint/..." where it misses what is fixed at an end, or a joint.
+/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also "fixed/..."
+/// and "joint/..." where it misses what is fixed at an end, or a joint.
 using ShapeOutcome = Outcome<std::vector<Segment>>;
 
-/// Throws InputError as require_valid() does. The progress comes between two rounds and, with the same number, many
-/// times within one.
+/// Throws InputError as require_valid() does. The progress comes between two rounds and, with the same
+/// number, many times within one.
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going = {});
 
 void require_valid(const ShapeProblem& problem);

@@ -51,9 +51,9 @@ struct SplineTimes {
   std::vector<Trajectory> joints;  ///< exact; each holds outside
 };
 
-/// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves nothing: it is `converged`
-/// where several starts agree on the best to 1e-6, and `stalled` where one start alone reached it. `limits` checks all joints by
-/// exact extrema. `active`: limits met to 1e-6 and peaks of the objective.
+/// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves nothing: it is
+/// `converged` where several starts agree on the best to 1e-6, and `stalled` where one start alone reached
+/// it. `limits` checks all joints by exact extrema. `active`: limits met to 1e-6 and peaks of the objective.
 struct SplineTimesOutcome : Outcome<SplineTimes> {
   double spread = 0;  ///< relative difference of the best two starts
 };

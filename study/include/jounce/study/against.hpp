@@ -14,14 +14,14 @@ namespace jounce {
 struct Against {
   Drive drive = {};     ///< position_per_rev in the slave's unit
   double velocity = 0;  ///< velocity of the master, units a second, > 0
-  double settle = 0.2;  ///< s of standstill after the cam's end: where the residual is looked at
+  double settle = 0.2;  ///< s of standstill after the cam's end, for the residual
   bool periodic =
-      false;           ///< the cam repeats endlessly: its steady state; then nothing of a residual
+      false;           ///< the cam repeats endlessly: its steady state; then there is no residual
   int max_rounds = 8;  ///< max rounds of a drive that is not linear
 };
 
-/// The outcome of the shapes, whose bounds hold only where the drive is linear, and what the drive does. `feasible` includes
-/// `real`; `rounds` counts the solutions of the shapes.
+/// The outcome of the shapes, and the behavior of the drive. Bounds hold only where the drive is linear.
+/// `feasible` includes `real`; `rounds` counts the solutions of the shapes.
 struct AgainstOutcome : CamShapeOutcome {
   DriveResult driven_given;  ///< the given cam, integrated
   DriveResult driven_best;   ///< the best cam, integrated
