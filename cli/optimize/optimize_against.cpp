@@ -16,7 +16,7 @@ namespace jounce::cli {
 namespace {
 
 /// The drive of --against in the units of the cam.
-Against against_of(const OptimizeOptions& options, const Spec& spec) {
+Against against_of(const OptimizeArguments& options, const Spec& spec) {
   const Spec file = read_spec(options.against);
   if (!file.drive)
     throw file.document.located(InputError("drive", "", "is missing: --against needs a [drive]"));
@@ -36,28 +36,29 @@ Against against_of(const OptimizeOptions& options, const Spec& spec) {
   return against;
 }
 
-std::string unit_of(const DriveFigureResult& figure, const ShapeWords& words) {
+std::string unit_of(const FigureResult& figure, const ShapeWords& words) {
   return figure.name.ends_with("torque") ? "N m" : words.labels().units.position;
 }
 
 void print_drive(std::FILE* out, const AgainstOutcome& outcome, const ShapeWords& words) {
-  if (outcome.figures.empty()) return;
+  if (outcome.driven_figures.empty()) return;
   fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}\n", "by integration", "given", "reached",
              "", "saved");
-  for (const DriveFigureResult& f : outcome.figures)
+  for (const FigureResult& f : outcome.driven_figures)
     fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", f.name, rounded(f.given),
                rounded(f.reached), "",
                f.given > 0 ? fmt::format("{:.2f} %", 100 * (1 - f.reached / f.given)) : "-",
                unit_of(f, words));
-  for (const auto& [whose, run] : {std::pair{"given", &outcome.given}, {"reached", &outcome.best}})
+  for (const auto& [whose, run] :
+       {std::pair{"given", &outcome.driven_given}, {"reached", &outcome.driven_best}})
     if (!run->saturation.empty())
       fmt::print(out, "  - the torque of the {} cam reaches its limit {} times\n", whose,
                  run->saturation.size());
 }
 
-Json json_of(const AgainstOutcome& outcome, const ShapeWords& words) {
+Json drive_json(const AgainstOutcome& outcome, const ShapeWords& words) {
   Json figures = Json::array();
-  for (const DriveFigureResult& f : outcome.figures)
+  for (const FigureResult& f : outcome.driven_figures)
     figures.push_back({{"figure", f.name},
                        {"unit", unit_of(f, words)},
                        {"given", f.given},
@@ -65,28 +66,28 @@ Json json_of(const AgainstOutcome& outcome, const ShapeWords& words) {
   return {{"real", outcome.real},
           {"rounds", outcome.rounds},
           {"figures", figures},
-          {"saturated", !outcome.best.saturation.empty()}};
+          {"saturated", !outcome.driven_best.saturation.empty()}};
 }
 
 }  // namespace
 
-int optimize_against(const OptimizeOptions& options, const Spec& spec) {
+int optimize_against(const OptimizeArguments& options, const Spec& spec) {
   const CamShapeProblem problem = make_shape_problem(spec, true);
   const Against against = against_of(options, spec);
   const ShapeWords words(spec);
-  const AgainstOutcome outcome = watched(words, [&](const CamShapeKeepGoing& keep_going) {
-    return jounce::optimize_against(problem, against, keep_going);
-  });
-  Json document = json_of(outcome.shapes, words);
-  document["usable"] = outcome.usable();
-  document["drive"] = json_of(outcome, words);
+  const AgainstOutcome outcome = watched(
+      "optimising", [&](const OptimizeProgress& p) { return words.stage(p); },
+      [&](const KeepGoing& keep_going) {
+        return jounce::optimize_against(problem, against, keep_going);
+      });
+  Json document = json_of(outcome, words);
+  document["drive"] = drive_json(outcome, words);
   if (!options.json) {
-    print_text(told_on(options), outcome.shapes, words);
+    print_text(told_on(options), outcome, words);
     print_drive(told_on(options), outcome, words);
   }
-  return finish(
-      options, spec, std::move(document),
-      outcome.usable() ? std::optional(with_shapes(spec, outcome.shapes.best)) : std::nullopt);
+  return finish(options, spec, std::move(document),
+                outcome.usable() ? std::optional(with_shapes(spec, outcome.best)) : std::nullopt);
 }
 
 }  // namespace jounce::cli

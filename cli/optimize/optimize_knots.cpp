@@ -5,15 +5,13 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/ramped_limits.hpp"
 #include "jounce/optimize/optimize.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/edit.hpp"
 
-#include "cli/common/interrupt.hpp"
 #include "cli/common/json.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/optimize/optimizing.hpp"
+#include "cli/optimize/watched.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -42,16 +40,18 @@ std::string active_sentence(const Finding& finding, const Labels& labels) {
                      where);
 }
 
-void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
+void print_text(std::FILE* out, const CamProblem& problem, const Outcome<CamSpec>& outcome,
+                const Labels& labels) {
   fmt::print(out, "{}: {}\n", name(outcome.status), outcome.reason);
   fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
              "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
-  for (const auto& r : outcome.objectives) {
-    const bool known = r.bound > 0 || r.reached == 0;
-    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>11}   {}\n", name(r.objective),
-               rounded(r.given), rounded(r.reached), known ? rounded(r.bound) : "-",
-               known ? fmt::format("{:.2f} %", 100 * r.gap()) : "-",
-               objective_unit(r.objective, labels.units));
+  for (std::size_t k = 0; k < outcome.figures.size(); ++k) {
+    const FigureResult& r = outcome.figures[k];
+    const bool known = *r.bound > 0 || r.reached == 0;
+    fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>11}   {}\n", r.name, rounded(r.given),
+               rounded(r.reached), known ? rounded(*r.bound) : "-",
+               known ? fmt::format("{:.2f} %", 100 * *r.gap()) : "-",
+               objective_unit(problem.minimize[k], labels.units));
   }
   if (outcome.usable())
     for (const auto& finding : outcome.active)
@@ -60,15 +60,18 @@ void print_text(std::FILE* out, const Outcome& outcome, const Labels& labels) {
     fmt::print(out, "least violated:\n{}", full_text(outcome.limits, labels));
 }
 
-nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
+nlohmann::ordered_json json_of(const CamProblem& problem, const Outcome<CamSpec>& outcome,
+                               const Labels& labels) {
   Json objectives = Json::array();
-  for (const auto& r : outcome.objectives)
-    objectives.push_back({{"objective", name(r.objective)},
-                          {"unit", objective_unit(r.objective, labels.units)},
+  for (std::size_t k = 0; k < outcome.figures.size(); ++k) {
+    const FigureResult& r = outcome.figures[k];
+    objectives.push_back({{"objective", r.name},
+                          {"unit", objective_unit(problem.minimize[k], labels.units)},
                           {"given", r.given},
                           {"reached", r.reached},
-                          {"bound", r.bound},
-                          {"gap", r.gap()}});
+                          {"bound", *r.bound},
+                          {"gap", *r.gap()}});
+  }
   Json active = Json::array();
   for (const auto& finding : outcome.active)
     active.push_back({{"rule", finding.rule},
@@ -88,25 +91,15 @@ nlohmann::ordered_json json_of(const Outcome& outcome, const Labels& labels) {
 
 }  // namespace
 
-int optimize_knots(const OptimizeOptions& options, const Spec& spec) {
+int optimize_knots(const OptimizeArguments& options, const Spec& spec) {
   const CamProblem problem = make_problem(spec);
-  const RampedLimits ramped = ramped_limits(spec);
   const Labels labels = labels_of(spec);
-  Outcome outcome;
-  {
-    Progress progress("optimising");
-    const Interrupt interrupt;
-    outcome = optimize(problem, ramped, [&](const OptimizeProgress& p) {
-      const double stages = static_cast<double>(problem.minimize.size());
-      const double done =
-          static_cast<double>(p.objective) +
-          static_cast<double>(p.start) / static_cast<double>(std::max<std::size_t>(p.starts, 1));
-      progress.show(done / stages, name(problem.minimize[p.objective]));
-      return !interrupt.asked();
-    });
-  }
-  if (!options.json) print_text(told_on(options), outcome, labels);
-  return finish(options, spec, json_of(outcome, labels),
+  const auto outcome = watched(
+      "optimising",
+      [&](const OptimizeProgress& p) { return std::string(name(problem.minimize[p.stage])); },
+      [&](const KeepGoing& keep_going) { return optimize(problem, keep_going); });
+  if (!options.json) print_text(told_on(options), problem, outcome, labels);
+  return finish(options, spec, json_of(problem, outcome, labels),
                 outcome.usable() ? std::optional(with_knots(spec, outcome.best)) : std::nullopt);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any numbers of a spec.
 #include <algorithm>
-#include <chrono>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,10 +8,9 @@
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/tune.hpp"
 
-#include "cli/common/interrupt.hpp"
 #include "cli/common/json.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/optimize/optimizing.hpp"
+#include "cli/optimize/watched.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -84,29 +82,23 @@ Json json_of(const TuneOutcome& outcome, const Spec& spec) {
           {"active", outcome.active},
           {"limits", Json::parse(to_json(outcome.report, labels))},
           {"evaluations", search.evaluations},
-          {"searches", search.searches}};
+          {"searches", search.starts}};
 }
 
 TuneOutcome searched(const Spec& spec) {
-  Progress progress("searching");
-  const Interrupt interrupt;
-  const auto begun = std::chrono::steady_clock::now();
-  const SearchOptions& options = spec.parameters->options;
-  return tune(spec, [&](const SearchProgress& p) {
-    double share = static_cast<double>(p.evaluations) / options.max_evaluations;
-    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begun;
-    if (options.seconds) share = std::max(share, gone.count() / *options.seconds);
-    const double sign = spec.parameters->maximize ? -1 : 1;
-    progress.show(share,
-                  p.best ? fmt::format("{} {}", spec.parameters->figure, rounded(sign * *p.best))
-                         : std::string("nothing feasible yet"));
-    return !interrupt.asked();
-  });
+  const double sign = spec.parameters->maximize ? -1 : 1;
+  return watched(
+      "searching",
+      [&](const OptimizeProgress& p) {
+        return p.reached ? fmt::format("{} {}", spec.parameters->figure, rounded(sign * *p.reached))
+                         : std::string("nothing feasible yet");
+      },
+      [&](const KeepGoing& keep_going) { return tune(spec, keep_going); });
 }
 
 }  // namespace
 
-int optimize_parameters(const OptimizeOptions& options, const Spec& spec) {
+int optimize_parameters(const OptimizeArguments& options, const Spec& spec) {
   const TuneOutcome outcome = searched(spec);
   if (!options.json) print_text(told_on(options), outcome, spec);
   return finish(options, spec, json_of(outcome, spec),

@@ -31,7 +31,7 @@ bool passes_check(std::FILE* out, const Spec& spec) {
   return passes;
 }
 
-void write(const OptimizeOptions& options, const Spec& given, const Spec& optimised,
+void write(const OptimizeArguments& options, const Spec& given, const Spec& optimised,
            const std::string& text) {
   const Made made = make(optimised);
   const TableFile table{made.sampled.table,
@@ -46,12 +46,12 @@ void write(const OptimizeOptions& options, const Spec& given, const Spec& optimi
 
 }  // namespace
 
-std::FILE* told_on(const OptimizeOptions& options) {
+std::FILE* told_on(const OptimizeArguments& options) {
   const bool taken = options.output == "-" || options.table == "-" || options.plot == "-";
   return taken ? stderr : stdout;
 }
 
-int finish(const OptimizeOptions& options, const Spec& given, nlohmann::ordered_json document,
+int finish(const OptimizeArguments& options, const Spec& given, nlohmann::ordered_json document,
            const std::optional<std::string>& optimised) {
   std::FILE* out = told_on(options);
   std::optional<Spec> spec;

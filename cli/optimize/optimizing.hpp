@@ -12,7 +12,7 @@
 /// Options of `jounce optimize`, each kind of freedom in its own file.
 namespace jounce::cli {
 
-struct OptimizeOptions {
+struct OptimizeArguments {
   std::string spec;
   std::string output;
   std::string table;
@@ -24,20 +24,20 @@ struct OptimizeOptions {
 
 /// Free knots, free shapes and [[optimize.parameter]]: solved, printed, and written if they keep the
 /// limits. Return the exit status.
-int optimize_knots(const OptimizeOptions& options, const Spec& spec);
-int optimize_shapes(const OptimizeOptions& options, const Spec& spec);
+int optimize_knots(const OptimizeArguments& options, const Spec& spec);
+int optimize_shapes(const OptimizeArguments& options, const Spec& spec);
 /// Free shapes through the drive of options.against.
-int optimize_against(const OptimizeOptions& options, const Spec& spec);
-int optimize_parameters(const OptimizeOptions& options, const Spec& spec);
+int optimize_against(const OptimizeArguments& options, const Spec& spec);
+int optimize_parameters(const OptimizeArguments& options, const Spec& spec);
 
 /// Stream for the outcome: a spec, table or picture on standard output has that stream for itself.
-std::FILE* told_on(const OptimizeOptions& options);
+std::FILE* told_on(const OptimizeArguments& options);
 
 /// Ends an optimisation. `optimised` is the text of the optimised spec, if it keeps the limits.
 /// With --json it prints `document` and adds "peaks", else the peaks for people (peaks.hpp). Then it writes
 /// the spec, its table and the picture of both, all of them or none; none where `jounce check` finds a
 /// fault in the spec: then the faults are printed. Returns the exit status.
-int finish(const OptimizeOptions& options, const Spec& given, nlohmann::ordered_json document,
+int finish(const OptimizeArguments& options, const Spec& given, nlohmann::ordered_json document,
            const std::optional<std::string>& optimised);
 
 }  // namespace jounce::cli

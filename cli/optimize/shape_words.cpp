@@ -9,15 +9,14 @@ std::vector<Told> told(const CamRunOutcome& run, const ShapeWords& words) {
   const double length = words.length(run);
   const bool alone = words.minimized() == 1;
   std::vector<Told> all;
-  for (std::size_t i = 0; i < run.figures.size() && i < words.figures().size(); ++i) {
+  for (std::size_t i = 0; i < run.shape.figures.size() && i < words.figures().size(); ++i) {
     const ShapeFigureSpec& spec = words.figures()[i];
-    const FigureResult& figure = run.figures[i];
+    const FigureResult& figure = run.shape.figures[i];
     Told t{spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
     std::optional<double> bound = figure.bound;
     if (bound && *bound > 0) t.bound = shown(spec, *bound, length);  // 0 is no news
-    if (i == 0 && alone && run.shape.spline_bound && run.shape.value > 0)
-      bound =
-          std::max(bound.value_or(0), figure.reached * *run.shape.spline_bound / run.shape.value);
+    if (i == 0 && alone && run.shape.bound && run.shape.value > 0)
+      bound = std::max(bound.value_or(0), figure.reached * *run.shape.bound / run.shape.value);
     if (bound && *bound > 0 && t.reached > 0)
       t.could_save = std::max(0.0, 1 - shown(spec, *bound, length) / t.reached);
     all.push_back(t);

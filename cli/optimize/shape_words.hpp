@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ class ShapeWords {
   [[nodiscard]] const Labels& labels() const { return labels_; }
   [[nodiscard]] const std::vector<ShapeFigureSpec>& figures() const {
     return spec_.optimize.shape.figures;
+  }
+
+  /// The figure that is minimized now.
+  [[nodiscard]] std::string stage(const OptimizeProgress& progress) const {
+    return figures()[std::min(progress.stage, figures().size() - 1)].name;
   }
 
   /// Figures that are minimised; the others are ceilings.

@@ -14,12 +14,12 @@ namespace {
 void give_budget(Spec& spec, double seconds) {
   require_positive("--seconds", seconds);
   if (spec.parameters)
-    spec.parameters->options.seconds = seconds;
+    spec.parameters->options.budget.seconds = seconds;
   else
     spec.optimize.seconds = seconds;
 }
 
-int run_optimize(const OptimizeOptions& options) {
+int run_optimize(const OptimizeArguments& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
   require_folders(
@@ -41,7 +41,7 @@ int run_optimize(const OptimizeOptions& options) {
 }  // namespace
 
 void add_optimize(CommandLine& line) {
-  const auto options = std::make_shared<OptimizeOptions>();
+  const auto options = std::make_shared<OptimizeArguments>();
   const Verb verb = line.verb(
       "optimize",
       "Find the best values and shapes of the free quantities of a spec, within the limits",

@@ -10,7 +10,6 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/polydyne.hpp"
 #include "jounce/controllers/table_target.hpp"
-#include "jounce/design/ramped_limits.hpp"
 #include "jounce/design/sync_cam.hpp"
 #include "jounce/optimize/least_peak.hpp"
 #include "jounce/pvt/warnings.hpp"
@@ -348,13 +347,14 @@ Limits all_limits(const Spec& spec) {
   return limits;
 }
 
-}  // namespace
-
+/// [limits.slave] of a cam while the master accelerates as [master] states; none without [master].
 RampedLimits ramped_limits(const Spec& spec) {
   if (!spec.master) return {};
   const double w = spec.master->velocity;
   return {spec.master->acceleration.value_or(0) / (w * w), slave_limits_by_master(spec)};
 }
+
+}  // namespace
 
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
@@ -367,13 +367,14 @@ CamProblem make_problem(const Spec& spec) {
         "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
-  if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
-  if (spec.optimize.starts) problem.starts = static_cast<int>(*spec.optimize.starts);
-  if (spec.optimize.tolerance) problem.tolerance = *spec.optimize.tolerance;
-  problem.seconds = spec.optimize.seconds;
+  problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);
+  if (spec.optimize.starts) problem.options.starts = static_cast<int>(*spec.optimize.starts);
+  problem.options.tolerance = spec.optimize.tolerance.value_or(problem.options.tolerance);
+  problem.options.budget.seconds = spec.optimize.seconds;
   try {
     problem.cam = cam_of(spec);
     problem.limits = all_limits(spec);
+    problem.ramped = ramped_limits(spec);
     require_valid(problem);
   } catch (const InputError& error) {
     // The problem names its own fields; in the document all but these stand under [optimize].

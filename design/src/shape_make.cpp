@@ -89,8 +89,8 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   problem.ceilings = shape.ceilings;
   problem.minimize = shape.minimize;
   problem.refine = shape.refine;
-  problem.seconds = spec.optimize.seconds;
-  if (spec.optimize.seed) problem.seed = *spec.optimize.seed;
+  problem.options.budget.seconds = spec.optimize.seconds;
+  problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);
   if (spec.optimize.tolerance) problem.concession = *spec.optimize.tolerance;
   if (against_a_drive) return problem;
   refuse_figures_of_a_drive(shape);

@@ -25,7 +25,8 @@ void send(int to, const std::string& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
 
-/// Asks and sleeps: MPI's own waiting would take a whole core from those that work. Workers have orders for longer than a nap.
+/// Polls and sleeps: the blocking wait of MPI would use a whole core. Workers have cases for longer than one
+/// sleep.
 int receive(std::string& bytes) {
   MPI_Status status;
   int there = 0;

@@ -65,7 +65,7 @@ TEST(CamShapes, WhatIsDesignedIsWhatWasReached) {
   ASSERT_EQ(outcome.runs.size(), 1U);
   const CamDesign made = design(outcome.best);
   const auto [first, last] = pieces_of(made, 0);
-  const FigureResult& jerk = outcome.runs[0].figures[0];
+  const FigureResult& jerk = outcome.runs[0].shape.figures[0];
   // The joints of the spline are true to 1e-12 of the stroke: over pieces of 1/30 that is 1e-7 of jerk.
   EXPECT_NEAR(peak_of(made.cam, 3, first, last), jerk.reached, 1e-7 * jerk.reached);
   EXPECT_GE(jerk.reached, 32 * 50 / 1e6 * (1 - 1e-9)) << "the perfect spline";
@@ -78,7 +78,7 @@ TEST(CamShapes, PointsAreTheShapeToRounding) {
     const auto outcome =
         optimize_cam_shapes(problem_of(up_and_down(Law::nonic), {{0, 20, continuity}}, rms(3)));
     ASSERT_TRUE(outcome.usable()) << continuity << ": " << outcome.reason;
-    const Trajectory shape(outcome.runs[0].shape.segments, 0);
+    const Trajectory shape(outcome.runs[0].shape.best, 0);
     const Cam cam = design(outcome.best).cam;
     for (double x = 0; x < 100; x += 0.7) {
       const Jet wanted = shape.jet(x);
@@ -105,7 +105,8 @@ TEST(CamShapes, EverythingElseStaysExactly) {
       expect_same(before.cam.segments()[first + i], after.cam.segments()[from + i]);
   }
   EXPECT_TRUE(check_continuity(after.cam, 2).ok());
-  EXPECT_NEAR(outcome.runs[0].figures[0].reached, 0.0, outcome.runs[0].figures[0].given);
+  EXPECT_NEAR(outcome.runs[0].shape.figures[0].reached, 0.0,
+              outcome.runs[0].shape.figures[0].given);
 }
 
 TEST(CamShapes, TwoRunsAreOptimisedEachForItself) {
@@ -116,7 +117,8 @@ TEST(CamShapes, TwoRunsAreOptimisedEachForItself) {
   EXPECT_EQ(outcome.runs[0].segments, std::vector<std::size_t>{0});
   EXPECT_EQ(outcome.runs[1].segments, std::vector<std::size_t>{2});
   // The second has 1.2 times the master for the same stroke.
-  EXPECT_NEAR(outcome.runs[0].figures[0].reached / outcome.runs[1].figures[0].reached, 1.44, 1e-4);
+  EXPECT_NEAR(outcome.runs[0].shape.figures[0].reached / outcome.runs[1].shape.figures[0].reached,
+              1.44, 1e-4);
 }
 
 /// Down and up again over the seam, free between the dwell at the top and itself.
@@ -205,8 +207,8 @@ TEST(CamShapes, AllOfAPeriodicCamIsOneClosedRun) {
   ASSERT_TRUE(outcome.usable()) << outcome.reason;
   // Given two heights half a turn apart, the cubic spline has the least rms: sqrt(12) h / L^2, its
   // slopes 0 at both by symmetry.
-  EXPECT_NEAR(outcome.runs[0].figures[0].reached, std::sqrt(12.) * 50 / (180. * 180),
-              1e-4 * outcome.runs[0].figures[0].reached);
+  EXPECT_NEAR(outcome.runs[0].shape.figures[0].reached, std::sqrt(12.) * 50 / (180. * 180),
+              1e-4 * outcome.runs[0].shape.figures[0].reached);
   EXPECT_TRUE(check_continuity(design(outcome.best).cam, 3, 1e-6).ok());
 }
 
@@ -237,7 +239,7 @@ TEST(CamShapes, MonotoneShapesNeverTurnBack) {
   const CamDesign made = design(monotone.best);
   const auto [first, last] = pieces_of(made, 0);
   EXPECT_GE(segment_extrema(made.cam, first, last)[1].min.value, -1e-9);
-  EXPECT_GE(monotone.runs[0].figures[0].reached, free.runs[0].figures[0].reached);
+  EXPECT_GE(monotone.runs[0].shape.figures[0].reached, free.runs[0].shape.figures[0].reached);
 }
 
 TEST(CamShapes, LaterFiguresDoNoHarmToEarlierOnes) {
@@ -247,11 +249,12 @@ TEST(CamShapes, LaterFiguresDoNoHarmToEarlierOnes) {
   problem.concession = 0.02;
   const auto both = optimize_cam_shapes(problem);
   ASSERT_TRUE(both.usable()) << both.reason;
-  ASSERT_EQ(both.runs[0].figures.size(), 2U);
-  const double least = alone.runs[0].figures[0].reached;
-  EXPECT_LE(both.runs[0].figures[0].reached, least * 1.02 + 2e-6 * alone.runs[0].figures[0].given);
-  EXPECT_GE(both.runs[0].figures[0].reached, least * (1 - 1e-6));
-  EXPECT_LT(both.runs[0].figures[1].reached,
+  ASSERT_EQ(both.runs[0].shape.figures.size(), 2U);
+  const double least = alone.runs[0].shape.figures[0].reached;
+  EXPECT_LE(both.runs[0].shape.figures[0].reached,
+            least * 1.02 + 2e-6 * alone.runs[0].shape.figures[0].given);
+  EXPECT_GE(both.runs[0].shape.figures[0].reached, least * (1 - 1e-6));
+  EXPECT_LT(both.runs[0].shape.figures[1].reached,
             std::abs(extrema(design(alone.best).cam, 3).peak().value));
 }
 
@@ -289,13 +292,13 @@ TEST(CamShapes, StopsWithTheBestSoFar) {
   CamShapeProblem problem =
       problem_of(up_and_down(Law::modified_sine), {{0, 40}, {2, 40}}, peak(2));
   int calls = 0;
-  const auto outcome = optimize_cam_shapes(problem, [&](const CamShapeProgress& p) {
+  const auto outcome = optimize_cam_shapes(problem, [&](const OptimizeProgress& p) {
     EXPECT_EQ(p.runs, 2U);
     ++calls;
     return false;
   });
   EXPECT_GE(calls, 2) << "both runs are asked for what they have";
-  EXPECT_EQ(outcome.status, Outcome::Status::cancelled);
+  EXPECT_EQ(outcome.status, OptimizeStatus::cancelled);
   EXPECT_EQ(outcome.runs.size(), 2U);
 }
 

@@ -20,7 +20,7 @@ namespace {
 using test_optimize::fig614;
 using test_optimize::rest_to_rest;
 using testing::HasSubstr;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 bool same_knots(const CamSpec& a, const CamSpec& b) {
   const auto x = resolved_knots(a);
@@ -41,8 +41,8 @@ CamProblem all_of_knot_three() {
 
 TEST(Outcome, IsDeterministic) {
   const CamProblem problem = all_of_knot_three();
-  const Outcome a = optimize(problem);
-  const Outcome b = optimize(problem);
+  const Outcome<CamSpec> a = optimize(problem);
+  const Outcome<CamSpec> b = optimize(problem);
   EXPECT_TRUE(same_knots(a.best, b.best));
   EXPECT_EQ(a.evaluations, b.evaluations);
   EXPECT_EQ(a.reason, b.reason);
@@ -51,7 +51,7 @@ TEST(Outcome, IsDeterministic) {
 TEST(Outcome, SaysWhichLimitIsBrokenWhereNothingIsFree) {
   CamProblem problem = all_of_knot_three();
   problem.limits.acceleration = 0.06;  // segment 1 has 0.0779
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_EQ(outcome.status, Status::infeasible);
   EXPECT_FALSE(outcome.usable());
   EXPECT_THAT(outcome.reason, HasSubstr("segment 1"));
@@ -66,7 +66,7 @@ TEST(Outcome, ProvesThatNoLawCanKeepALimit) {
   // Rest to rest needs 4; the free knot cannot help.
   CamProblem problem = rest_to_rest({0.5}, Objective::peak_acceleration);
   problem.limits.acceleration = 3.9;
-  Outcome outcome = optimize(problem);
+  Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_EQ(outcome.status, Status::infeasible);
   EXPECT_THAT(outcome.reason, HasSubstr("no law"));
   EXPECT_THAT(outcome.reason, HasSubstr("at least 4 is needed, 3.9 allowed"));
@@ -80,10 +80,10 @@ TEST(Outcome, AnswersTheLeastViolatedCam) {
   CamProblem problem = rest_to_rest({0.5}, Objective::peak_jerk);
   problem.free = {{1, {}, {}, Bound{0, 4}, {}}};
   problem.minimize = {Objective::peak_acceleration};
-  const double least = optimize(problem).objectives.front().reached;
+  const double least = optimize(problem).figures.front().reached;
   problem.limits.acceleration = 5;
   problem.minimize = {Objective::peak_jerk};
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_EQ(outcome.status, Status::infeasible);
   EXPECT_THAT(outcome.reason, HasSubstr("convex"));
   EXPECT_NEAR(value_of(Objective::peak_acceleration, design(outcome.best).cam), least, 1e-6);
@@ -93,7 +93,7 @@ TEST(Outcome, AnswersTheLeastViolatedCam) {
 TEST(Outcome, KeepsLimitsExactlyWhereTheyBind) {
   CamProblem problem = all_of_knot_three();
   problem.limits.velocity = 2.5;
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_EQ(outcome.status, Status::converged) << outcome.reason;
   EXPECT_TRUE(check(design(outcome.best).cam, problem.limits).ok());
   EXPECT_LE(std::abs(extrema(design(outcome.best).cam, 1).peak().value), 2.5 * (1 + 1e-12));
@@ -108,7 +108,7 @@ TEST(Outcome, KeepsAPositionLimitOnWhichTheCamBeginsAndEnds) {
   CamProblem problem = all_of_knot_three();
   problem.limits.position_min = 0;
   problem.limits.position_max = 230;
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_TRUE(outcome.usable()) << outcome.reason;
   const Range travel = extrema(design(outcome.best).cam, 0);
   EXPECT_GE(travel.min.value, -1e-9);
@@ -118,7 +118,7 @@ TEST(Outcome, KeepsAPositionLimitOnWhichTheCamBeginsAndEnds) {
 TEST(Outcome, NamesActiveBounds) {
   CamProblem problem = rest_to_rest({0.5}, Objective::peak_jerk);
   problem.free = {{1, {}, {}, Bound{1.875, 1.95}, {}}};  // it would rather be 2
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   const auto is_bound = [](const Finding& f) { return f.rule == "bound/geo_velocity"; };
   const auto it = std::find_if(outcome.active.begin(), outcome.active.end(), is_bound);
   ASSERT_NE(it, outcome.active.end());
@@ -128,20 +128,20 @@ TEST(Outcome, NamesActiveBounds) {
 
 TEST(Outcome, CanBeCancelledAtOnceAndLater) {
   const CamProblem problem = rest_to_rest({0.3, 0.6}, Objective::peak_acceleration);
-  const Outcome none = optimize(problem, [](const OptimizeProgress&) { return false; });
+  const Outcome<CamSpec> none = optimize(problem, [](const OptimizeProgress&) { return false; });
   EXPECT_EQ(none.status, Status::cancelled);
   EXPECT_TRUE(none.usable());
   EXPECT_TRUE(same_knots(none.best, problem.cam));
-  EXPECT_EQ(none.objectives[0].reached, none.objectives[0].given);
+  EXPECT_EQ(none.figures[0].reached, none.figures[0].given);
   std::optional<double> best;
-  const Outcome some = optimize(problem, [&](const OptimizeProgress& progress) {
+  const Outcome<CamSpec> some = optimize(problem, [&](const OptimizeProgress& progress) {
     if (progress.reached) best = progress.reached;
     return !best;
   });
-  EXPECT_EQ(some.starts, problem.starts);
+  EXPECT_EQ(some.starts, problem.options.starts);
   EXPECT_EQ(some.status, Status::cancelled);
-  EXPECT_LT(some.objectives[0].reached, some.objectives[0].given);
-  EXPECT_LE(some.objectives[0].reached, *best);
+  EXPECT_LT(some.figures[0].reached, some.figures[0].given);
+  EXPECT_LE(some.figures[0].reached, *best);
 }
 
 TEST(Outcome, PassesOnTheCallersExceptions) {
@@ -153,12 +153,12 @@ TEST(Outcome, PassesOnTheCallersExceptions) {
 
 TEST(Outcome, StallsWhenEvaluationsRunOut) {
   CamProblem problem = rest_to_rest({0.2, 0.4, 0.6, 0.8}, Objective::peak_acceleration);
-  problem.max_evaluations = 40;
-  const Outcome outcome = optimize(problem);
+  problem.options.budget.evaluations = 40;
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_EQ(outcome.status, Status::stalled);
   EXPECT_THAT(outcome.reason, HasSubstr("40 evaluations"));
   EXPECT_TRUE(outcome.usable());
-  EXPECT_LE(outcome.objectives[0].reached, outcome.objectives[0].given);
+  EXPECT_LE(outcome.figures[0].reached, outcome.figures[0].given);
   EXPECT_LE(outcome.evaluations, 60);  // the last linearised steps are few
 }
 
@@ -192,15 +192,15 @@ TEST(Outcome, IsTrueForRandomProblems) {
     if (i % 4 > 0) problem.limits.acceleration = std::abs(range[2].peak().value) * draw(0.5, 1.2);
     problem.minimize = {std::array{Objective::peak_acceleration, Objective::peak_jerk,
                                    Objective::rms_acceleration}[random() % 3]};
-    problem.starts = 3;
-    const Outcome outcome = optimize(problem);
+    problem.options.starts = 3;
+    const Outcome<CamSpec> outcome = optimize(problem);
     const Cam best = design(outcome.best).cam;
-    const ObjectiveResult& r = outcome.objectives.front();
+    const FigureResult& r = outcome.figures.front();
     EXPECT_EQ(outcome.usable(), check(best, problem.limits).ok()) << i;
     EXPECT_EQ(outcome.usable(), outcome.status != Status::infeasible) << i << outcome.reason;
-    EXPECT_EQ(r.reached, value_of(r.objective, best)) << i;
+    EXPECT_EQ(r.reached, value_of(problem.minimize.front(), best)) << i;
     if (outcome.usable()) {
-      EXPECT_GE(r.reached, r.bound * (1 - 1e-12)) << i;
+      EXPECT_GE(r.reached, *r.bound * (1 - 1e-12)) << i;
     }
     EXPECT_NE(outcome.status, Status::stalled) << i << ": " << outcome.reason;
     if (check(given, problem.limits).ok()) {
@@ -221,7 +221,7 @@ TEST(Outcome, IsTrueForRandomProblems) {
 
 TEST(Outcome, RefusesBadInputOnly) {
   CamProblem problem = all_of_knot_three();
-  problem.starts = 0;
+  problem.options.starts = 0;
   EXPECT_THROW(optimize(problem), InputError);
 }
 

@@ -9,7 +9,7 @@
 namespace jounce::pairs_test {
 namespace {
 
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 std::vector<ShapeFigure> all_figures() {
   std::vector<ShapeFigure> all{ResidualOf{0.03, 0.03, 0.02, 0.02}, ResidualOf{0.03, 0.04, 0, 0.02}};
@@ -36,8 +36,8 @@ TEST(LexicographicPairs, EndAtTheOptimum) {
   for (const ShapeFigure& first : figures) {
     const CamShapeOutcome alone = optimize_cam_shapes(rise({first}));
     ASSERT_TRUE(alone.usable()) << name(first) << ": " << alone.reason;
-    const double least = alone.runs[0].figures[0].reached;
-    const double given = alone.runs[0].figures[0].given;
+    const double least = alone.runs[0].shape.figures[0].reached;
+    const double given = alone.runs[0].shape.figures[0].given;
     for (const ShapeFigure& second : figures) {
       if (name(first) == name(second)) continue;
       const CamShapeOutcome both = optimize_cam_shapes(rise({first, second}));
@@ -47,12 +47,12 @@ TEST(LexicographicPairs, EndAtTheOptimum) {
       EXPECT_TRUE(ended) << what << name(both.status) << ": " << both.reason;
       EXPECT_TRUE(both.usable()) << what << both.reason;
       EXPECT_FALSE(both.reason.empty()) << what;
-      ASSERT_EQ(both.runs[0].figures.size(), 2U) << what;
-      EXPECT_EQ(both.runs[0].figures[0].name, name(first)) << what;
-      EXPECT_EQ(both.runs[0].figures[1].name, name(second)) << what;
-      EXPECT_LE(both.runs[0].figures[0].reached, (least * 1.001 + 1e-6 * given) * (1 + 1e-5))
+      ASSERT_EQ(both.runs[0].shape.figures.size(), 2U) << what;
+      EXPECT_EQ(both.runs[0].shape.figures[0].name, name(first)) << what;
+      EXPECT_EQ(both.runs[0].shape.figures[1].name, name(second)) << what;
+      EXPECT_LE(both.runs[0].shape.figures[0].reached, (least * 1.001 + 1e-6 * given) * (1 + 1e-5))
           << what;
-      for (const FigureResult& f : both.runs[0].figures)
+      for (const FigureResult& f : both.runs[0].shape.figures)
         EXPECT_GE(f.reached, f.bound.value_or(0) * (1 - 1e-9)) << what << f.name;
     }
   }

@@ -73,19 +73,19 @@ TEST(PeakPower, OfAnInertiaReachesNineQuarters) {
   p.from.acceleration.reset();
   p.to.acceleration.reset();
   p.refine = true;
-  p.tolerance = 1e-3;
-  p.max_evaluations = 20000;
+  p.options.tolerance = 1e-3;
+  p.options.budget.evaluations = 20000;
   p.minimize = {{PowerOf{derivative_of_shape(2), derivative_of_shape(1)}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable());
-  EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
+  EXPECT_EQ(best.status, OptimizeStatus::optimal) << best.reason;
   EXPECT_LE(best.figures[0].reached, 2.25 * 1.001);
   EXPECT_GE(best.figures[0].reached, 2.25) << "no function at all is below";
   EXPECT_EQ(best.figures[0].bound, least_peak_power({1, 1, 0, 0, {}, {}}));
-  const double seen = dense_peak(best.segments, [](double, const Jet& f) { return f[1] * f[2]; });
+  const double seen = dense_peak(best.best, [](double, const Jet& f) { return f[1] * f[2]; });
   EXPECT_LE(seen, best.figures[0].reached * (1 + 1e-12));
   EXPECT_GE(seen, best.figures[0].reached * (1 - 1e-4));
-  EXPECT_NEAR(best.segments.back().length > 0 ? value(best.segments.back(), 1) : 0, 1, 1e-9);
+  EXPECT_NEAR(best.best.back().length > 0 ? value(best.best.back(), 1) : 0, 1, 1e-9);
 }
 
 // ---- torque ---------------------------------------------------------------------------------------
@@ -111,7 +111,7 @@ double torque(double x, const Jet& f) {
 TEST(LoadTorque, IsWhatItsEquationSays) {
   ShapeProblem p = rest_to_rest(8);
   p.minimize = {{RmsTorqueOf{lever()}}};
-  p.max_evaluations = 1;
+  p.options.budget.evaluations = 1;
   p.given = {quintic(1, 0, 0, 0, 1, 0, 0)};
   p.ceilings = {{TorqueOf{lever()}, 1e6}, {EnergyOf{lever(), 0.3}, 1e6}};
   const ShapeOutcome o = optimize_shape(p);
@@ -161,12 +161,12 @@ TEST(LoadTorque, RmsFallsAndKeepsItsLimits) {
   p.ceilings = {{PeakOf{derivative_of_shape(2)}, 5}, {TorqueOf{lever()}, 13}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
-  EXPECT_EQ(best.status, Outcome::Status::converged) << best.reason;
+  EXPECT_EQ(best.status, OptimizeStatus::converged) << best.reason;
   EXPECT_LT(best.figures[0].reached, best.figures[0].given * 0.97);
-  EXPECT_LE(dense_peak(best.segments, [](double, const Jet& f) { return f[2]; }), 5 * (1 + 1e-9));
-  EXPECT_LE(dense_peak(best.segments, torque), 13 * (1 + 1e-9));
-  const double rms = std::sqrt(dense_mean(
-      best.segments, [](double x, const Jet& f) { return torque(x, f) * torque(x, f); }));
+  EXPECT_LE(dense_peak(best.best, [](double, const Jet& f) { return f[2]; }), 5 * (1 + 1e-9));
+  EXPECT_LE(dense_peak(best.best, torque), 13 * (1 + 1e-9));
+  const double rms = std::sqrt(
+      dense_mean(best.best, [](double x, const Jet& f) { return torque(x, f) * torque(x, f); }));
   EXPECT_NEAR(rms, best.figures[0].reached, 1e-5 * rms);
 }
 
@@ -188,12 +188,12 @@ TEST(LoadTorque, IsDeterministicCancellableAndBounded) {
   const ShapeOutcome b = optimize_shape(p);
   EXPECT_EQ(a.value, b.value);
   EXPECT_EQ(a.evaluations, b.evaluations);
-  const ShapeOutcome stopped = optimize_shape(p, [](int, double) { return false; });
-  EXPECT_EQ(stopped.status, Outcome::Status::cancelled);
-  p.max_evaluations = 3;
+  const ShapeOutcome stopped = optimize_shape(p, [](const OptimizeProgress&) { return false; });
+  EXPECT_EQ(stopped.status, OptimizeStatus::cancelled);
+  p.options.budget.evaluations = 3;
   const ShapeOutcome few = optimize_shape(p);
-  EXPECT_EQ(few.status, Outcome::Status::stalled) << few.reason;
-  EXPECT_FALSE(few.segments.empty());
+  EXPECT_EQ(few.status, OptimizeStatus::stalled) << few.reason;
+  EXPECT_FALSE(few.best.empty());
 }
 
 TEST(LoadTorque, SaysWhereALimitCannotBeKept) {
@@ -202,7 +202,7 @@ TEST(LoadTorque, SaysWhereALimitCannotBeKept) {
   p.ceilings = {{TorqueOf{lever()}, 1}};
   const ShapeOutcome o = optimize_shape(p);
   EXPECT_FALSE(o.usable());
-  EXPECT_NE(o.status, Outcome::Status::converged) << o.reason;
+  EXPECT_NE(o.status, OptimizeStatus::converged) << o.reason;
 }
 
 TEST(LoadTorque, RefusesWhatIsNoLoad) {
@@ -266,7 +266,7 @@ TEST(Residual, ABandIsKeptQuietWithLessAccelerationThanAShapedLaw) {
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
   EXPECT_LT(best.figures[0].reached, peak);
-  EXPECT_LE(worst_residual(Trajectory(best.segments), band).residual, 0.01 * (1 + 1e-6) + 1e-6);
+  EXPECT_LE(worst_residual(Trajectory(best.best), band).residual, 0.01 * (1 + 1e-6) + 1e-6);
   EXPECT_LT(best.figures[0].reached, 0.7 * peak) << "4.9 instead of 7.55";
 }
 
@@ -277,7 +277,7 @@ TEST(Residual, OfOneModeGoesToNothing) {
   p.ceilings = {{ResidualOf{mode.frequency, mode.frequency, 0, 0}, 1e-9}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
-  EXPECT_LT(residual_vibration(Trajectory(best.segments), mode), 1e-9);
+  EXPECT_LT(residual_vibration(Trajectory(best.best), mode), 1e-9);
   EXPECT_LT(best.figures[0].reached, 5.261407) << "the polydyne cam's";
 }
 

@@ -80,7 +80,7 @@ TEST(CamProblem, TakesASineBesideADwell) {
                   {Law::quintic, {360, 0}}}};
   problem.minimize = {Objective::peak_acceleration};
   problem.free = {{3, {}, {}, Bound{-1, 1}, {}}};
-  const Outcome outcome = optimize(problem);
+  const Outcome<CamSpec> outcome = optimize(problem);
   EXPECT_TRUE(outcome.usable()) << outcome.reason;
 }
 
@@ -125,10 +125,10 @@ TEST(CamProblem, RefusesBadSettingsAndBadCams) {
     change(problem);
     return refused(problem);
   };
-  EXPECT_EQ(but([](CamProblem& p) { p.starts = 0; }), "starts");
-  EXPECT_EQ(but([](CamProblem& p) { p.max_evaluations = 0; }), "max_evaluations");
-  EXPECT_EQ(but([](CamProblem& p) { p.tolerance = 0; }), "tolerance");
-  EXPECT_EQ(but([](CamProblem& p) { p.tolerance = NAN; }), "tolerance");
+  EXPECT_EQ(but([](CamProblem& p) { p.options.starts = 0; }), "starts");
+  EXPECT_EQ(but([](CamProblem& p) { p.options.budget.evaluations = 0; }), "max_evaluations");
+  EXPECT_EQ(but([](CamProblem& p) { p.options.tolerance = 0; }), "tolerance");
+  EXPECT_EQ(but([](CamProblem& p) { p.options.tolerance = NAN; }), "tolerance");
   EXPECT_EQ(but([](CamProblem& p) { p.limits.jerk = -1; }), "jerk");
   EXPECT_EQ(but([](CamProblem& p) { p.cam.segments[1].end.master = 10; }), "segment[2].end.master");
 }

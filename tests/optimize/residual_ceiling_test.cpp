@@ -12,7 +12,7 @@
 namespace jounce::residual_ceiling_test {
 namespace {
 
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 ShapeProblem quiet(std::size_t pieces, int derivative, const ResidualOf& residual, double at_most) {
   ShapeProblem p;
@@ -25,8 +25,7 @@ ShapeProblem quiet(std::size_t pieces, int derivative, const ResidualOf& residua
 }
 
 double left(const ShapeOutcome& o, const ResidualOf& r) {
-  return worst_residual(Trajectory(o.segments), {r.low, r.high, r.damping_low, r.damping_high},
-                        1e-9)
+  return worst_residual(Trajectory(o.best), {r.low, r.high, r.damping_low, r.damping_high}, 1e-9)
       .residual;
 }
 
@@ -44,9 +43,9 @@ void keeps_its_ceiling(int derivative, const ResidualOf& residual, double at_mos
     EXPECT_TRUE(o.limits.ok());
     EXPECT_LE(left(o, residual),
               at_most + 1e-6);  // share of the travel, like the certificate of worst_residual()
-    ASSERT_TRUE(o.spline_bound);
-    EXPECT_LE(*o.spline_bound, o.value);
-    EXPECT_GE(*o.spline_bound, 0.99 * o.value);
+    ASSERT_TRUE(o.bound);
+    EXPECT_LE(*o.bound, o.value);
+    EXPECT_GE(*o.bound, 0.99 * o.value);
   }
 }
 

@@ -14,7 +14,7 @@ namespace jounce::response_test {
 namespace {
 
 using test_optimize::rest_to_rest_shape;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 constexpr Mode mode{1.5, 0.02};
 constexpr int directions = 100;
@@ -74,9 +74,9 @@ TEST(Response, ThatCanBeNothingIsNothingWithTheLeastRmsJerk) {
     const ShapeOutcome best = optimize_shape(p);
     ASSERT_TRUE(best.usable()) << best.reason;
     EXPECT_EQ(best.status, Status::optimal) << best.reason;
-    EXPECT_LT(residual_vibration(Trajectory(best.segments), mode), 1e-7);
+    EXPECT_LT(residual_vibration(Trajectory(best.best), mode), 1e-7);
     p.minimize = {{RmsOf{derivative_of_shape(3)}}};
-    p.given = best.segments;
+    p.given = best.best;
     EXPECT_NEAR(optimize_shape(p).figures[0].given, silent, 1e-6 * silent);
     p.given.clear();
   }

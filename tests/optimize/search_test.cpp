@@ -17,7 +17,7 @@ using std::numbers::pi;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 using X = std::vector<double>;
 
 double square(double x) {
@@ -59,7 +59,7 @@ TEST(Search, ReachesG04) {
   expect_met(outcome, g04);
   EXPECT_NEAR(outcome.answer.objective, -30665.53867178332, 1e-6 * 30665);
   EXPECT_THAT(outcome.at_bound, ElementsAre(0, 1, 3));
-  EXPECT_THAT(outcome.active, ElementsAre(0, 5));
+  EXPECT_THAT(outcome.met, ElementsAre(0, 5));
 }
 
 SearchAnswer g06(const X& x) {
@@ -71,7 +71,7 @@ TEST(Search, ReachesG06InItsSliver) {
   const SearchOutcome outcome = search({{"x1", 13, 100, 50}, {"x2", 0, 100, 50}}, g06);
   expect_met(outcome, g06);
   EXPECT_NEAR(outcome.answer.objective, -6961.81387558015, 1e-5 * 6961);
-  EXPECT_THAT(outcome.active, ElementsAre(0, 1));
+  EXPECT_THAT(outcome.met, ElementsAre(0, 1));
 }
 
 SearchAnswer g08(const X& x) {
@@ -101,7 +101,7 @@ SearchAnswer g09(const X& x) {
 }
 
 TEST(Search, ReachesG09InSevenVariables) {
-  const SearchOutcome outcome = search(box(7, -10, 10, 5), g09, {.max_evaluations = 20000});
+  const SearchOutcome outcome = search(box(7, -10, 10, 5), g09, {.budget = {.evaluations = 20000}});
   expect_met(outcome, g09);
   EXPECT_NEAR(outcome.answer.objective, 680.630057374402, 1e-5 * 680);
 }
@@ -126,7 +126,8 @@ SearchAnswer rosenbrock_in_disc(const X& x) {
 TEST(Search, RunsAlongRosenbrocksValley) {
   for (const bool global : {true, false}) {
     const SearchOutcome outcome =
-        search({{"x", -1.5, 1.5, -1}, {"y", -1.5, 1.5, 1}}, rosenbrock_in_disc, {.global = global});
+        search({{"x", -1.5, 1.5, -1}, {"y", -1.5, 1.5, 1}}, rosenbrock_in_disc,
+               {.starts = global ? std::nullopt : std::optional(1)});
     expect_met(outcome, rosenbrock_in_disc);
     EXPECT_LT(outcome.answer.objective, 1e-7) << "global " << global;
   }
@@ -149,10 +150,9 @@ TEST(Search, FindsTheLowestOfManyDips) {
 }
 
 TEST(Search, StaysInItsDipWhenItIsNotToLookElsewhere) {
-  const SearchOutcome outcome =
-      search(box(2, -5.12, 5.12, 1.7), rastrigin_in_disc, {.global = false});
+  const SearchOutcome outcome = search(box(2, -5.12, 5.12, 1.7), rastrigin_in_disc, {.starts = 1});
   expect_met(outcome, rastrigin_in_disc);
-  EXPECT_EQ(outcome.searches, 0);
+  EXPECT_EQ(outcome.starts, 0);
   EXPECT_THAT(outcome.reason, HasSubstr("no proof"));
 }
 
@@ -165,7 +165,7 @@ TEST(SearchOfOne, FindsTheEdgeOfWhatIsFeasible) {
   EXPECT_EQ(outcome.status, Status::converged);
   EXPECT_NEAR(outcome.best[0], std::sqrt(2), 1e-8);
   EXPECT_LE(outcome.best[0], std::sqrt(2));
-  EXPECT_THAT(outcome.active, ElementsAre(0));
+  EXPECT_THAT(outcome.met, ElementsAre(0));
 }
 
 TEST(SearchOfOne, DoesNotTakeFeasibilityForMonotone) {
@@ -196,7 +196,7 @@ TEST(SearchOfOne, SaysWhatRefusesTheChoicesJustBeyond) {
   const SearchOutcome outcome = search({{"v", 0, 10, 1}}, f);
   EXPECT_NEAR(outcome.best[0], 1.25, 1e-8);
   EXPECT_THAT(outcome.beyond, HasSubstr("at most 1.25"));
-  EXPECT_THAT(outcome.active, IsEmpty());
+  EXPECT_THAT(outcome.met, IsEmpty());
 }
 
 TEST(SearchOfOne, StandsAtABoundWhereThatIsBest) {
@@ -204,7 +204,7 @@ TEST(SearchOfOne, StandsAtABoundWhereThatIsBest) {
   const SearchOutcome outcome = search({{"x", 0.1, 0.7, 0.3}}, f);
   EXPECT_EQ(outcome.best[0], 0.1);
   EXPECT_THAT(outcome.at_bound, ElementsAre(0));
-  EXPECT_THAT(outcome.active, IsEmpty());
+  EXPECT_THAT(outcome.met, IsEmpty());
 }
 
 // ---- what goes wrong ---------------------------------------------------------------------------
@@ -222,7 +222,7 @@ TEST(Search, SaysWhatIsMissedLeastWhereNothingIsFeasible) {
 
 TEST(Search, SaysWhyNothingIsPossible) {
   const auto f = [](const X&) -> SearchAnswer { return {0, {}, false, "the spec is refused"}; };
-  const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.max_evaluations = 50});
+  const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.budget = {.evaluations = 50}});
   EXPECT_EQ(outcome.status, Status::infeasible);
   EXPECT_THAT(outcome.reason, HasSubstr("the spec is refused"));
   EXPECT_EQ(outcome.best, (X{0.5, 0.5}));
@@ -248,7 +248,8 @@ TEST(Search, StartsFromWhatIsNotPossible) {
     return {square(x[0] - 0.1) + square(x[1] - 0.4), {}};
   };
   for (const bool global : {true, false}) {
-    const SearchOutcome outcome = search(box(2, 0, 1, 0.9), f, {.global = global});
+    const SearchOutcome outcome =
+        search(box(2, 0, 1, 0.9), f, {.starts = global ? std::nullopt : std::optional(1)});
     ASSERT_TRUE(outcome.usable());
     EXPECT_LT(outcome.answer.objective, 1e-9);
   }
@@ -282,7 +283,7 @@ TEST(Search, IsTheSameForTheSameSeed) {
       asked.push_back(x);
       return rastrigin_in_disc(x);
     };
-    (void)search(box(2, -5.12, 5.12, 4), f, {.seed = seed, .max_evaluations = 700});
+    (void)search(box(2, -5.12, 5.12, 4), f, {.seed = seed, .budget = {.evaluations = 700}});
     return asked;
   };
   EXPECT_EQ(all(5), all(5));
@@ -297,7 +298,8 @@ TEST(Search, AsksNoMoreOftenThanItMayAndWithinTheBounds) {
       for (const double each : x) EXPECT_TRUE(each >= -5.12 && each <= 5.12) << each;
       return rastrigin_in_disc(x);
     };
-    const SearchOutcome outcome = search(box(2, -5.12, 5.12, 1), f, {.max_evaluations = allowed});
+    const SearchOutcome outcome =
+        search(box(2, -5.12, 5.12, 1), f, {.budget = {.evaluations = allowed}});
     EXPECT_LE(asked, allowed + 1) << "the best is asked once more at the end";
     EXPECT_EQ(outcome.evaluations, asked);
     EXPECT_EQ(outcome.status, Status::stalled);
@@ -314,16 +316,16 @@ TEST(Search, KeepsTheBestOfAllThatWasAsked) {
     return answer;
   };
   const SearchOutcome outcome =
-      search({{"x1", 0.001, 10, 5}, {"x2", 0.001, 10, 5}}, f, {.max_evaluations = 400});
+      search({{"x1", 0.001, 10, 5}, {"x2", 0.001, 10, 5}}, f, {.budget = {.evaluations = 400}});
   EXPECT_EQ(outcome.answer.objective, best);
 }
 
 TEST(Search, StopsWhenItIsTold) {
   int asked = 0;
   const SearchOutcome outcome =
-      search(box(2, -5.12, 5.12, 1), rastrigin_in_disc, {}, [&](const SearchProgress& progress) {
+      search(box(2, -5.12, 5.12, 1), rastrigin_in_disc, {}, [&](const OptimizeProgress& progress) {
         EXPECT_EQ(progress.evaluations, ++asked);
-        EXPECT_TRUE(progress.best.has_value());
+        EXPECT_TRUE(progress.reached.has_value());
         return asked < 123;
       });
   EXPECT_EQ(asked, 123);
@@ -336,7 +338,7 @@ TEST(Search, KeepsToItsTime) {
                                        [](const X& x) -> SearchAnswer {
                                          return {x[0], {}};
                                        },
-                                       {.seconds = 1e-9});
+                                       {.budget = {.seconds = 1e-9}});
   EXPECT_EQ(outcome.status, Status::stalled);
   EXPECT_THAT(outcome.reason, HasSubstr("time"));
   EXPECT_EQ(outcome.evaluations, 2);
@@ -362,7 +364,7 @@ TEST(Search, LetsExceptionsThrough) {
 TEST(Search, DoesNotTrustAFunctionThatChangesItsMind) {
   int asked = 0;
   const auto f = [&](const X& x) -> SearchAnswer { return {x[0] + x[1] - ++asked, {}}; };
-  const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.max_evaluations = 300});
+  const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.budget = {.evaluations = 300}});
   EXPECT_EQ(outcome.status, Status::stalled);
   EXPECT_THAT(outcome.reason, HasSubstr("for the same point"));
 }
@@ -386,7 +388,8 @@ TEST(Search, MeasuresNothingInUnits) {
 
 TEST(Search, RefusesWhatMakesNoSense) {
   const auto f = [](const X& x) -> SearchAnswer { return {x[0], {}}; };
-  const auto key = [&](const std::vector<SearchVariable>& variables, const SearchOptions& options) {
+  const auto key = [&](const std::vector<SearchVariable>& variables,
+                       const OptimizeOptions& options) {
     try {
       (void)search(variables, f, options);
     } catch (const InputError& error) {
@@ -401,8 +404,8 @@ TEST(Search, RefusesWhatMakesNoSense) {
   EXPECT_EQ(key({{"a", -1e308, 1e308, 0.5}}, {}), "variable[1].upper");
   EXPECT_EQ(key({{"a", 1, 0, 0.5}}, {}), "variable[1].upper");
   EXPECT_EQ(key({{"a", 0, 1, 2}}, {}), "variable[1].start");
-  EXPECT_EQ(key(box(1, 0, 1, 0), {.max_evaluations = 0}), "max_evaluations");
-  EXPECT_EQ(key(box(1, 0, 1, 0), {.seconds = 0.0}), "seconds");
+  EXPECT_EQ(key(box(1, 0, 1, 0), {.budget = {.evaluations = 0}}), "max_evaluations");
+  EXPECT_EQ(key(box(1, 0, 1, 0), {.budget = {.seconds = 0.0}}), "seconds");
   EXPECT_EQ(key(box(1, 0, 1, 0), {.tolerance = nan}), "tolerance");
 }
 

@@ -27,10 +27,10 @@ TEST(ShapeBenchmark, ReachesThePerfectSplines) {
     p.degree = n;
     p.pieces = 61;  // none of whose knots is a switch
     p.refine = true;
-    p.tolerance = 1e-7;
+    p.options.tolerance = 1e-7;
     p.minimize = {{PeakOf{derivative_of_shape(n)}}};
     const ShapeOutcome best = optimize_shape(p);
-    EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
+    EXPECT_EQ(best.status, OptimizeStatus::optimal) << best.reason;
     const double known = least[static_cast<std::size_t>(n - 2)];
     EXPECT_NEAR(best.figures[0].reached, known, 1e-6 * known);
     EXPECT_GE(best.figures[0].reached, known * (1 - 1e-12)) << "no law is below";
@@ -50,7 +50,7 @@ TEST(ShapeBenchmark, ReachesTheLeastSquares) {
     p.given = {cubic(0.4, 0, 0, 0.3, 1.2), cubic(0.6, 0.3, 1.2, 1, 0)};
     p.minimize = {{RmsOf{derivative_of_shape(n)}}};
     const ShapeOutcome best = optimize_shape(p);
-    EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
+    EXPECT_EQ(best.status, OptimizeStatus::optimal) << best.reason;
     const double known = least[static_cast<std::size_t>(n - 2)];
     const double reached = best.figures[0].reached;
     EXPECT_NEAR(reached * reached, known, 1e-6 * known);
@@ -83,7 +83,7 @@ TEST(ShapeBenchmark, AgreesWithClpOnADenseGrid) {
     p.pieces = 195;  // 200 coefficients
     p.minimize = {{PeakOf{derivative_of_shape(order)}}};
     const ShapeOutcome best = optimize_shape(p);
-    EXPECT_EQ(best.status, Outcome::Status::optimal) << best.reason;
+    EXPECT_EQ(best.status, OptimizeStatus::optimal) << best.reason;
     const double clp = test_optimize::clp_least_peak(p.pieces, order, 4);
     EXPECT_LE(best.figures[0].reached, clp * 1.001);
     EXPECT_GE(best.figures[0].reached, clp * (1 - 1e-6)) << "a grid leaves gaps between its places";

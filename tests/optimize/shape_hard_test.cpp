@@ -17,7 +17,7 @@ namespace jounce::shape_hard_test {
 namespace {
 
 using test_optimize::rest_to_rest_shape;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 const LinearQuantity position = derivative_of_shape(0);
 const LinearQuantity acceleration = derivative_of_shape(2);
@@ -71,7 +71,7 @@ TEST(HardShape, ACorridorTooNarrowForAKnotIsRefusedNotForgotten) {
   p.corridors[0].to = 0.5 + 1e-6;
   const ShapeOutcome narrow = optimize_shape(p);
   ASSERT_TRUE(narrow.usable()) << narrow.reason;
-  EXPECT_GE(Trajectory(narrow.segments).jet(0.5)[0], 2 - 1e-8);
+  EXPECT_GE(Trajectory(narrow.best).jet(0.5)[0], 2 - 1e-8);
 }
 
 TEST(HardShape, NumbersBeyondWhatADoubleCarriesAreRefused) {
@@ -145,7 +145,7 @@ TEST(HardShape, ExactStretchesMayTouchTheEndsAndOverlap) {
     p.corridors = {{position, from, from + 0.2, Edge{level, level}, Edge{level, level}}};
     const ShapeOutcome best = optimize_shape(p);
     EXPECT_EQ(best.status, Status::optimal) << best.reason;
-    EXPECT_EQ(Trajectory(best.segments).jet(from + 0.1)[0], level);
+    EXPECT_EQ(Trajectory(best.best).jet(from + 0.1)[0], level);
   }
   p.corridors = {{position, 0.4, 0.6, Edge{0.4, 0.6}, Edge{0.4, 0.6}},
                  {position, 0.5, 0.7, Edge{0.6, 0.7}, Edge{0.6, 0.7}}};
@@ -164,7 +164,7 @@ TEST(HardShape, NothingIsTheLeastThereIs) {
     const ShapeOutcome best = optimize_shape(p);
     EXPECT_EQ(best.status, Status::optimal) << best.reason;
     EXPECT_EQ(best.value, 0);
-    EXPECT_LE(best.spline_bound.value_or(0), best.value);
+    EXPECT_LE(best.bound.value_or(0), best.value);
   }
   p.from = p.to = {};
   p.periodic = true;
@@ -187,15 +187,15 @@ TEST(HardShape, EveryDegreeAndFewPieces) {
       }
       EXPECT_TRUE(best.usable()) << best.reason;
       EXPECT_GE(best.figures[0].reached, best.figures[0].bound.value() * (1 - 1e-9));
-      EXPECT_LE(best.spline_bound.value(), best.value * (1 + 1e-9));
-      EXPECT_LE(best.value, *best.spline_bound * (1 + 1e-3)) << best.reason;
+      EXPECT_LE(best.bound.value(), best.value * (1 + 1e-9));
+      EXPECT_LE(best.value, *best.bound * (1 + 1e-3)) << best.reason;
     }
 }
 
 TEST(HardShape, IsStoppedWithinARound) {
   ShapeProblem p = least_acceleration(2000);
   int asked = 0;
-  const ShapeOutcome best = optimize_shape(p, [&](int, double) { return ++asked < 5; });
+  const ShapeOutcome best = optimize_shape(p, [&](const OptimizeProgress&) { return ++asked < 5; });
   EXPECT_EQ(best.status, Status::cancelled) << best.reason;
   EXPECT_LE(best.rounds, 1) << "five questions are less than one round";
 }
@@ -246,7 +246,7 @@ TEST(HardSearch, WithoutFreedomOrEndsThatAgreeItSaysSo) {
 TEST(HardSearch, ForEverIsNoTimeAtAllOnlyInTheory) {
   ShapeProblem p = least_acceleration(8);
   p.minimize = {{TorqueOf{inertia()}}};
-  p.seconds = INFINITY;
+  p.options.budget.seconds = INFINITY;
   EXPECT_EQ(optimize_shape(p).status, Status::converged);
 }
 
@@ -254,7 +254,7 @@ TEST(HardSearch, IsStoppedWithinARound) {
   ShapeProblem p = least_acceleration(30);
   p.minimize = {{TorqueOf{inertia()}}};
   int asked = 0;
-  const ShapeOutcome best = optimize_shape(p, [&](int, double) { return ++asked < 4; });
+  const ShapeOutcome best = optimize_shape(p, [&](const OptimizeProgress&) { return ++asked < 4; });
   EXPECT_EQ(best.status, Status::cancelled) << best.reason;
   EXPECT_EQ(best.rounds, 1);
   EXPECT_LE(best.evaluations, 5) << "a round has up to 200";
@@ -288,13 +288,13 @@ TEST(HardSearch, HoldsOverRandomLoads) {
     const ShapeFigure figures[] = {TorqueOf{load}, RmsTorqueOf{load}, EnergyOf{load, 0.5}};
     p.minimize = {{figures[seed % 3]}};
     p.corridors = {test_optimize::within(acceleration, 8, p)};
-    p.max_evaluations = 1500;
+    p.options.budget.evaluations = 1500;
     const ShapeOutcome best = optimize_shape(p);
     ASSERT_TRUE(best.usable()) << best.reason;
     EXPECT_LE(best.figures[0].reached,
               best.figures[0].given + 1e-9 * std::abs(best.figures[0].given));
     EXPECT_EQ(optimize_shape(p).value, best.value) << "not deterministic";
-    const Trajectory shape(best.segments);
+    const Trajectory shape(best.best);
     for (int i = 0; i <= 2000; ++i) ASSERT_LE(std::abs(shape.jet(i / 2000.0)[2]), 8 * (1 + 1e-9));
     EXPECT_TRUE(best.status != Status::optimal || best.figures[0].bound.has_value());
   }

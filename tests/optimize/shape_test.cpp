@@ -18,13 +18,13 @@ namespace {
 using test::Random;
 using test_optimize::rest_to_rest_shape;
 using test_optimize::within;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 /// The k-th derivative on a dense grid, both sides of every break, with nothing of the optimiser's.
 template <class Visit>
 void sampled(const ShapeOutcome& best, double begin, const LinearQuantity& q, const Visit& visit) {
   double x = begin;
-  for (Segment f : best.segments) {
+  for (Segment f : best.best) {
     for (int i = 0; i <= 50; ++i) {
       const double s = i / 50.0;
       double sum = q.constant;
@@ -96,7 +96,7 @@ TEST(Shape, KeepsItsLimitsEverywhere) {
       EXPECT_LE(largest, best.figures[0].reached * (1 + 1e-9));
       EXPECT_GE(largest, best.figures[0].reached * 0.98);
     }
-    EXPECT_TRUE(check_continuity(Trajectory(best.segments, p.begin), 2, 1e-7).ok());
+    EXPECT_TRUE(check_continuity(Trajectory(best.best, p.begin), 2, 1e-7).ok());
   }
   EXPECT_GT(usable, 12);
 }
@@ -109,9 +109,9 @@ TEST(Shape, IsCertifiedToBeTheBestSpline) {
     const ShapeOutcome best = optimize_shape(p);
     if (!best.usable()) continue;
     EXPECT_EQ(best.status, Status::optimal) << best.reason;
-    ASSERT_TRUE(best.spline_bound);
-    EXPECT_LE(*best.spline_bound, best.value * (1 + 1e-9));
-    EXPECT_GE(*best.spline_bound, best.value * (1 - 1e-6));
+    ASSERT_TRUE(best.bound);
+    EXPECT_LE(*best.bound, best.value * (1 + 1e-9));
+    EXPECT_GE(*best.bound, best.value * (1 - 1e-6));
   }
 }
 
@@ -133,7 +133,7 @@ TEST(Shape, NoPerturbationIsBetter) {
     const double centre = random.uniform(0, 1);
     std::vector<Segment> other;
     double x = 0;
-    for (const Segment& f : best.segments) {
+    for (const Segment& f : best.best) {
       Segment bump;
       bump.length = f.length;
       bump.degree = 7;
@@ -177,7 +177,7 @@ TEST(Shape, NoPerturbationIsBetter) {
 TEST(Shape, AWeightedRmsIsANormAndNotItsSquare) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.pieces = 16;
-  p.tolerance = 1e-8;
+  p.options.tolerance = 1e-8;
   p.minimize = {{PeakOf{derivative_of_shape(3)}}, {RmsOf{derivative_of_shape(2)}, 2}};
   const ShapeOutcome best = optimize_shape(p);
   const auto sum_with = [&](double ceiling) {
@@ -223,9 +223,9 @@ TEST(Shape, ScalesWithItsUnitsAndWithNothingElse) {
       const ShapeOutcome other = optimize_shape(problem(x, u));
       EXPECT_EQ(other.status, one.status) << other.reason;
       EXPECT_NEAR(other.value, one.value, 1e-6 * one.value);
-      ASSERT_EQ(other.segments.size(), one.segments.size());
-      for (std::size_t i = 0; i < one.segments.size(); ++i)
-        EXPECT_NEAR(value(other.segments[i], 0.5) / u, value(one.segments[i], 0.5), 1e-4) << i;
+      ASSERT_EQ(other.best.size(), one.best.size());
+      for (std::size_t i = 0; i < one.best.size(); ++i)
+        EXPECT_NEAR(value(other.best[i], 0.5) / u, value(one.best[i], 0.5), 1e-4) << i;
     }
 }
 
@@ -236,7 +236,7 @@ TEST(Shape, AStretchInStepIsKeptToTheBit) {
   p.corridors = {{derivative_of_shape(0), 0.41, 0.62, Edge{0.3, 0.72}, Edge{0.3, 0.72}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_EQ(best.status, Status::optimal) << best.reason;
-  const Trajectory shape(best.segments);
+  const Trajectory shape(best.best);
   for (const double x : {0.41, 0.5, 0.6199}) {
     EXPECT_NEAR(shape.at(x).position, 0.3 + (x - 0.41) * 2, 1e-15);
     EXPECT_EQ(shape.at(x).acceleration, 0) << "a line has none";
@@ -249,7 +249,7 @@ TEST(Shape, RestStaysRest) {
   p.pieces = 50;
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
   const ShapeOutcome best = optimize_shape(p);
-  const Trajectory shape(best.segments);
+  const Trajectory shape(best.best);
   EXPECT_EQ(shape.at(0).position, 0);
   EXPECT_EQ(shape.at(0).velocity, 0);
   EXPECT_EQ(shape.at(0).acceleration, 0);
@@ -268,7 +268,7 @@ TEST(Shape, APeriodicShapeMeetsItself) {
   p.corridors = {{derivative_of_shape(0), 160, 200, Edge{10, 10}, {}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_EQ(best.status, Status::optimal) << best.reason;
-  const Cam cam(best.segments, 0, Extrapolation::wrap);
+  const Cam cam(best.best, 0, Extrapolation::wrap);
   EXPECT_TRUE(check_continuity(cam, 2, 1e-7).ok());
   EXPECT_GE(segment_extrema(cam, 36)[0].min.value, 10);
 }
@@ -328,7 +328,7 @@ TEST(Shape, PassesAPointWithinATolerance) {
   p.corridors = {{derivative_of_shape(0), 0.3, 0.3, Edge{0.39, 0}, Edge{0.41, 0}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_EQ(best.status, Status::optimal) << best.reason;
-  EXPECT_NEAR(Trajectory(best.segments).at(0.3).position, 0.39, 1e-8) << "the near side";
+  EXPECT_NEAR(Trajectory(best.best).at(0.3).position, 0.39, 1e-8) << "the near side";
 }
 
 TEST(Shape, AResponseIsThePeakAtItsPlaces) {
@@ -344,8 +344,8 @@ TEST(Shape, AResponseIsThePeakAtItsPlaces) {
                             }}}};
   const ShapeOutcome best = optimize_shape(p);
   ASSERT_TRUE(best.usable()) << best.reason;
-  ASSERT_TRUE(best.spline_bound);
-  EXPECT_GE(*best.spline_bound, best.value * 0.999);
+  ASSERT_TRUE(best.bound);
+  EXPECT_GE(*best.bound, best.value * 0.999);
   ShapeProblem exact = p;
   exact.minimize = {{PeakOf{{"torque", {0, 1, 0.1}, 0.5}}}};
   const ShapeOutcome peak = optimize_shape(exact);
@@ -357,11 +357,12 @@ TEST(Shape, AResponseIsThePeakAtItsPlaces) {
 TEST(Shape, StopsWhenToldAndWhenTimeIsUp) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
-  const ShapeOutcome cancelled = optimize_shape(p, [](int round, double) { return round < 1; });
+  const ShapeOutcome cancelled =
+      optimize_shape(p, [](const OptimizeProgress& progress) { return progress.round < 1; });
   EXPECT_EQ(cancelled.status, Status::cancelled);
   EXPECT_TRUE(cancelled.usable()) << "the best so far";
   EXPECT_EQ(cancelled.rounds, 1);
-  p.seconds = 1e-9;
+  p.options.budget.seconds = 1e-9;
   EXPECT_EQ(optimize_shape(p).status, Status::stalled);
 }
 
@@ -371,7 +372,7 @@ TEST(Shape, TheSameProblemGivesTheSameShape) {
   const ShapeOutcome a = optimize_shape(p);
   const ShapeOutcome b = optimize_shape(p);
   EXPECT_EQ(a.value, b.value);
-  for (std::size_t i = 0; i < a.segments.size(); ++i) EXPECT_EQ(a.segments[i].c, b.segments[i].c);
+  for (std::size_t i = 0; i < a.best.size(); ++i) EXPECT_EQ(a.best[i].c, b.best[i].c);
 }
 
 TEST(Shape, RefusesWhatItCannotMean) {

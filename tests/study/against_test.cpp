@@ -61,10 +61,10 @@ TEST(Against, RigidDriveHasTheRmsTorqueOfTheParabolaOfVelocity) {
   CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
   problem.shapes = {{.segment = 1, .pieces = 100, .continuity = 2}};
   const AgainstOutcome outcome = optimize_against(problem, rigid());
-  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
+  ASSERT_TRUE(outcome.usable()) << outcome.reason;
   const double least = rms_acceleration_torque();
-  EXPECT_GE(outcome.best.rms_torque, least * (1 - 1e-6)) << "below what any motion needs";
-  EXPECT_LE(outcome.best.rms_torque, least * 1.03) << "acceleration is 0 at both ends";
+  EXPECT_GE(outcome.driven_best.rms_torque, least * (1 - 1e-6)) << "below what any motion needs";
+  EXPECT_LE(outcome.driven_best.rms_torque, least * 1.03) << "acceleration is 0 at both ends";
   EXPECT_EQ(outcome.rounds, 1);
 }
 
@@ -72,10 +72,10 @@ TEST(Against, WhatIsReachedIsWhatIsIntegrated) {
   for (const DriveFigure figure : {DriveFigure::torque, DriveFigure::rms_torque}) {
     SCOPED_TRACE(name(figure));
     const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
-    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-    ASSERT_EQ(outcome.figures.size(), 1U);
-    const DriveFigureResult& f = outcome.figures.front();
-    const FigureResult& modelled = outcome.shapes.runs.front().figures.front();
+    ASSERT_TRUE(outcome.usable()) << outcome.reason;
+    ASSERT_EQ(outcome.driven_figures.size(), 1U);
+    const FigureResult& f = outcome.driven_figures.front();
+    const FigureResult& modelled = outcome.runs.front().shape.figures.front();
     EXPECT_LT(f.reached, 0.95 * f.given);
     EXPECT_NEAR(modelled.given, f.given, 2e-3 * f.given) << "between its instants";
     EXPECT_NEAR(modelled.reached, f.reached, 2e-3 * f.given);
@@ -90,13 +90,13 @@ TEST(Against, PeaksBetweenTheInstantsCount) {
     CamShapeProblem problem = index_problem(figure);
     const Against against = axis();
     const AgainstOutcome outcome = optimize_against(problem, against);
-    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-    const FigureResult& modelled = outcome.shapes.runs.front().figures.front();
-    const double exact = exact_peak(outcome.shapes.best, against, figure);
+    ASSERT_TRUE(outcome.usable()) << outcome.reason;
+    const FigureResult& modelled = outcome.runs.front().shape.figures.front();
+    const double exact = exact_peak(outcome.best, against, figure);
     EXPECT_NEAR(modelled.reached, exact, 2e-6 * exact);
-    const ShapeOutcome& shape = outcome.shapes.runs.front().shape;
-    ASSERT_TRUE(shape.spline_bound);
-    EXPECT_LE(exact / modelled.given, *shape.spline_bound * (1 + 1e-5))
+    const ShapeOutcome& shape = outcome.runs.front().shape;
+    ASSERT_TRUE(shape.bound);
+    EXPECT_LE(exact / modelled.given, *shape.bound * (1 + 1e-5))
         << "no spline over these knots has a lower peak anywhere";
   }
 }
@@ -105,10 +105,10 @@ TEST(Against, WhatCanBeNothingIsNothingAndTheCamStaysGentle) {
   for (const DriveFigure figure : {DriveFigure::residual, DriveFigure::end_following_error}) {
     SCOPED_TRACE(name(figure));
     const AgainstOutcome outcome = optimize_against(index_problem(figure), axis());
-    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-    EXPECT_EQ(outcome.shapes.status, Outcome::Status::optimal) << outcome.shapes.reason;
-    EXPECT_LE(outcome.figures[0].reached, 1e-9 * 120) << "of the stroke, by integration";
-    EXPECT_LE(outcome.best.rms_torque, 5 * outcome.given.rms_torque)
+    ASSERT_TRUE(outcome.usable()) << outcome.reason;
+    EXPECT_EQ(outcome.status, OptimizeStatus::optimal) << outcome.reason;
+    EXPECT_LE(outcome.driven_figures[0].reached, 1e-9 * 120) << "of the stroke, by integration";
+    EXPECT_LE(outcome.driven_best.rms_torque, 5 * outcome.driven_given.rms_torque)
         << "one of many shapes, and not a wild one";
   }
 }
@@ -116,28 +116,28 @@ TEST(Against, WhatCanBeNothingIsNothingAndTheCamStaysGentle) {
 TEST(Against, LeastFollowingErrorIsProven) {
   const AgainstOutcome outcome =
       optimize_against(index_problem(DriveFigure::following_error), axis());
-  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-  EXPECT_NE(outcome.shapes.status, Outcome::Status::stalled) << outcome.shapes.reason;
-  const ShapeOutcome& shape = outcome.shapes.runs.front().shape;
-  ASSERT_TRUE(shape.spline_bound);
-  EXPECT_GE(*shape.spline_bound, shape.value * (1 - 1e-4));
-  EXPECT_LT(outcome.figures[0].reached, 0.7 * outcome.figures[0].given);
+  ASSERT_TRUE(outcome.usable()) << outcome.reason;
+  EXPECT_NE(outcome.status, OptimizeStatus::stalled) << outcome.reason;
+  const ShapeOutcome& shape = outcome.runs.front().shape;
+  ASSERT_TRUE(shape.bound);
+  EXPECT_GE(*shape.bound, shape.value * (1 - 1e-4));
+  EXPECT_LT(outcome.driven_figures[0].reached, 0.7 * outcome.driven_figures[0].given);
 }
 
 TEST(Against, NarrowCeilingsBesideAnRmsAreKeptByIntegration) {
   CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
   problem.shapes.front().pieces = 20;
-  const double given = std::abs(optimize_against(problem, axis()).given.residual.value);
+  const double given = std::abs(optimize_against(problem, axis()).driven_given.residual.value);
   double before = 0;
   for (const double share : {1e-2, 1e-5}) {
     SCOPED_TRACE(share);
     problem.ceilings = {{asked(DriveFigure::residual), share * given}};
     const AgainstOutcome outcome = optimize_against(problem, axis());
-    ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-    EXPECT_NE(outcome.shapes.status, Outcome::Status::stalled) << outcome.shapes.reason;
-    EXPECT_LE(std::abs(outcome.best.residual.value), share * given * (1 + 1e-6));
-    EXPECT_GE(outcome.best.rms_torque, before) << "less allowed, no less needed";
-    before = outcome.best.rms_torque;
+    ASSERT_TRUE(outcome.usable()) << outcome.reason;
+    EXPECT_NE(outcome.status, OptimizeStatus::stalled) << outcome.reason;
+    EXPECT_LE(std::abs(outcome.driven_best.residual.value), share * given * (1 + 1e-6));
+    EXPECT_GE(outcome.driven_best.rms_torque, before) << "less allowed, no less needed";
+    before = outcome.driven_best.rms_torque;
   }
 }
 
@@ -147,21 +147,21 @@ TEST(Against, WhatComesSecondIsMinimisedBesideWhatIsNothing) {
   const AgainstOutcome alone = optimize_against(problem, axis());
   problem.minimize.push_back({{asked(DriveFigure::rms_torque)}});
   const AgainstOutcome both = optimize_against(problem, axis());
-  ASSERT_TRUE(both.usable()) << both.shapes.reason;
-  EXPECT_LE(both.figures[0].reached, 1e-9 * 120);
-  EXPECT_LT(both.best.rms_torque, alone.best.rms_torque);
+  ASSERT_TRUE(both.usable()) << both.reason;
+  EXPECT_LE(both.driven_figures[0].reached, 1e-9 * 120);
+  EXPECT_LT(both.driven_best.rms_torque, alone.driven_best.rms_torque);
 }
 
 TEST(Against, CeilingsOfTheDriveHoldByIntegration) {
   CamShapeProblem problem = index_problem(DriveFigure::rms_torque);
   const AgainstOutcome free = optimize_against(problem, axis());
   ASSERT_TRUE(free.usable());
-  const double most = 0.9 * std::abs(free.best.torque.value);
+  const double most = 0.9 * std::abs(free.driven_best.torque.value);
   problem.ceilings = {{asked(DriveFigure::torque), most}};
   const AgainstOutcome limited = optimize_against(problem, axis());
-  ASSERT_TRUE(limited.usable()) << limited.shapes.reason;
-  EXPECT_LE(std::abs(limited.best.torque.value), most * (1 + 1e-6));
-  EXPECT_GE(limited.best.rms_torque, free.best.rms_torque * (1 - 1e-4));
+  ASSERT_TRUE(limited.usable()) << limited.reason;
+  EXPECT_LE(std::abs(limited.driven_best.torque.value), most * (1 + 1e-6));
+  EXPECT_GE(limited.driven_best.rms_torque, free.driven_best.rms_torque * (1 - 1e-4));
 }
 
 TEST(Against, DriveWithDryFrictionDoesBetterByItsOwnRuns) {
@@ -169,18 +169,18 @@ TEST(Against, DriveWithDryFrictionDoesBetterByItsOwnRuns) {
   against.drive.train.front().friction.coulomb = 0.15;
   ASSERT_TRUE(nonlinearity(against.drive));
   const AgainstOutcome outcome = optimize_against(index_problem(DriveFigure::rms_torque), against);
-  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-  EXPECT_LT(outcome.best.rms_torque, outcome.given.rms_torque);
-  EXPECT_NE(outcome.shapes.status, Outcome::Status::optimal) << "nothing is proven";
-  EXPECT_FALSE(outcome.shapes.runs.front().shape.spline_bound);
+  ASSERT_TRUE(outcome.usable()) << outcome.reason;
+  EXPECT_LT(outcome.driven_best.rms_torque, outcome.driven_given.rms_torque);
+  EXPECT_NE(outcome.status, OptimizeStatus::optimal) << "nothing is proven";
+  EXPECT_FALSE(outcome.runs.front().shape.bound);
 }
 
 TEST(Against, AnArmIsMovedWithItsWeightInMind) {
   Against against = axis();
   against.drive.train.front().gravity_torque = 0.3;  // more than what accelerates
   const AgainstOutcome outcome = optimize_against(index_problem(DriveFigure::rms_torque), against);
-  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-  EXPECT_LT(outcome.best.rms_torque, 0.85 * outcome.given.rms_torque);
+  ASSERT_TRUE(outcome.usable()) << outcome.reason;
+  EXPECT_LT(outcome.driven_best.rms_torque, 0.85 * outcome.driven_given.rms_torque);
 }
 
 TEST(Against, AGivenCamThatBreaksACeilingIsImprovedOnByOneThatKeepsIt) {
@@ -188,9 +188,9 @@ TEST(Against, AGivenCamThatBreaksACeilingIsImprovedOnByOneThatKeepsIt) {
   problem.shapes.front().pieces = 20;
   problem.ceilings = {{asked(DriveFigure::residual), 5e-3}};
   const AgainstOutcome outcome = optimize_against(problem, axis());
-  ASSERT_GT(std::abs(outcome.given.residual.value), 5e-3);
-  EXPECT_TRUE(outcome.usable()) << outcome.shapes.reason;
-  EXPECT_GT(outcome.best.rms_torque, outcome.given.rms_torque) << "it has its price";
+  ASSERT_GT(std::abs(outcome.driven_given.residual.value), 5e-3);
+  EXPECT_TRUE(outcome.usable()) << outcome.reason;
+  EXPECT_GT(outcome.driven_best.rms_torque, outcome.driven_given.rms_torque) << "it has its price";
 }
 
 TEST(Against, ACamThatTurnsForEverIsOptimisedInItsSteadyState) {
@@ -203,13 +203,13 @@ TEST(Against, ACamThatTurnsForEverIsOptimisedInItsSteadyState) {
   problem.cam.segments.push_back({Law::poly345, {360, 0}, "back"});
   problem.shapes.front().pieces = 15;
   const AgainstOutcome outcome = optimize_against(problem, forever);
-  ASSERT_TRUE(outcome.usable()) << outcome.shapes.reason;
-  const DriveFigureResult& f = outcome.figures.front();
+  ASSERT_TRUE(outcome.usable()) << outcome.reason;
+  const FigureResult& f = outcome.driven_figures.front();
   EXPECT_LT(f.reached, 0.98 * f.given);
-  EXPECT_NEAR(outcome.shapes.runs.front().figures.front().reached, f.reached, 5e-3 * f.given);
+  EXPECT_NEAR(outcome.runs.front().shape.figures.front().reached, f.reached, 5e-3 * f.given);
   const AgainstOutcome other = optimize_against(problem, once);
-  EXPECT_GT(std::abs(other.given.rms_torque - outcome.given.rms_torque),
-            1e-3 * outcome.given.rms_torque);
+  EXPECT_GT(std::abs(other.driven_given.rms_torque - outcome.driven_given.rms_torque),
+            1e-3 * outcome.driven_given.rms_torque);
 }
 
 TEST(Against, RefusesWhatItCannotDo) {

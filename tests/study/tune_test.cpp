@@ -19,7 +19,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
 std::string parameter(const std::string& key, const std::string& range) {
   return "[[optimize.parameter]]\nkey = \"" + key + "\"\nrange = [" + range + "]\n";
@@ -232,7 +232,7 @@ TEST(Tune, StopsWhenItIsTold) {
                                    parameter("move.acceleration", "500, 10000"),
                                "s.toml");
   const TuneOutcome outcome =
-      tune(spec, [](const SearchProgress& p) { return p.evaluations < 10; });
+      tune(spec, [](const OptimizeProgress& p) { return p.evaluations < 10; });
   EXPECT_EQ(outcome.search.status, Status::cancelled);
   EXPECT_TRUE(outcome.usable());
 }

@@ -284,7 +284,7 @@ TEST(Identify, SaysWhatCannotBeToldApart) {
   EXPECT_EQ(found.status, Status::not_identifiable) << found.reason;
   ASSERT_EQ(found.entangled.size(), 1u);
   EXPECT_LT(found.entangled[0].correlation, -0.99);
-  EXPECT_THAT(found.reason, HasSubstr("cannot be told apart"));
+  EXPECT_THAT(found.reason, HasSubstr("cannot be distinguished"));
 }
 
 TEST(Identify, SaysWhatDoesNotActAtAll) {

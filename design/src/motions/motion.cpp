@@ -179,7 +179,7 @@ std::vector<Trajectory> in_shortest_times(const AxesSpec& axes) {
         {.velocity = magnitude_of(axis.bounds.velocity_min, axis.bounds.velocity_max),
          .acceleration = magnitude_of(axis.bounds.acceleration_min, axis.bounds.acceleration_max),
          .jerk = magnitude_of(axis.bounds.jerk_min, axis.bounds.jerk_max)});
-  return spline_times(spec).joints;
+  return spline_times(spec).best.joints;
 }
 
 std::vector<Trajectory> through_points(const AxesSpec& axes) {

@@ -112,8 +112,8 @@ void Recorder::write(const StoredTable& stored) {
   if (!tables_.insert(stored.hash).second) return;
   const Table& table = *stored.table;
   const Columns& c = table.columns();
-  for (std::size_t first = 0; first < table.size(); first += knots_an_event) {
-    const std::size_t count = std::min(knots_an_event, table.size() - first);
+  for (std::size_t first = 0; first < table.size(); first += record_wire::knots_an_event) {
+    const std::size_t count = std::min(record_wire::knots_an_event, table.size() - first);
     write(RecordedTable{.hash = stored.hash,
                         .units = stored.units,
                         .over = table.axis(),

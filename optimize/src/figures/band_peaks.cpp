@@ -23,7 +23,7 @@ struct BandSide {
     if (over_frequency) return {q / two_pi, fixed};
     return {fixed / two_pi, std::sin(q)};
   }
-  /// How far the phase turns over a motion of a length.
+  /// The phase over a motion of a given length, in radians.
   [[nodiscard]] double turn(double length) const {
     return (to - from) * length * (over_frequency ? 1 : fixed);
   }

@@ -7,12 +7,13 @@
 
 namespace jounce::optimizer {
 
-/// The local peaks of what the modes of a band keep of a motion, each within rounding of itself, and the ends of the
-/// band's sides. All lie on the edge of the band (profiles/src/vibration/vibration_band.cpp). worst_residual() proves its answer to a
-/// share of the motion's travel; beside a motion that leaves a millionth of it, that is not enough to say where.
+/// Returns the local peaks of the residual that a motion leaves in the modes of a band, each exact to rounding,
+/// and the ends of the sides of the band. All peaks lie on the edge of the band
+/// (profiles/src/vibration/vibration_band.cpp). worst_residual() proves its result to a share of the travel.
+/// For a motion whose residual is a millionth of the travel, that does not determine the place of a peak.
 ///
-/// Each side is sampled at 25 places a lobe of the spectrum, and each peak of these samples is narrowed. Peaks closer
-/// together than two samples are one.
+/// Each side is sampled at 25 places for each lobe of the spectrum, and each peak of the samples is refined.
+/// Peaks that are closer together than two samples count as one.
 std::vector<WorstMode> band_peaks(const Trajectory& motion, const ModeBand& band);
 
 }  // namespace jounce::optimizer

@@ -12,9 +12,9 @@
 
 #include "optimize/src/figures/quadrature.hpp"
 
-// Peak: |q| at one place is the higher of two planes, q and -q. To begin with both stand where the
-// pieces begin, end, and (where q bends within a piece) in the middle; then where the exact extrema of
-// q on a piece exceed the level.
+// Peak: |q| at one place is the higher of two planes, q and -q. The first planes are where the pieces begin,
+// end and, if q bends within a piece, in the middle. The others are where the exact extrema of q on a piece
+// exceed the level.
 //
 // Rms: a sum of squares (SplineSpace::squares).
 
@@ -62,7 +62,7 @@ std::vector<Form> planes_to_begin_with(const LinearQuantity& q, const SplineSpac
   return planes;
 }
 
-/// Runs of pieces that touch the level with one sign, each told once, where it begins.
+/// The runs of pieces that touch the level with one sign, each listed once, where it begins.
 std::vector<Extremum> touching(const LinearQuantity& q, const std::vector<Segment>& shape,
                                double begin, double level) {
   std::vector<Extremum> places;
@@ -157,7 +157,7 @@ FigureRows rows_of(const RmsOf& figure, const SplineSpace& space) {
 
 namespace {
 
-/// Few numbers behind many planes.
+/// A figure of few numbers with many planes.
 template <class Figure>
 constexpr bool liftable =
     std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, RmsResponseOf> ||
@@ -167,7 +167,7 @@ template <class Figure>
 constexpr bool convex =
     std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> || liftable<Figure>;
 
-/// The size of a figure that is not convex in a perfect spline, its parts added up.
+/// The size of a figure that is not convex, for a perfect spline: the sum of its parts.
 double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
   const auto derivative = [&](int order) { return space.natural(derivative_of_shape(order)); };
   const auto torque = [&](const LoadTorque& load) {
@@ -187,7 +187,7 @@ double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
   return natural > 0 ? natural : 1;
 }
 
-/// A figure that is not convex: what it is worth, and where, but no planes.
+/// A figure that is not convex: its value and its places, without planes.
 FigureRows value_alone(const ShapeFigure& figure, const SplineSpace& space) {
   const double begin = space.knots().front();
   const Pointwise p = pointwise(figure, begin).value();

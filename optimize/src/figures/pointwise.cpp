@@ -12,12 +12,12 @@
 #include "optimize/src/figures/quadrature.hpp"
 #include "optimize/src/program/spline_space.hpp"
 
-// With the quantities q = (linear, f', f'', f) of a load, shape.hpp (1) is
+// The quantities of a load are q = (linear, f', f'', f). Equation (1) of shape.hpp is then
 //
 //   (1)  T = q_0 + J q_2 + J' q_1 + C sign(q_1) + G sin(angle + turn q_3)
 //
-// A shape is cut where f' vanishes and where J has a break; on each stretch the sign is one, T is a
-// polynomial but for the sine, and the power of two linear quantities is a polynomial throughout.
+// A shape is cut where f' vanishes and where J has a break. On each interval the sign is constant and T is a
+// polynomial plus the sine term. The power of two linear quantities is a polynomial throughout.
 
 namespace jounce::optimizer {
 namespace {
@@ -26,7 +26,7 @@ LinearQuantity with_order(int order) {
   return derivative_of_shape(order);
 }
 
-/// Where on the axis of x the inertia is: its segment, and how far in.
+/// A place in the inertia: the number of a segment, and the distance from its beginning.
 struct InertiaAt {
   double value = 0;
   double slope = 0;
@@ -45,7 +45,7 @@ InertiaAt inertia_at(const std::vector<Segment>& inertia, double begin, double x
   return {};
 }
 
-/// The breaks of the inertia strictly inside (a, b), with a before and b behind.
+/// The breaks of the inertia strictly inside (a, b), preceded by a and followed by b.
 std::vector<double> cuts_between(const std::vector<Segment>& inertia, double begin, double a,
                                  double b) {
   std::vector<double> cuts{a};
@@ -58,7 +58,7 @@ std::vector<double> cuts_between(const std::vector<Segment>& inertia, double beg
   return cuts;
 }
 
-/// Where f' vanishes inside a segment, 0 and 1 around.
+/// The places where f' vanishes inside a segment, with 0 before them and 1 after them.
 std::vector<double> turns(const Segment& f) {
   const Segment velocity = derivative(f);
   std::vector<double> inside;
@@ -90,7 +90,7 @@ Segment added(const Segment& f, const Segment& g) {
   return sum(f, g).value();
 }
 
-/// (1) on a stretch without breaks or turns.
+/// (1) on an interval without breaks or reversals.
 Wave torque_wave(const LoadTorque& load, const Segment& f, double begin, double a, double b) {
   Wave wave;
   wave.from = a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a load may be.
+// The rules for a load.
 
 #include <algorithm>
 #include <cmath>

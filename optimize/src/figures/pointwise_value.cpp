@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a figure of a place is for a whole shape: extrema, integrals, where a level is met.
+// The value of a pointwise figure for a whole shape: extrema, integrals, places that meet a level.
 //
-// The peak of a wave with a sine: between a and b it is off the straight line between its end values by at
-// most
+// The peak of a wave with a sine: between a and b its distance from the straight line between its end values is
+// at most
 //
 //   (2)  (b - a)^2 / 8 (max |P''| + |G| (max |angle'|^2 + max |angle''|))
 //
-// so halves are dropped as soon as the higher of their ends and (2) are below the best known.
+// so a half is dropped as soon as the higher of its end values plus (2) is below the best known value.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@
 namespace jounce::optimizer {
 namespace {
 
-/// Halves until (2) leaves no room for more than the tolerance above the best.
+/// Halves until (2) permits at most the tolerance above the best value.
 struct Climb {
   const Wave& wave;
   double sign;
@@ -77,7 +77,7 @@ Range range_of(const Wave& wave, double tolerance) {
 
 namespace {
 
-/// The integral of g, or of its square, over the shape: by the quantities, between the waves' ends.
+/// The integral of g, or of its square, over the shape, by quadrature between the ends of the waves.
 double integrated(const Pointwise& figure, const std::vector<Segment>& shape, double begin) {
   std::vector<double> starts{begin};
   for (const Segment& f : shape) starts.push_back(starts.back() + f.length);

@@ -12,22 +12,23 @@
 #include "optimize/src/program/lifted.hpp"
 #include "optimize/src/program/nodes.hpp"
 
-// What a mode keeps (jounce/profiles/vibration/vibration_band.hpp, residual_phasor) is linear in the shape: with the
-// coordinates z of spline_space.hpp, piece i of length h ending at e_i, the end of all at e, and the pole s,
+// The residual of a mode (jounce/profiles/vibration/vibration_band.hpp, residual_phasor) is linear in the
+// shape. With the coordinates z of spline_space.hpp, piece i of length h that ends at e_i, the end of the shape
+// at e, and the pole s,
 //
 //   (1)  R(z) = sum over i, j of z_ij S_ij e^(s (e - e_i)) r_j(h),   r_j: of the single segment u^j / j!
 //   (2)  |R| is the highest of the planes Re(e^(-i t) R) over all directions t
 //
-// The worst of a band is the highest of the planes of all its modes: convex. To begin with a few modes
-// have four planes each; then each part of the band, and each local peak, adds the plane that touches where it is
-// worst, if that exceeds the level.
+// The worst residual of a band is the highest of the planes of all its modes, so it is convex. The first planes
+// are four for each of a few modes. Each part of the band and each local peak then adds the plane that touches
+// it at its worst mode, if that exceeds the level.
 
 namespace jounce::optimizer {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int parts = 8;  ///< of a band, each with one cut a round
+constexpr int parts = 8;  ///< parts of a band; each gives one cut in a round
 constexpr double search_tolerance = 1e-6;
 
 /// r_j of (1), j = 0 ... degree.
@@ -96,7 +97,7 @@ std::vector<ModeBand> parts_of(const ModeBand& band) {
   return all;
 }
 
-/// Every plane of a band in the few unknowns of its own.
+/// Every plane of a band, in the few own unknowns of the figure.
 class LiftedBand {
  public:
   LiftedBand(const SplineSpace& space, const ModeBand& band)
@@ -106,7 +107,7 @@ class LiftedBand {
         usable_(!frequencies_.too_few() && !dampings_.too_few() && band.damping_high <= 0.5 &&
                 frequencies_.at().size() * dampings_.at().size() <= most_modes) {}
 
-  /// Whether few enough modes say it all.
+  /// True if a few modes represent the whole band.
   [[nodiscard]] bool usable() const { return usable_; }
 
   void lift(const SplineSpace& space, const Lift& from, FigureRows& rows) {
@@ -160,7 +161,7 @@ class LiftedBand {
 
 using Plane = std::function<Form(const Mode& mode, Complex direction)>;
 
-/// As the rows may have them: lifted, if that is asked for and there are few enough numbers.
+/// The response as the rows use it: lifted, if that is requested and it has few independent numbers.
 Plane planes_of(const SplineSpace& space, const ModeBand& band, const Lift* lift,
                 FigureRows& rows) {
   const auto few = std::make_shared<LiftedBand>(space, band);
@@ -172,7 +173,7 @@ Plane planes_of(const SplineSpace& space, const ModeBand& band, const Lift* lift
   return [few](const Mode& mode, Complex direction) { return few->plane(mode, direction); };
 }
 
-/// The worst mode of the band as far as worst_residual() proves it, and every local peak.
+/// The worst mode of the band, as accurate as worst_residual() proves it, and every local peak.
 double residual_of(const Trajectory& motion, const ModeBand& band) {
   double most = worst_residual(motion, band).residual;
   for (const WorstMode& peak : band_peaks(motion, band)) most = std::max(most, peak.residual);

@@ -4,12 +4,13 @@
 
 #include "optimize/src/program/lifted.hpp"
 
-// A response y is known by what it gives for shapes. It is affine in the shape, so with z_k the shapes of
-// a basis and c_k their coordinates
+// A response y is determined by its values for a set of shapes. It is affine in the shape. With z_k the shapes
+// of a basis and c_k their coordinates
 //
 //   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0)) = y(0) + R z
 //
-// With unknowns v of its own in the unit u ((2) of lifted.cpp), y = u Q v + (1 - Q Q') y(0), mean squares are
+// With own unknowns v in the unit u (equation (2) of lifted.cpp), y = u Q v + (1 - Q Q') y(0), and mean squares
+// are
 //
 //   (2)  |y|^2 = u^2 |v|^2 + |(1 - Q Q') y(0)|^2
 
@@ -20,8 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double accuracy = 1e-10;   ///< of y, in what is natural: what joints leave
-constexpr double nothing = 1e-9;     ///< of the same
+constexpr double accuracy = 1e-10;   ///< share of the natural size of y that the joints leave
+constexpr double nothing = 1e-9;     ///< share of the natural size of y
 constexpr Index to_begin_with = 32;  ///< instants
 
 using Respond = std::function<std::vector<double>(const std::vector<Segment>&)>;
@@ -33,7 +34,7 @@ Respond responding(const std::function<std::vector<double>(const Trajectory&)>& 
 double largest(const std::vector<double>& y) {
   double peak = 0;
   for (const double v : y) {
-    if (std::isnan(v)) return v;  // std::max would lose it
+    if (std::isnan(v)) return v;  // std::max would ignore it
     peak = std::max(peak, std::abs(v));
   }
   return peak;
@@ -107,7 +108,7 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lif
     const std::vector<double> now = respond(shape);
     std::vector<Form> planes;
     const auto magnitude = [&](std::size_t i) { return std::abs(now[i]); };
-    for (std::size_t i = 0; i < now.size(); ++i) {  // local peaks alone: neighbours are alike
+    for (std::size_t i = 0; i < now.size(); ++i) {  // only local peaks: neighbors are nearly equal
       if (!(magnitude(i) > level)) continue;
       if (i > 0 && magnitude(i - 1) > magnitude(i)) continue;
       if (i + 1 < now.size() && magnitude(i + 1) >= magnitude(i)) continue;

@@ -18,7 +18,7 @@ AffineCam::AffineCam(const CamSpec& spec, const std::vector<FreeDerivatives>& fr
   const std::size_t last = spec.segments.size();
   mean_ = (knots_.back().master - knots_.front().master) / static_cast<double>(last);
   for (std::size_t i = 0; i <= last; ++i) {
-    // f' takes the slope of the chord somewhere in a segment beside.
+    // f' takes the slope of the chord somewhere in each adjacent segment.
     const double reach = length(std::min(i, last - 1)) / mean_;
     if (spec.periodic && i == last)
       index_[i] = index_[0];

@@ -10,26 +10,26 @@
 
 namespace jounce::optimizer {
 
-/// One free derivative: the solver sees (value - given) / unit.
+/// One free derivative. The solver's variable is (value - given) / unit.
 struct Unknown {
   double unit = 1;
-  /// By how much two of its values can differ while no peak exceeds the given one: 2 reach units.
+  /// Two values whose peaks do not exceed the given one differ by at most 2 reach units.
   double reach = 1;
 };
 
 /// max |geo_acceleration| of the cam.
 double peak_of(const CamSpec& spec);
 
-/// A cam as an affine function of its free derivatives. Accelerations are counted in the given cam's
-/// peak, lengths in its mean segment.
+/// A cam as an affine function of its free derivatives. The unit of acceleration is the peak of the given cam,
+/// the unit of length its mean segment.
 class AffineCam {
  public:
-  /// Every derivative of `spec` is given; `free` says which may change.
+  /// Every derivative of `spec` is given; `free` lists those that may change.
   AffineCam(const CamSpec& spec, const std::vector<FreeDerivatives>& free);
 
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
   [[nodiscard]] double peak() const { return peak_; }
-  /// True if what is left of the given cam's acceleration is rounding.
+  /// True if the acceleration of the given cam is only rounding.
   [[nodiscard]] bool straight() const;
   /// True if a free derivative changes the segment.
   [[nodiscard]] bool moves(std::size_t segment) const;
@@ -38,8 +38,8 @@ class AffineCam {
   /// The second or third derivative at s in [0, 1] of a segment that moves.
   [[nodiscard]] Form derivative(std::size_t segment, double s, std::size_t order) const;
 
-  /// The integral of f'''^2 over the segments that move, as squares: a polynomial of degree 4, so
-  /// Gauss's rule with three points is exact.
+  /// The integral of f'''^2 over the segments that move, as squares. f'''^2 is a polynomial of degree 4, for
+  /// which Gauss's rule with three points is exact.
   [[nodiscard]] std::vector<Form> square_jerk() const;
 
  private:

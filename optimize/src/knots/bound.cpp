@@ -15,38 +15,39 @@
 #include "optimize/src/figures/quadrature.hpp"
 #include "optimize/src/knots/freedom.hpp"
 
-// Peak acceleration, d = displacement, after a reflection that makes d >= (v0 + v1) L / 2.
-// Full acceleration A up to the speed w, full deceleration after it, takes the greatest way:
+// Peak acceleration, d = displacement, after a reflection that makes d >= (v0 + v1) L / 2. Full acceleration A
+// up to the speed w and full deceleration after it cover the greatest distance:
 //     (1)  w = (v0 + v1 + A L) / 2,   d = (v0 + v1) L / 2 + A L^2 / 4 - (v1 - v0)^2 / (4 A)
-// which gives the least A; with a speed limit V < w there is a coast at V between:
+// which gives the least A. With a speed limit V < w, the motion coasts at V between them:
 //     (2)  A = (2 d' + sqrt(4 d'^2 + (v1 - v0)^2 L^2)) / L^2,   d' = d - (v0 + v1) L / 2
 //     (3)  d = V L - ((V - v0)^2 + (V - v1)^2) / (2 A)
 //
-// Peak jerk, x = 1 - u / L in [0, 1], j the jerk. What is given at the ends fixes moments of j:
+// Peak jerk, x = 1 - u / L in [0, 1], j the jerk. The values at the ends determine moments of j:
 //     (4)  M0 = integral of j     = (a1 - a0) / L
 //     (5)  M1 = integral of x j   = (v1 - v0 - a0 L) / L^2
 //     (6)  M2 = integral of x^2 j = 2 (d - v0 L - a0 L^2 / 2) / L^3
-// so for any polynomial q = q0 + q1 x + q2 x^2 in the moments that are known
+// so for any polynomial q = q0 + q1 x + q2 x^2 in the moments that are determined
 //     (7)  max |j| >= |q0 M0 + q1 M1 + q2 M2| / integral of |q|,
-// with equality where j = +-J sign(q) has these moments: the perfect spline, which switches at the
-// roots of q. Any q gives a valid bound, so a root found inexactly can only give a lower one.
+// with equality where j = +-J sign(q) has these moments: the perfect spline, which switches at the roots of q.
+// Any q gives a valid bound, so an inexact root can only make the bound lower.
 // Both accelerations given, switches at t1 <= t2, r = 1 / J signed:
 //     (8)  t2 - t1 = w = (1 - M0 r) / 2,   t2^2 - t1^2 = g = 1/2 - M1 r,
 //          t2^3 - t1^3 = (1 - 3 M2 r) / 2,  hence  2 w (1 - 3 M2 r) - 3 g^2 - w^4 = 0
 // a0 given, a1 free (q0 = 0), one switch at t:
 //     (9)  M1 (2 t^3 - 1) / 3 = M2 (t^2 - 1/2)
-// Both free: only M1 - M2 does not depend on a0, and q = x - x^2 keeps its sign, so the cubic
-// attains
+// Both free: only M1 - M2 does not depend on a0, and q = x - x^2 keeps its sign, so the cubic has
 //     (10) J = 6 |M1 - M2| = 6 |v0 + v1 - 2 d / L| / L^2
 //
-// Square of acceleration: the cubic solves f'''' = 0, natural for the integral of f''^2:
+// Square of acceleration: the cubic solves f'''' = 0, the natural equation for the integral of f''^2:
 //     (11) 4 (v0^2 + v0 v1 + v1^2) / L - 12 d (v0 + v1) / L^2 + 12 d^2 / L^3
 //
-// A place to pass inside a stretch, its velocity open, its slave within bounds: what Taylor's polynomial from an end leaves there at least,
+// A place to pass inside an interval, with free velocity and a slave within bounds: the remainder of Taylor's
+// polynomial from an end is at least
 //     (12) n2 = |d - v0 L|,   n3 = |d - v0 L - a0 L^2 / 2|,
 //          A >= 2 n2 / L^2,   J >= 6 n3 / L^3,   integral of f''^2 >= 3 n2^2 / L^3
-// (of the slaves that are allowed, the nearest). Where its master is free within bounds, the bounds are cut into cells; over a cell n is least and L
-// greatest, and the least of all cells holds.
+// for the nearest of the permitted slaves. Where the master of the place is free within bounds, the bounds are
+// divided into cells. In each cell the least n and the greatest L count, and the bound is the least of all
+// cells.
 
 namespace jounce {
 namespace {
@@ -149,7 +150,7 @@ Stretch run_backwards(const Stretch& s) {
 
 // ---- the whole cam ------------------------------------------------------------------------------
 
-/// Whether master, slave and geo_velocity stay as they are.
+/// True if master, slave and geo_velocity stay as they are.
 bool stays(const Freedom& f) {
   return !f[0] && !f[1] && !f[2];
 }
@@ -174,7 +175,8 @@ double bound_of_stretch(const Stretch& s, Objective objective, const Limits& lim
   return least_square_acceleration(s);
 }
 
-/// A place inside a stretch that the cam passes: how far above the beginning, and how far after it.
+/// A place that the cam passes inside an interval: its displacement from the beginning, and its distance after
+/// it.
 struct Passing {
   Bound displacement;
   Bound after;
@@ -189,7 +191,7 @@ double least_rest(const Bound& d, double v, double a, const Bound& length) {
   return std::max({0.0, d.lower - v_high - a_high, v_low + a_low - d.upper});
 }
 
-/// (12) from the beginning of a stretch to a place `d` above it.
+/// (12) from the beginning of an interval to a place with the displacement `d`.
 double bound_of_side(const Stretch& s, const Bound& d, const Bound& length, Objective objective) {
   const double L = length.upper;
   if (!(L > 0)) return 0;
@@ -219,7 +221,7 @@ double bound_through(const Stretch& s, const Passing& place, Objective objective
   return least;
 }
 
-/// The knots between two others, each with the room of its master and slave.
+/// The knots between two others, each with the bounds of its master and slave.
 std::vector<Passing> passed(const CamProblem& problem, const std::vector<Knot>& knots,
                             std::size_t from, std::size_t to) {
   std::vector<Passing> all;
@@ -237,7 +239,7 @@ std::vector<Passing> passed(const CamProblem& problem, const std::vector<Knot>& 
   return all;
 }
 
-/// The objective's share of one segment that cannot change: its peak, or its integral.
+/// The share of one segment that cannot change in the objective: its peak, or its integral.
 double exact_share(const CamDesign& made, std::size_t segment, Objective objective) {
   std::vector<Segment> own;
   for (std::size_t i = 0; i < made.origin.size(); ++i)
@@ -247,7 +249,7 @@ double exact_share(const CamDesign& made, std::size_t segment, Objective objecti
   return objective == Objective::rms_acceleration ? value * value * cam.length() : value;
 }
 
-/// Whether the law beside a knot has the acceleration there that the knot says: some have their own.
+/// True if a law beside a knot has the acceleration of the knot there: some laws have their own.
 bool takes_acceleration(Law law) {
   const Ends ends = info(law).ends;
   return ends != Ends::moving_free && ends != Ends::rest_to_reversal;

@@ -11,7 +11,8 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr int places = 13;  ///< Chebyshev points a piece to begin with, beside its extrema
+constexpr int places =
+    13;  ///< Chebyshev points of a piece in the first program, beside its extrema
 constexpr int rounds = 5;
 
 /// The tangents of a stage at z as a convex program in z and t, both in their units.
@@ -30,7 +31,7 @@ class Tangent {
     if (stage.objective == Objective::rms_acceleration) add({Rms{}, 1 / reference_, 0, true});
   }
 
-  /// The highest of a few rounds, each with the extrema of the one before.
+  /// The highest bound of a few rounds, each with the extrema of the round before.
   double bound() {
     std::vector<double> range;
     for (const Variable& v : stage_.space.variables) range.push_back((v.upper - v.lower) / v.scale);
@@ -65,7 +66,7 @@ class Tangent {
     program_.constraints.push_back({floor_of(stage_) / reference_, {{z_.size(), -1}}});
   }
 
-  /// At the extrema of a piece, and at so many Chebyshev points.
+  /// Adds rows at the extrema of a piece and at `count` Chebyshev points.
   void add_piece(const Shape& shape, std::size_t piece, int count) {
     const auto peak = peak_order(stage_.objective);
     for (const DerivativeBound& c : stage_.ceilings)

@@ -5,9 +5,9 @@
 
 namespace jounce::optimizer {
 
-/// What no choice of the free quantities within the ceilings of a stage has less of, where the stage is
-/// convex; close if z is the best choice. By weak duality over tangents at z: samples of derivatives are
-/// linear in the free quantities, the rms is above its tangent.
+/// A lower bound of the objective for all choices of the free quantities within the ceilings of a stage. The
+/// stage must be convex; the bound is close if z is the best choice. It follows by weak duality from the
+/// tangents at z: samples of derivatives are linear in the free quantities, and the rms is above its tangent.
 double convex_bound(const Stage& stage, const Point& z);
 
 }  // namespace jounce::optimizer

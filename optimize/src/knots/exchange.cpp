@@ -8,10 +8,10 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr int places = 7;  ///< Chebyshev points a piece to begin with
+constexpr int places = 7;  ///< Chebyshev points of a piece in the first program
 constexpr int max_sharpened = 30;
-constexpr double same_place = 1e-7;  ///< positions in a piece that are one
-constexpr double fixed = 1e-12;      ///< a row with no more slope than this cannot be changed
+constexpr double same_place = 1e-7;  ///< positions in a piece closer than this are one
+constexpr double fixed = 1e-12;      ///< a row whose slope is not above this cannot be changed
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void Exchange::add_everywhere(std::size_t piece, const Point& z) {
   }
 }
 
-/// A new row, or a sharper one where the rounding of the solver left a violation.
+/// Adds a row. If rounding of the solver broke a row that is there, makes that row sharper.
 bool Exchange::exclude(const DerivativeBound& ceiling, std::size_t piece, double s, const Point& z,
                        double excess) {
   const Row row = row_of(ceiling, piece, s, z);
@@ -91,7 +91,7 @@ bool Exchange::add(const Row& row, const Point& z) {
   return true;
 }
 
-/// Near a fixed knot a row can hardly be changed: the margin shrinks with its slope.
+/// Near a fixed knot a row can hardly be changed, so the margin shrinks with its slope.
 Row Exchange::row_of(const DerivativeBound& ceiling, std::size_t piece, double s,
                      const Point& z) const {
   Row row{sample(stage_.space.pieces, piece, ceiling.order, s, ceiling.lower),

@@ -8,20 +8,20 @@
 
 namespace jounce::optimizer {
 
-/// The rows that stand for a stage: its ceilings and the epigraph of its objective, first at a few
-/// Chebyshev points of every piece, then also where the exact extrema of a solution break them.
+/// The rows that represent a stage: its ceilings and the epigraph of its objective, first at a few Chebyshev
+/// points of every piece, then also where the exact extrema of a solution break them.
 class Exchange {
  public:
   Exchange(const Stage& stage, const Point& start);
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-  /// What t = 1 means.
+  /// The value of the objective for which t = 1.
   [[nodiscard]] double reference() const { return reference_; }
-  /// What the epigraph may be exceeded by, relative.
+  /// The relative excess of the epigraph that counts as rounding.
   [[nodiscard]] double precision() const;
 
-  /// Adds the extrema of `shape`, the cam at z, that break a ceiling or exceed the epigraph at t;
-  /// how many.
+  /// Adds the extrema of `shape`, the cam at z, that break a ceiling or exceed the epigraph at t. Returns their
+  /// number.
   int exchange(const Shape& shape, const Point& z, double t);
 
  private:
@@ -39,7 +39,7 @@ class Exchange {
 
   const Stage& stage_;
   double reference_;
-  double margin_;  ///< that ceilings are kept away from, relative: SLSQP leaves as much rounding
+  double margin_;  ///< relative distance kept from the ceilings: SLSQP leaves as much rounding
   int sharpened_ = 0;
   std::vector<Row> rows_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One round: SLSQP on the rows there are, the signs of the velocity held; then the exact extrema of the
-// shape it found, where they exceed a row's level, become rows, and the signs are taken anew. Converged are
-// eight rounds that gain nothing and turn no sign, or one that adds no row either. What counts is always the
-// exact value of the shape, never what the rows promise.
+// One round: SLSQP runs on the present rows, with the signs of the velocity fixed. The exact extrema of the
+// result that exceed the level of a row then become rows, and the signs are determined again. The search has
+// converged after eight rounds without a gain and without a change of sign, or after one such round that also
+// adds no row. The exact value of the shape counts, not the value of the rows.
 
 #include "optimize/src/knots/fixed_knots.hpp"
 
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "optimize/src/search/drawn.hpp"
+#include "optimize/src/shapes/optimized_from.hpp"
 
 namespace jounce::optimizer {
 namespace {
@@ -22,12 +23,12 @@ using Eigen::VectorXd;
 using Clock = std::chrono::steady_clock;
 
 constexpr int most_rounds = 30;
-constexpr int most_idle = 8;  ///< rounds that gain nothing
+constexpr int most_idle = 8;  ///< rounds without a gain
 constexpr int evaluations_a_round = 200;
 
 }  // namespace
 
-/// The problem's convex part.
+/// The convex part of the problem.
 ShapeProblem convex_part(ShapeProblem p) {
   std::erase_if(p.minimize, [](const WeightedFigure& m) { return !has_rows(m.figure); });
   std::erase_if(p.ceilings, [](const Ceiling& c) { return !has_rows(c.figure); });
@@ -51,14 +52,15 @@ FoundShape FixedKnots::only_shape() const {
 }
 
 FoundShape FixedKnots::run(const VectorXd& start, SearchBudget& budget,
-                           const ShapeKeepGoing& keep_going) {
+                           const KeepGoing& keep_going) {
   FoundShape best = standing(start);
   VectorXd y = start;
   for (int round = 0, idle = 0; round < most_rounds && !budget.spent(); ++round) {
     const DescentProgram rows = program();
     const int left = budget.most_evaluations - budget.evaluations;
     const auto go_on = [&] {
-      if (keep_going && !keep_going(budget.rounds, best.value)) budget.cancelled = true;
+      if (keep_going && !keep_going(round_progress(budget.rounds, budget.evaluations, best.value)))
+        budget.cancelled = true;
       return !budget.cancelled && !(budget.until && Clock::now() >= *budget.until);
     };
     Descended found = descend(rows, y, std::min(evaluations_a_round, left), go_on);
@@ -84,7 +86,7 @@ FoundShape FixedKnots::run(const VectorXd& start, SearchBudget& budget,
 
 VectorXd FixedKnots::beside(int start) const {
   VectorXd y = VectorXd::Zero(reduced_.size());
-  std::uint64_t state = problem_.seed * 1000003U + static_cast<std::uint64_t>(start);
+  std::uint64_t state = problem_.options.seed * 1000003U + static_cast<std::uint64_t>(start);
   const double width = start == 0 ? 0 : 0.5 / std::sqrt(static_cast<double>(y.size()));
   for (double& each : y) each = width * (2 * drawn(state) - 1);
   return y;
@@ -109,7 +111,7 @@ std::vector<double> FixedKnots::finer(const std::vector<Segment>& shape) const {
 
 bool FixedKnots::gain(const FoundShape& now, const FoundShape& best, double share) const {
   if (best.violation > 0 || now.violation > 0) return now.violation < 0.9 * best.violation;
-  return now.value < best.value - share * problem_.tolerance * std::abs(best.value);
+  return now.value < best.value - share * problem_.options.tolerance * std::abs(best.value);
 }
 
 void FixedKnots::add_lost(const Pointwise& figure, const std::vector<Segment>& shape,

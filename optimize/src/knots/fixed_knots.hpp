@@ -15,7 +15,7 @@
 
 namespace jounce::optimizer {
 
-/// A figure that is not convex, and what it is counted in.
+/// A figure that is not convex, with its unit.
 struct SearchedFigure {
   Pointwise figure;
   double unit = 1;
@@ -23,7 +23,7 @@ struct SearchedFigure {
   std::optional<double> at_most = {};  ///< a ceiling instead
 };
 
-/// What the budget leaves, over all starts and refinements.
+/// The rest of the budget, for all starts and refinements.
 struct SearchBudget {
   int evaluations = 0;
   int rounds = 0;
@@ -37,11 +37,11 @@ struct SearchBudget {
   }
 };
 
-/// The shape a round ended with.
+/// The shape at the end of a round.
 struct FoundShape {
   std::vector<Segment> shape = {};
   double value = 0;
-  double violation = 0;  ///< 0: every limit is met
+  double violation = 0;  ///< 0: it meets every limit
   bool settled = false;
 
   [[nodiscard]] bool better_than(const FoundShape& other) const {
@@ -51,10 +51,11 @@ struct FoundShape {
   }
 };
 
-/// The problem's convex part.
+/// The convex part of the problem.
 ShapeProblem convex_part(ShapeProblem problem);
 
-/// The search for a shape that is not convex over fixed knots: equations and rounds at the head of fixed_knots.cpp.
+/// The search for a shape over fixed knots, with figures that are not convex. The head of fixed_knots.cpp has
+/// the equations and the rounds.
 class FixedKnots {
  public:
   FixedKnots(const ShapeProblem& problem, const std::vector<SearchedFigure>& parts,
@@ -63,24 +64,23 @@ class FixedKnots {
   [[nodiscard]] bool contradicts() const { return reduced_.contradiction() > 1e-7; }
   [[nodiscard]] bool finite() const { return finite_; }
   [[nodiscard]] bool has_no_freedom() const { return reduced_.size() == 0; }
-  /// That of the ends, where they leave nothing free.
+  /// The only shape, where the ends leave nothing free.
   [[nodiscard]] FoundShape only_shape() const;
 
   /// Each round starts from the best shape so far: where SLSQP gets lost, its next start is no worse.
-  FoundShape run(const Eigen::VectorXd& start, SearchBudget& budget,
-                 const ShapeKeepGoing& keep_going);
+  FoundShape run(const Eigen::VectorXd& start, SearchBudget& budget, const KeepGoing& keep_going);
 
-  /// y of a shape beside the nearest one, in direction number `start`; 0: that itself.
+  /// y of a shape near the nearest one, in direction number `start`; 0: of the nearest one.
   [[nodiscard]] Eigen::VectorXd beside(int start) const;
 
-  /// Knots with the pieces halved on which a peaked figure falls most short of a peak that it meets there.
+  /// The knots, with those pieces halved on which a peaked figure meets its peak and is farthest below it.
   [[nodiscard]] std::vector<double> finer(const std::vector<Segment>& shape) const;
   /// True if a shape is better by more than a share of the tolerance.
   [[nodiscard]] bool gain(const FoundShape& now, const FoundShape& best, double share = 0.01) const;
   [[nodiscard]] std::size_t pieces() const { return model_.space.pieces(); }
 
  private:
-  /// The integral of peak - |g| over each piece on which the peak is met, about.
+  /// Adds an estimate of the integral of peak - |g| over each piece on which the peak is met.
   void add_lost(const Pointwise& figure, const std::vector<Segment>& shape,
                 std::vector<double>& lost) const;
 
@@ -91,7 +91,7 @@ class FixedKnots {
   [[nodiscard]] PlaceRow place_row(const Pointwise& figure, std::size_t piece, double s,
                                    double sign) const;
 
-  /// For a wall; a limit that nothing can change is no row.
+  /// Adds a row for a constraint, unless nothing can change it.
   void add_wall(const Form& form, double scale);
 
   void add_peak(const SearchedFigure& part, std::size_t t, std::size_t piece, double s, double sign,
@@ -99,7 +99,7 @@ class FixedKnots {
 
   void list_rows();
 
-  /// Those of the objective's epigraphs, in the order of list_rows().
+  /// The weights of the epigraphs of the objective, in the order of list_rows().
   [[nodiscard]] std::vector<double> weights() const;
 
   [[nodiscard]] Mean mean_of(const SearchedFigure& part) const;
@@ -112,10 +112,10 @@ class FixedKnots {
 
   [[nodiscard]] double sign_at(const SearchedFigure& part, std::size_t piece, double s) const;
 
-  /// Takes the signs of a shape; whether one of a row has turned.
+  /// Takes the signs of a shape. Returns true if the sign of a row has changed.
   bool hold_signs(const std::vector<Segment>& shape);
 
-  // ---- what a shape is worth -------------------------------------------------------------------
+  // ---- value of a shape ------------------------------------------------------------------------
 
   [[nodiscard]] FoundShape standing(const Eigen::VectorXd& y) const;
 
@@ -123,22 +123,24 @@ class FixedKnots {
 
   static double beyond(double value, double limit, double scale);
 
-  /// Adds what the shape breaks; how many rows.
+  /// Adds the places where the shape breaks a row. Returns their number.
   int exchange(const std::vector<Segment>& shape, const Eigen::VectorXd& t);
 
-  [[nodiscard]] double precision() const { return std::min(1e-7, 0.1 * problem_.tolerance); }
+  [[nodiscard]] double precision() const {
+    return std::min(1e-7, 0.1 * problem_.options.tolerance);
+  }
 
   int add_peaks(const SearchedFigure& part, std::size_t t, const std::vector<Segment>& shape,
                 double level);
 
-  /// Two rows at almost one place are almost one row, and SLSQP loses its digits over them.
+  /// Two rows at almost the same place are almost one row, which costs SLSQP its digits.
   void drop_near(const SearchedFigure& part, std::size_t piece, double x, double direction);
 
   const ShapeProblem& problem_;
   const std::vector<SearchedFigure>& parts_;
   ShapeModel model_;
   ReducedSpace reduced_;
-  std::vector<Segment> held_;  ///< whose signs count
+  std::vector<Segment> held_;  ///< shape that determines the signs
   std::vector<DescentRow> rows_;
   bool finite_ = true;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What SLSQP is given: the rows of walls, convex figures and peaks, and the means.
+// The input of SLSQP: the rows of constraints, convex figures and peaks, and the means.
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,10 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double kept_by = 1e-9;  ///< that limits are kept by: SLSQP leaves as much rounding
+constexpr double kept_by = 1e-9;  ///< distance kept from limits: SLSQP leaves as much rounding
 
-/// Gauss's nodes and weights over a piece: the mean that a search sees; the result is judged by value_of().
+/// Gauss's nodes and weights over a piece, for the mean in the search. value_of() determines the mean of the
+/// result.
 struct Node {
   double s, weight;
 };

@@ -8,7 +8,7 @@
 
 #include "jounce/optimize/problem.hpp"
 
-/// Which of a cam's knot quantities are free: shared by the validation, the bounds and the solver.
+/// The free quantities of the knots of a cam: shared by the validation, the bounds and the solver.
 namespace jounce::optimizer {
 
 enum class Quantity : std::size_t { master, slave, geo_velocity, geo_acceleration };
@@ -58,8 +58,8 @@ inline std::vector<Knot> knots_of(const CamSpec& cam) {
   return knots;
 }
 
-/// Per knot, what may change; at the seam of a periodic cam both knots. A bound without width frees
-/// nothing.
+/// The free quantities of each knot. The two knots at the seam of a periodic cam have the same. A bound without
+/// width frees nothing.
 inline std::vector<Freedom> freedom(const CamProblem& problem) {
   std::vector<Freedom> all(problem.cam.segments.size() + 1);
   for (const FreeKnot& free : problem.free)

@@ -10,7 +10,8 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr int max_rounds = 200;
-constexpr double slow = 1e-3;  ///< a relative gain in one solve that asks for another method
+constexpr double slow =
+    1e-3;  ///< relative gain of one solution below which another method is tried
 
 /// One attempt, round by round.
 class Run {
@@ -30,7 +31,7 @@ class Run {
 
   [[nodiscard]] const Attempt& best() const { return best_; }
 
-  /// One solve and what follows from it; false when there is nothing more to do.
+  /// One solution and its consequences. Returns false when there is nothing more to do.
   bool step() {
     if (!stage_.objective && best_.standing.excess <= rounding) {
       best_.converged = true;
@@ -63,7 +64,7 @@ class Run {
   [[nodiscard]] Program program() const {
     return {stage_.space, exchange_.rows(), least_t_, held_};
   }
-  /// Evaluations for one solve: what takes longer is crawling.
+  /// Evaluations for one solution: a longer run makes no progress.
   [[nodiscard]] int patience() const { return 50 + 10 * static_cast<int>(z_.size()); }
   [[nodiscard]] double t() const { return now_.value / exchange_.reference(); }
 
@@ -76,8 +77,8 @@ class Run {
     }
   }
 
-  /// SLSQP sees no way down, which is no proof. The linearised problem does better: either it
-  /// promises nothing, or a short enough step of it must gain.
+  /// SLSQP finds no descent, which is no proof. The linearized problem decides: either it predicts no gain, or
+  /// a short enough step of it must gain.
   bool descend() {
     double radius = 1;
     for (int i = 0; i < 10; ++i, radius /= 4) {
@@ -106,7 +107,7 @@ class Run {
   int max_evaluations_;
   int round_ = 0;
   double least_t_ = 0;
-  bool held_;  ///< masters are held first: what is left is convex and cannot go astray
+  bool held_;  ///< the masters are held first: the rest is convex
 };
 
 }  // namespace

@@ -8,16 +8,16 @@
 namespace jounce::optimizer {
 
 struct Attempt {
-  Point z;  ///< the best found: least value without violation, or else the least violation
+  Point z;  ///< the best point: the least value without violation, or else the least violation
   Standing standing;
   bool converged = false;
   int evaluations = 0;
 };
 
-/// The exchange method: solve with the ceilings and the epigraph imposed at a few places, find the
-/// exact extrema of the result, add the places where they break a ceiling or exceed the epigraph,
-/// solve again, until none does and neither a restart nor the linearised problem gains anything. `go_on` is
-/// asked at each evaluation; false ends it with the best so far.
+/// The exchange method. Solves with the ceilings and the epigraph imposed at a few places, finds the exact
+/// extrema of the result, adds the places where they break a ceiling or exceed the epigraph, and solves again.
+/// It ends when there is no such place and neither a restart nor the linearized problem gains anything. `go_on`
+/// is called at each evaluation; false ends the run with the best so far.
 Attempt improve(const Stage& stage, const Point& start, int max_evaluations,
                 const std::function<bool()>& go_on);
 

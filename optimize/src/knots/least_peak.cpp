@@ -10,15 +10,15 @@
 #include "optimize/src/knots/affine_cam.hpp"
 #include "optimize/src/solvers/interior_point.hpp"
 
-// Between two knots the slave is linear in the states at both, so with x the free derivatives
+// Between two knots the slave is linear in the states at both. With x the free derivatives,
 //
-//   (1)  minimise t   subject to   |f''(m; x)| <= t   at every m
+//   (1)  minimize t   subject to   |f''(m; x)| <= t   at every m
 //
-// is a linear program with infinitely many constraints. It is solved with some m, at first the knots
-// and a few points between, then also the places where the exact extrema of the solution exceed t,
-// until none does to 1e-9 (exchange). Then, with T = (1 + 1e-6) t, in the same way
+// is a linear program with infinitely many constraints. It is solved with some m: first the knots and a few
+// points between them, then also the places where the exact extrema of the solution exceed t, until none
+// exceeds it by 1e-9 (an exchange method). Then, with T = (1 + 1e-6) t, in the same way
 //
-//   (2)  minimise the integral of f'''^2   subject to   |f''(m; x)| <= T   at every m,
+//   (2)  minimize the integral of f'''^2   subject to   |f''(m; x)| <= T   at every m,
 //
 // where the integral over a segment, of a polynomial of degree 4, is Gauss's rule with three points.
 //
@@ -26,9 +26,9 @@
 //
 //   (3)  max |f''| >= sum y_k sign_k f''(m_k; x) = b + r . (x - x0),   x0 the solution
 //
-// and with the multipliers of (1) r is zero but for rounding. An x better than x0 has |f''| <= T, so
-// that its accelerations differ from those of x0 by at most 2 T and its velocities by at most 2 T
-// times the length of a segment beside (f' takes the chord's slope somewhere in it):
+// and with the multipliers of (1) r is zero except for rounding. An x better than x0 has |f''| <= T, so its
+// accelerations differ from those of x0 by at most 2 T, and its velocities by at most 2 T times the length of
+// an adjacent segment (f' takes the slope of the chord somewhere in it):
 //
 //   (4)  least peak >= b - sum |r_j| 2 T (1 or length_j)
 
@@ -40,10 +40,11 @@ using optimizer::ConvexProgram;
 using optimizer::ConvexSolution;
 using optimizer::Form;
 
-constexpr double licence = 1e-6;  ///< share of the peak that is given for less jerk
-constexpr double met = 1e-9;      ///< what a peak may be exceeded by, relative
+constexpr double licence = 1e-6;  ///< share of the peak that may be given up for less jerk
+constexpr double met = 1e-9;      ///< relative excess of a peak that counts as rounding
 constexpr int max_exchanges = 30;
-constexpr std::array first_places{0.0, 0.067, 0.25, 0.5, 0.75, 0.933, 1.0};  ///< to begin with
+constexpr std::array first_places{0.0,  0.067, 0.25, 0.5,
+                                  0.75, 0.933, 1.0};  ///< first places in a segment
 
 /// A place where |f''| is bounded.
 struct Place {
@@ -63,7 +64,7 @@ class Exchange {
     }
   }
 
-  /// The t of (1), in peaks, and the x that has it; sets the certificate.
+  /// The t of (1), in units of the peak, and the x that has it. Sets the certificate.
   double least() {
     x_.assign(cam_.unknowns().size() + 1, 0);
     x_.back() = 1;
@@ -99,7 +100,7 @@ class Exchange {
   [[nodiscard]] const std::vector<double>& x() const { return x_; }
 
  private:
-  /// The same minimum, with a sum of 1 where we are.
+  /// The same minimum, scaled so that the sum is 1 at the present x.
   [[nodiscard]] std::vector<Form> of_size_one(std::vector<Form> squares) const {
     double sum = 0;
     for (const Form& f : squares) sum += f.at(x_) * f.at(x_);
@@ -122,7 +123,7 @@ class Exchange {
     return found;
   }
 
-  /// (4), in peaks. Any cam better than the given one, whose peak is 1, has T <= 1.
+  /// (4), in units of the peak. Any cam better than the given one, whose peak is 1, has T <= 1.
   [[nodiscard]] double certificate(const ConvexProgram& program, std::vector<double> y) const {
     double sum = 0;
     for (const double v : y) sum += v;
@@ -139,7 +140,7 @@ class Exchange {
     return b;
   }
 
-  /// Adds the extrema beyond t, in peaks; whether there were any.
+  /// Adds the extrema beyond t, in units of the peak. Returns true if there were any.
   bool exchange(double t) {
     const CamDesign made = design(cam_.at(x_));
     bool any = false;
@@ -163,7 +164,7 @@ class Exchange {
   int solutions_ = 0;
 };
 
-/// The peak of the segments that nothing free changes.
+/// The peak of the segments that no free derivative changes.
 double floor_of(const CamSpec& spec, const AffineCam& affine) {
   const CamDesign made = design(spec);
   double peak = 0;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "jounce/optimize/bound.hpp"
-#include "jounce/optimize/ramped.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/knots/convex_bound.hpp"
@@ -24,7 +23,7 @@ using optimizer::Space;
 using optimizer::Stage;
 using Clock = std::chrono::steady_clock;
 
-/// A change of the k-th derivative that this cam would notice.
+/// A significant change of the k-th derivative of this cam.
 double natural(const Space& space, std::size_t order) {
   return space.stroke / std::pow(space.length(), static_cast<double>(order));
 }
@@ -33,25 +32,29 @@ std::size_t order_of(Objective objective) {
   return objective == Objective::peak_jerk ? 3 : 2;
 }
 
-/// One call of optimize(): starts, one objective after the other, and the answer.
+/// One call of optimize(): the starts, one objective after the other, and the outcome.
 class Search {
  public:
-  Search(const CamProblem& problem, const RampedLimits& ramped, const KeepGoing& keep_going)
-      : problem_(problem), ramped_(ramped), keep_going_(keep_going), space_(problem) {
+  Search(const CamProblem& problem, const KeepGoing& keep_going)
+      : problem_(problem),
+        max_evaluations_(problem.options.budget.evaluations.value_or(50000)),
+        keep_going_(keep_going),
+        space_(problem) {
     const CamDesign given = design(problem.cam);
     for (const Objective objective : problem.minimize) {
       const double value = value_of(objective, given.cam);
-      outcome_.objectives.push_back({objective, value, value, lower_bound(problem, objective)});
+      outcome_.figures.push_back({name(objective), value, value, lower_bound(problem, objective)});
     }
-    for (Finding finding : optimizer::limits_of(problem.limits, ramped, given.cam).findings) {
+    for (Finding finding :
+         optimizer::limits_of(problem.limits, problem.ramped, given.cam).findings) {
       if (!finding.broken || broken_where_fixed_) continue;
       finding.segment = given.origin[*finding.segment];
       if (!space_.moves[*finding.segment]) broken_where_fixed_ = finding;
     }
-    ceilings_ = optimizer::ceilings_of(problem.limits, ramped, space_);
+    ceilings_ = optimizer::ceilings_of(problem.limits, problem.ramped, space_);
   }
 
-  Outcome run() {
+  Outcome<CamSpec> run() {
     find_feasible();
     for (std::size_t k = 0;
          k < problem_.minimize.size() && feasible() && !cancelled_ && !out_of_time_; ++k)
@@ -63,23 +66,27 @@ class Search {
  private:
   [[nodiscard]] bool feasible() const { return !pool_.empty(); }
 
-  [[nodiscard]] int evaluations_left() const {
-    return problem_.max_evaluations - outcome_.evaluations;
-  }
+  [[nodiscard]] int evaluations_left() const { return max_evaluations_ - outcome_.evaluations; }
 
-  /// Asked again and again while the starts of an objective run.
+  /// Called repeatedly while the starts of an objective run.
   bool go_on(std::size_t objective, std::size_t done, std::size_t starts,
              const std::optional<double>& reached) {
     const std::chrono::duration<double> gone = Clock::now() - begin_;
-    if (problem_.seconds && gone.count() >= *problem_.seconds) out_of_time_ = true;
+    const auto seconds = problem_.options.budget.seconds;
+    if (seconds && gone.count() >= *seconds) out_of_time_ = true;
     if (keep_going_ && !cancelled_) {
-      OptimizeProgress progress{objective, done, starts, outcome_.evaluations, reached};
-      cancelled_ = !keep_going_(progress);
+      const double tried =
+          static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(starts, 1));
+      const double stages = static_cast<double>(problem_.minimize.size());
+      cancelled_ = !keep_going_({.done = (static_cast<double>(objective) + tried) / stages,
+                                 .stage = objective,
+                                 .evaluations = outcome_.evaluations,
+                                 .reached = reached});
     }
     return !cancelled_ && !out_of_time_;
   }
 
-  /// All starts of a stage, each with its share of the evaluations that are left.
+  /// Runs all starts of a stage, each with its share of the remaining evaluations.
   std::vector<Attempt> attempted(std::size_t objective, const Stage& stage,
                                  const std::vector<Point>& starts,
                                  const std::function<bool(const Attempt&)>& enough) {
@@ -98,18 +105,19 @@ class Search {
     return all;
   }
 
-  /// Whether more evaluations might have led an attempt further.
+  /// True if an attempt ended for lack of evaluations.
   [[nodiscard]] bool starved(const Attempt& attempt) const {
     return !attempt.converged && attempt.evaluations >= share_;
   }
 
-  /// The limits alone, from every start: what keeps them goes into the pool.
+  /// Minimizes the violation of the limits from every start. The pool receives the points that keep the limits.
   void find_feasible() {
-    const Stage stage{space_, ceilings_, {}, {}, 0, problem_.tolerance};
+    const Stage stage{space_, ceilings_, {}, {}, 0, problem_.options.tolerance};
+    const int count = space_.convex() ? 1 : problem_.options.starts.value_or(8);
     std::vector<Point> starts;
-    for (std::size_t i = 0; i < (space_.convex() ? 1U : static_cast<unsigned>(problem_.starts));
-         ++i)
-      starts.push_back(optimizer::start_point(space_, problem_.seed, i));
+    for (int i = 0; i < count; ++i)
+      starts.push_back(
+          optimizer::start_point(space_, problem_.options.seed, static_cast<std::size_t>(i)));
     outcome_.starts = static_cast<int>(starts.size());
     for (const Attempt& attempt : attempted(0, stage, starts, {})) {
       if (attempt.standing.excess <= optimizer::rounding && !broken_where_fixed_)
@@ -120,17 +128,20 @@ class Search {
     exhausted_ = !feasible() && least_violated_ && starved(*least_violated_);
   }
 
-  /// Limits, and the objectives before the k-th kept within tolerance.
+  /// The limits, and the objectives before the k-th, each kept within the tolerance.
   [[nodiscard]] Stage stage(std::size_t k) const {
     const double natural_k = natural(space_, order_of(problem_.minimize[k]));
-    Stage stage{space_, ceilings_, {}, problem_.minimize[k], 1e-9 * natural_k, problem_.tolerance};
+    Stage stage{
+        space_, ceilings_, {}, problem_.minimize[k], 1e-9 * natural_k, problem_.options.tolerance};
     for (std::size_t i = 0; i < k; ++i) {
-      const ObjectiveResult& r = outcome_.objectives[i];
-      const std::size_t order = order_of(r.objective);
-      // At the bound, the tolerance counts from there, so that `optimal` stays true.
-      const double from = at_bound(i, r.reached) ? r.bound : r.reached;
-      const double cap = std::max(from * (1 + problem_.tolerance), 1e-9 * natural(space_, order));
-      if (r.objective == Objective::rms_acceleration)
+      const FigureResult& r = outcome_.figures[i];
+      const Objective objective = problem_.minimize[i];
+      const std::size_t order = order_of(objective);
+      // At the bound, the tolerance is relative to the bound, so that `optimal` stays true.
+      const double from = at_bound(i, r.reached) ? *r.bound : r.reached;
+      const double cap =
+          std::max(from * (1 + problem_.options.tolerance), 1e-9 * natural(space_, order));
+      if (objective == Objective::rms_acceleration)
         stage.rms_ceiling = cap;
       else
         for (const double sign : {1.0, -1.0}) stage.ceilings.push_back({order, sign, cap, cap});
@@ -157,12 +168,12 @@ class Search {
       return a.standing.value < b.standing.value;
     });
     const double best = attempts.front().standing.value;
-    outcome_.objectives[k].reached = best;
+    outcome_.figures[k].reached = best;
     converged_ = converged_ && attempts.front().converged;
     exhausted_ = exhausted_ || starved(attempts.front());
     pool_.clear();
     for (const Attempt& attempt : attempts)
-      if (attempt.standing.value <= best * (1 + problem_.tolerance) && distinct(attempt.z))
+      if (attempt.standing.value <= best * (1 + problem_.options.tolerance) && distinct(attempt.z))
         pool_.push_back(attempt.z);
   }
 
@@ -175,9 +186,9 @@ class Search {
   }
 
   [[nodiscard]] bool at_bound(std::size_t k, double reached) const {
-    const ObjectiveResult& r = outcome_.objectives[k];
-    const double scale = std::max(r.bound, 1e-9 * natural(space_, order_of(r.objective)));
-    return reached - r.bound <= problem_.tolerance * scale;
+    const double bound = *outcome_.figures[k].bound;
+    const double scale = std::max(bound, 1e-9 * natural(space_, order_of(problem_.minimize[k])));
+    return reached - bound <= problem_.options.tolerance * scale;
   }
 
   void finish() {
@@ -186,63 +197,73 @@ class Search {
                    : (least_violated_ ? least_violated_->z : Point(space_.variables.size(), 0.0));
     outcome_.best = optimizer::spec_at(space_, z);
     const CamDesign made = design(outcome_.best);
-    for (ObjectiveResult& r : outcome_.objectives) r.reached = value_of(r.objective, made.cam);
-    outcome_.limits = optimizer::limits_of(problem_.limits, ramped_, made.cam);
+    for (std::size_t k = 0; k < outcome_.figures.size(); ++k)
+      outcome_.figures[k].reached = value_of(problem_.minimize[k], made.cam);
+    outcome_.limits = optimizer::limits_of(problem_.limits, problem_.ramped, made.cam);
     for (Finding& finding : outcome_.limits.findings)
       if (finding.segment) finding.segment = made.origin[*finding.segment];
     if (feasible() && space_.convex()) prove(z);
-    outcome_.active = optimizer::active_findings(space_, ceilings_, z, outcome_.objectives);
+    outcome_.feasible = outcome_.limits.ok();
+    outcome_.value = outcome_.figures.back().reached;
+    outcome_.bound = outcome_.figures.back().bound;
+    outcome_.active =
+        optimizer::active_findings(space_, ceilings_, z, problem_.minimize, outcome_.figures);
     set_status();
   }
 
   /// Each objective alone, under the limits.
   void prove(const Point& z) {
-    for (ObjectiveResult& r : outcome_.objectives) {
-      const double natural_r = natural(space_, order_of(r.objective));
-      const Stage alone{space_, ceilings_, {}, r.objective, 1e-9 * natural_r, problem_.tolerance};
-      r.bound = std::max(r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
+    for (std::size_t k = 0; k < outcome_.figures.size(); ++k) {
+      FigureResult& r = outcome_.figures[k];
+      const double natural_k = natural(space_, order_of(problem_.minimize[k]));
+      const Stage alone{space_,
+                        ceilings_,
+                        {},
+                        problem_.minimize[k],
+                        1e-9 * natural_k,
+                        problem_.options.tolerance};
+      r.bound = std::max(*r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
     }
   }
 
   void set_status() {
     bool all_at_bound = true;
-    for (std::size_t k = 0; k < outcome_.objectives.size(); ++k)
-      all_at_bound = all_at_bound && at_bound(k, outcome_.objectives[k].reached);
-    const auto answer = [&](Outcome::Status status, std::string reason) {
+    for (std::size_t k = 0; k < outcome_.figures.size(); ++k)
+      all_at_bound = all_at_bound && at_bound(k, outcome_.figures[k].reached);
+    const auto answer = [&](OptimizeStatus status, std::string reason) {
       outcome_.status = status;
       outcome_.reason = std::move(reason);
     };
     if (!outcome_.limits.ok() && !cancelled_ && !exhausted_ && !out_of_time_)
-      answer(Outcome::Status::infeasible, why_infeasible());
+      answer(OptimizeStatus::infeasible, why_infeasible());
     else if (cancelled_)
-      answer(Outcome::Status::cancelled, "stopped by the caller");
+      answer(OptimizeStatus::cancelled, "stopped by the caller");
     else if (outcome_.limits.ok() && all_at_bound)
-      answer(Outcome::Status::optimal,
-             "every objective is at its proven bound, to a relative " + brief(problem_.tolerance));
+      answer(OptimizeStatus::optimal, "every objective is at its proven bound, to a relative " +
+                                          brief(problem_.options.tolerance));
     else if (out_of_time_)
-      answer(Outcome::Status::stalled,
-             "the time limit of " + brief(*problem_.seconds) + " s is reached");
+      answer(OptimizeStatus::stalled,
+             "the time limit of " + brief(*problem_.options.budget.seconds) + " s is reached");
     else if (exhausted_)
-      answer(Outcome::Status::stalled, "the limit of " + std::to_string(problem_.max_evaluations) +
-                                           " evaluations is reached");
+      answer(OptimizeStatus::stalled,
+             "the limit of " + std::to_string(max_evaluations_) + " evaluations is reached");
     else if (!converged_)
-      answer(Outcome::Status::stalled, "the solver stopped before it converged");
+      answer(OptimizeStatus::stalled, "the solver stopped before it converged");
     else
-      answer(Outcome::Status::converged, why_converged());
+      answer(OptimizeStatus::converged, why_converged());
   }
 
   [[nodiscard]] std::string why_converged() const {
     std::size_t open = 0;  // the first objective that is above its bound
-    while (open + 1 < outcome_.objectives.size() &&
-           at_bound(open, outcome_.objectives[open].reached))
+    while (open + 1 < outcome_.figures.size() && at_bound(open, outcome_.figures[open].reached))
       ++open;
-    const ObjectiveResult& r = outcome_.objectives[open];
+    const FigureResult& r = outcome_.figures[open];
     const std::string gap =
-        r.bound > 0 ? "at most " + brief(100 * r.gap()) + " % of " + name(r.objective) +
-                          " could still be saved"
-                    : std::string("no bound above 0 is known for ") + name(r.objective) +
-                          (space_.convex() ? "" : ": free masters make the problem non-convex") +
-                          ", and none follows from the fixed knots alone";
+        *r.bound > 0
+            ? "at most " + brief(100 * *r.gap()) + " % of " + r.name + " could still be saved"
+            : "no bound above 0 is known for " + r.name +
+                  (space_.convex() ? "" : ": free masters make the problem non-convex") +
+                  ", and none follows from the fixed knots alone";
     if (space_.convex())
       return "no other values of the free quantities are better (the problem is convex); " + gap;
     return "none of " + std::to_string(outcome_.starts) + " starts led to an improvement; " + gap;
@@ -272,14 +293,15 @@ class Search {
   }
 
   const CamProblem& problem_;
-  const RampedLimits& ramped_;
+  int max_evaluations_;
   const KeepGoing& keep_going_;
   Space space_;
   std::vector<DerivativeBound> ceilings_;
   std::vector<Point> pool_;
   std::optional<Attempt> least_violated_;
-  std::optional<Finding> broken_where_fixed_;  ///< a limit, where nothing free reaches
-  Outcome outcome_;
+  std::optional<Finding>
+      broken_where_fixed_;  ///< a limit that is broken where no free quantity changes the cam
+  Outcome<CamSpec> outcome_;
   Clock::time_point begin_ = Clock::now();
   int share_ = 0;  ///< evaluations for each start
   bool cancelled_ = false;
@@ -290,36 +312,9 @@ class Search {
 
 }  // namespace
 
-double ObjectiveResult::gap() const {
-  return reached > bound ? (reached - bound) / reached : 0;
-}
-
-const char* name(Outcome::Status status) {
-  switch (status) {
-    case Outcome::Status::optimal:
-      return "optimal";
-    case Outcome::Status::converged:
-      return "converged";
-    case Outcome::Status::stalled:
-      return "stalled";
-    case Outcome::Status::cancelled:
-      return "cancelled";
-    case Outcome::Status::infeasible:
-      break;
-  }
-  return "infeasible";
-}
-
-Outcome optimize(const CamProblem& problem, const KeepGoing& keep_going) {
-  return optimize(problem, RampedLimits{}, keep_going);
-}
-
-Outcome optimize(const CamProblem& problem, const RampedLimits& ramped,
-                 const KeepGoing& keep_going) {
+Outcome<CamSpec> optimize(const CamProblem& problem, const KeepGoing& keep_going) {
   require_valid(problem);
-  require_not_negative("ramp", ramped.ramp);
-  require_valid(ramped.limits);
-  return Search(problem, ramped, keep_going).run();
+  return Search(problem, keep_going).run();
 }
 
 }  // namespace jounce

@@ -11,8 +11,8 @@
 
 /// A cam as a function of its knots, with exact gradients.
 ///
-/// Between two knots at distance L the laws at hand are linear in q = (p0, v0, a0, p1, v1, a1) with
-/// e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalised shapes B_i (LawPiece of jounce/cam/laws/law.hpp):
+/// Between two knots at distance L the laws are linear in q = (p0, v0, a0, p1, v1, a1). With e = (0, 1, 2, 0,
+/// 1, 2), z = (m - m0) / L and normalized shapes B_i (LawPiece of jounce/cam/laws/law.hpp):
 ///
 ///     (1)  f           = sum_i q_i L^e_i B_i(z)
 ///     (2)  f^(k)       = sum_i q_i L^(e_i - k) B_i^(k)(z)
@@ -25,7 +25,7 @@
 ///          dI/dL   = sum_ij (e_i + e_j - 3) q_i q_j L^(e_i + e_j - 4) G_ij
 namespace jounce::optimizer {
 
-/// By the knot before (0..3) and the knot after (4..7).
+/// The gradient by the knot before (0..3) and by the knot after (4..7).
 using KnotGradient = std::array<double, 8>;
 
 /// One segment of the finished curve: the six shapes of (1) over its share of the spec's segment.
@@ -34,10 +34,10 @@ struct Piece {
   std::array<Segment, 6> shape{};
 };
 
-/// In the order of design(spec).cam.segments().
+/// The pieces in the order of design(spec).cam.segments().
 std::vector<Piece> pieces(const CamSpec& spec);
 
-/// The k-th derivative at a fixed z, B_i^(k)(z) of (2); and `lower` times the one below it.
+/// The k-th derivative at a fixed z, B_i^(k)(z) of (2), plus `lower` times the derivative below it.
 struct Sample {
   std::size_t piece = 0;
   std::size_t segment = 0;
@@ -45,7 +45,7 @@ struct Sample {
   double s = 0;  ///< within the piece, [0, 1]
   double lower = 0;
   std::array<double, 6> weight{};
-  std::array<double, 6> weight_below{};  ///< where lower is not 0
+  std::array<double, 6> weight_below{};  ///< only if lower is not 0
 };
 
 Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s,

@@ -4,17 +4,17 @@
 
 #include "jounce/optimize/bound.hpp"
 
-// With the energy E = f'^2 / 2 the power is f' f'' = E', so |E'| <= P leaves, x from the start,
+// The energy E = f'^2 / 2 has the power f' f'' = E'. So |E'| <= P permits, with x from the start,
 //
 //   (1)  |f'| <= sqrt(v0^2 + 2 P x)   and   |f'| <= sqrt(v1^2 + 2 P (L - x))
 //
-// and the way is no longer than the integral of the lower of the two, which meet at
+// and the displacement is at most the integral of the lower of the two, which meet at
 //
 //   (2)  x = L / 2 + (v1^2 - v0^2) / (4 P)
 //
 //   (3)  integral of sqrt(v^2 + 2 P x) over 0 ... a = ((v^2 + 2 P a)^(3/2) - |v|^3) / (3 P)
 //
-// From rest to rest h = 2/3 sqrt(P) L^(3/2), so P = 9/4 h^2 / L^3. The way grows with P: bisection.
+// From rest to rest h = 2/3 sqrt(P) L^(3/2), so P = 9/4 h^2 / L^3. The displacement grows with P: bisection.
 
 namespace jounce {
 namespace {

@@ -20,7 +20,7 @@ using optimizer::Quantity;
 constexpr std::array objectives{Objective::peak_acceleration, Objective::peak_jerk,
                                 Objective::rms_acceleration};
 
-/// Whether `law`, which begins or ends at a knot, fixes the quantity there.
+/// True if `law`, which begins or ends at a knot, fixes the quantity there.
 bool fixes(Law law, Quantity quantity) {
   const Ends ends = info(law).ends;
   switch (quantity) {
@@ -45,8 +45,8 @@ void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quan
                        std::string("cannot be free: the law `") + name(law) + "` of segment " +
                            std::to_string(segment + 1) + " fixes it");
   };
-  // A law with an acceleration of its own hands it to a polynomial beside it: moved, it would change
-  // that, too, and the problem would not be linear in what is free.
+  // A law with an acceleration of its own passes it on to an adjacent polynomial. A free quantity would change
+  // that acceleration too, and the problem would not be linear in the free quantities.
   const auto hands_over = [&](std::size_t segment) {
     if (info(cam.segments[segment].law).ends != Ends::moving_free) return;
     const std::size_t before = segment > 0 ? segment - 1 : (cam.periodic ? last - 1 : last);
@@ -158,16 +158,13 @@ double value_of(Objective objective, const Cam& cam) {
 }
 
 void require_valid(const CamProblem& problem) {
-  static_cast<void>(resolved_knots(problem.cam));  // throws where the cam is not one
+  static_cast<void>(resolved_knots(problem.cam));  // throws for an invalid cam
   require_valid(problem.limits);
   require_free(problem);
   require_objectives(problem.minimize);
-  if (problem.starts < 1) throw InputError("starts", problem.starts, "must be at least 1");
-  if (problem.max_evaluations < 1)
-    throw InputError("max_evaluations", problem.max_evaluations, "must be at least 1");
-  if (problem.seconds) require_positive("seconds", *problem.seconds);
-  if (!(problem.tolerance >= 1e-9 && problem.tolerance <= 1))
-    throw InputError("tolerance", problem.tolerance, "must be between 1e-9 and 1");
+  require_valid(problem.options);
+  require_not_negative("ramp", problem.ramped.ramp);
+  require_valid(problem.ramped.limits);
 }
 
 }  // namespace jounce

@@ -10,9 +10,10 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double closest = 1e-3;  ///< least segment, as a share of the stretch of fixed masters
+constexpr double closest =
+    1e-3;  ///< least segment, as a share of the interval between fixed masters
 
-/// The size that a change of the quantity must have to matter at this knot.
+/// The size of a significant change of the quantity at this knot.
 double natural_scale(const Space& space, std::size_t knot, Quantity quantity) {
   double length = space.length();
   if (knot > 0) length = std::min(length, space.knots[knot][0] - space.knots[knot - 1][0]);
@@ -37,7 +38,8 @@ double stroke_of(const Space& space) {
                           [](const Knot& a, const Knot& b) { return a[1] < b[1]; });
   double stroke = (*hi)[1] - (*lo)[1];
   if (stroke > 0) return stroke;
-  const double length = space.length();  // no knot differs: derivatives or bounds set the scale
+  const double length =
+      space.length();  // no knot differs: derivatives or bounds determine the scale
   for (const Knot& k : space.knots)
     stroke = std::max({stroke, std::abs(k[2]) * length, std::abs(k[3]) * length * length});
   for (const Variable& v : space.variables)
@@ -76,8 +78,8 @@ double change(const Variable& v, double z) {
   return std::clamp(v.given + v.scale * z, v.lower, v.upper) - v.given;
 }
 
-/// Masters in ascending order and within their bounds, left to right, each leaving room for those
-/// after it; choose(i, least, greatest) says where a free one goes.
+/// Masters in ascending order and within their bounds, from left to right, each leaving the least lengths of
+/// the segments after it. choose(i, least, greatest) returns a free one.
 template <class Choose>
 std::vector<double> ordered_masters(const Space& space, const Choose& choose) {
   std::vector<double> lower;

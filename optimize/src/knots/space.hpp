@@ -11,7 +11,7 @@
 
 namespace jounce::optimizer {
 
-/// One free quantity. The solver sees z = (value - given) / scale.
+/// One free quantity. The solver's variable is z = (value - given) / scale.
 struct Variable {
   std::size_t knot = 0;
   Quantity quantity = Quantity::master;
@@ -27,13 +27,13 @@ struct Space {
   explicit Space(const CamProblem& problem);
 
   CamSpec given;
-  std::vector<Knot> knots;  ///< like given
+  std::vector<Knot> knots;  ///< knots of `given`
   std::vector<Variable> variables;
   std::vector<Piece> pieces;
   std::vector<Gram> grams;
-  std::vector<bool> moves;           ///< by segment: whether a free quantity changes it
-  std::vector<double> least_length;  ///< by segment: knots may not come closer
-  double stroke = 1;                 ///< range of the given slave positions, or what stands for it
+  std::vector<bool> moves;           ///< by segment: true if a free quantity changes it
+  std::vector<double> least_length;  ///< by segment: the least length
+  double stroke = 1;  ///< range of the given slave positions, or a substitute where that is 0
 
   [[nodiscard]] double length() const { return knots.back()[0] - knots.front()[0]; }
   /// True if every constraint is linear and every objective convex: no master is free.
@@ -42,7 +42,7 @@ struct Space {
 
 using Point = std::vector<double>;  ///< z, one for each variable
 
-/// Into the bounds, masters in order.
+/// Moves z into the bounds, with the masters in order.
 Point clamped(const Space& space, Point z);
 
 std::vector<Knot> knots_at(const Space& space, std::span<const double> z);
@@ -52,7 +52,7 @@ CamSpec spec_at(const Space& space, std::span<const double> z);
 void add_gradient(const Space& space, std::size_t segment, const KnotGradient& by_knots,
                   std::span<double> by_z);
 
-/// A start: free masters drawn within their bounds, the other free quantities read off the given
+/// A start: free masters are drawn within their bounds, and the other free quantities are read from the given
 /// cam there. Number 0 is the given cam. Portable: splitmix64 of seed and number.
 Point start_point(const Space& space, std::uint64_t seed, std::size_t number);
 

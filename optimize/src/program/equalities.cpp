@@ -17,11 +17,12 @@ double worst_equality(const ShapeModel& model, const Coordinates& z) {
 
 Coordinates as_fixed(const ShapeModel& model, Coordinates z) {
   constexpr int rounds = 4;
-  constexpr double pull = 1e-5;  // towards z; an equality may stand there twice, so least squares
+  constexpr double pull =
+      1e-5;  // the nearest solution to z, by least squares, because an equality may be listed twice
   double worst = worst_equality(model, z);
   for (int round = 0; round < rounds && worst > 0; ++round) {
     ConvexProgram step{std::vector<double>(z.size(), 0), {}, {}, {}};
-    for (const Form& f : model.equalities) {  // in units of the residual: its digits count
+    for (const Form& f : model.equalities) {  // in units of the residual, to keep its digits
       step.squares.push_back(f);
       step.squares.back().constant = f.at(z) / worst;
     }

@@ -9,7 +9,8 @@ namespace jounce::optimizer {
 /// The greatest residual of an equality at z; NaN if one is.
 double worst_equality(const ShapeModel& model, const Coordinates& z);
 
-/// The coordinates next to z that meet the equalities to rounding; what is fixed at an end, to the bit.
+/// The nearest coordinates to z that meet the equalities to rounding. Fixed values at an end are exact to the
+/// last bit.
 ///
 /// A solver of a program leaves residuals of 1e-9 and more. The written cam joins its pieces exactly: an
 /// error e of a position at one end of a piece of length h changes its jerk by 60 e / h^3.

@@ -8,24 +8,25 @@
 
 #include "optimize/src/solvers/sparse_factor.hpp"
 
-// Rows R over the coordinates z of a spline (spline_space.hpp) say what many instants, or many modes, make
-// of it: y = y(0) + R z. One coordinate at a time is no spline, but pieces apart: what that costs, jumps of
-// the position, cancels in any spline. Rows a of R are therefore taken as they are within the joints
-// E z = 0:
+// The values at many instants, or of many modes, are affine in the coordinates z of a spline (spline_space.hpp):
+// y = y(0) + R z with rows R. One coordinate alone makes separate pieces, not a spline. The effect of the jumps
+// of its position cancels in any spline. Rows a of R are therefore taken as they are within the joints E z = 0:
 //
 //   (1)  a <- a - E' (E E')^-1 E a
 //
-// (A basis of splines instead, what a jump of the top derivative becomes to the end, loses all digits.)
+// (With a basis of splines instead, the effect of a jump of the highest derivative at the end would lose all
+// digits.)
 //
-// Many instants may look at a few numbers: a vibration after the end is the state there, four or five. A
-// narrow ceiling over them all has next to no inside, and each of its planes all coordinates in it. With
-// R = Q T, Q of r orthonormal columns (pivoted Householder: rows of T fall), and unknowns v in the unit u of
-// what is asked,
+// Many instants may depend on a few numbers: a vibration after the end depends on the state there, of four or
+// five numbers. A narrow ceiling over all instants has almost no interior, and each of its planes contains all
+// coordinates. With R = Q T, Q of r orthonormal columns (pivoted Householder: the rows of T decrease), and
+// unknowns v in the unit u of the figure,
 //
 //   (2)  u v = T z + Q' y(0),    y = u Q v + (1 - Q Q') y(0)
 //
-// a ceiling is of size one in v however low it is, and its planes have r numbers. What T has below
-// `noise` of its largest row is rounding. Where no |y_i| is above the figure F, v = Q' y / u has
+// a ceiling has size one in v however low it is, and its planes have r numbers. Entries of T below
+// `rounding_tolerance` of its largest row are rounding. If no |y_i| is above the figure F, then v = Q' y / u
+// has
 //
 //   (3)  |v_k| <= |y| / u <= F sqrt(rows) / u
 
@@ -36,10 +37,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double noise = 1e-13;
-constexpr double steepest = 1e7;  ///< of (2), in v
+constexpr double rounding_tolerance = 1e-13;
+constexpr double steepest = 1e7;  ///< greatest slope of (2) in v
 
-/// A figure of next to nothing counts in what is natural.
+/// A figure of almost nothing is measured in its natural size.
 double unit_of(const Lift& lift, const FigureRows& rows) {
   const double unit = lift.at_most ? *lift.at_most : std::abs(rows.value(lift.given));
   return unit > rows.nothing * rows.natural ? unit : rows.natural;
@@ -55,7 +56,7 @@ Form Affine::row(Index i, double sign) const {
   return form;
 }
 
-/// (1), of every row.
+/// (1), for every row.
 MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
   const std::vector<Form> joints = space.joints();
   std::vector<Eigen::Triplet<double>> entries;
@@ -76,7 +77,7 @@ MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
 /// (2).
 Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows) {
   const double unit = unit_of(lift, rows);
-  const jounce::detail::PivotedQr qr(y.factor, noise);
+  const jounce::detail::PivotedQr qr(y.factor, rounding_tolerance);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(rank);
   const MatrixXd t = q.transpose() * y.factor;

@@ -5,14 +5,14 @@
 
 #include "optimize/src/figures/figure_rows.hpp"
 
-/// Numbers that are affine in the coordinates of a spline, and unknowns of their own for them. The
-/// derivation stands at the head of lifted.cpp.
+/// Numbers that are affine in the coordinates of a spline, with unknowns of their own. The derivation is at the
+/// head of lifted.cpp.
 namespace jounce::optimizer {
 
 /// y = constant + factor x, where x begins at unknown `first`.
 struct Affine {
   Eigen::VectorXd constant;
-  Eigen::MatrixXd factor;  ///< a row for each number of y
+  Eigen::MatrixXd factor;  ///< one row for each number of y
   std::size_t first = 0;
   double natural = 1;
 
@@ -20,11 +20,12 @@ struct Affine {
   [[nodiscard]] Form row(Eigen::Index i, double sign) const;
 };
 
-/// Rows over the coordinates as they are within the joints: what these cancel is taken off.
+/// Removes from rows over the coordinates the part that the joints cancel.
 Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space);
 
-/// y in unknowns of the figure's own, which what the figure is to be is of about size one in: what ties them
-/// to the coordinates goes into the rows. Needs the rows' value, natural and nothing.
+/// Writes y in the figure's own unknowns, in which the target of the figure has about size one. The equations
+/// between the unknowns and the coordinates become part of the rows. Needs the value, the natural size and the
+/// rounding of the rows.
 Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows);
 
 }  // namespace jounce::optimizer

@@ -10,11 +10,11 @@ namespace jounce::optimizer {
 /// Review 46, 2004), for a function that grows like exp(size |x|) off the real axis.
 class Nodes {
  public:
-  /// As many as leave an error at rounding, by (e rho / 2 n)^n with rho = size (high - low) / 2.
+  /// Uses enough nodes for an error at rounding, by (e rho / 2 n)^n with rho = size (high - low) / 2.
   Nodes(double low, double high, double size);
 
   [[nodiscard]] const std::vector<double>& at() const { return at_; }
-  /// True if that would have been more than there are.
+  /// True if that needs more nodes than the maximum.
   [[nodiscard]] bool too_few() const;
 
   /// The polynomials at x within the interval, one a node: f(x) = sum of share * f(node).

@@ -7,12 +7,12 @@
 
 #include "optimize/src/shapes/shape_report.hpp"
 
-// With g = f^(n), L the length and r_j what Taylor's polynomial from the beginning leaves of f^(j) at the
-// end, j = 0 ... n - 1,
+// Let g = f^(n), L the length, and r_j the remainder of Taylor's polynomial of f^(j) from the beginning at the
+// end, j = 0 ... n - 1. Then
 //
 //   (1)  integral of (L - x)^(n-1-j) / (n-1-j)! g(x) dx = r_j,
 //
-// so g is known by its moments. The least integral of g^2 is that of the polynomial of degree n - 1 with
+// so the moments of g are known. The least integral of g^2 is that of the polynomial of degree n - 1 with
 // these moments; with x = L (1 - s) and Hilbert's matrix H_ik = 1 / (i + k + 1)
 //
 //   (2)  integral of g^2 = L m' H^-1 m,   m_i = i! r_(n-1-i) / L^(i+1).
@@ -83,7 +83,7 @@ std::optional<std::pair<int, double>> pure(const LinearQuantity& q) {
   return std::pair{n, std::abs(q.by[static_cast<std::size_t>(n)])};
 }
 
-/// Of an inertia alone: force a f'', velocity b f'.
+/// The power of an inertia alone: force a f'', velocity b f'.
 std::optional<double> least_power(const Ends& from, const Ends& to, const PowerOf& power,
                                   double length) {
   const auto force = pure(power.force);

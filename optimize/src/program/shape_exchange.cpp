@@ -11,25 +11,25 @@
 #include "optimize/src/search/findings.hpp"
 #include "optimize/src/shapes/shape_reach.hpp"
 
-// With t_p for every figure that is a peak, planes g <= figure (FigureRows), walls w and figures that
-// are norms |F_r z|:
+// Let there be a t_p for every figure that is a peak, planes g <= figure (FigureRows), constraints w, and figures
+// that are norms |F_r z|:
 //
-//   (1)  minimise  sum weight_p t_p + sum weight_r |F_r z|
+//   (1)  minimize  sum weight_p t_p + sum weight_r |F_r z|
 //        subject to  g(z) <= t_p,   w(z) <= 0,   |F_c z| <= most_c,   the equalities.
 //
-// Which program that is: a norm alone, without walls, one linear system; peaks, a linear program; both, a
-// quadratic one (norms: shape_norms.hpp); limited norms are second-order cones. Planes and walls: shape_rows.hpp.
+// A norm alone without constraints needs one linear system, peaks a linear program, both a quadratic one
+// (norms: shape_norms.hpp). Limited norms are second-order cones. Planes and constraints: shape_rows.hpp.
 
 namespace jounce::optimizer {
 namespace {
 
 constexpr int max_rounds = 80;  ///< rounds of one exchange
 constexpr int max_adjustments = 40;
-constexpr double hopeless = 1e-7;  ///< residual of a program that has no solution
+constexpr double hopeless = 1e-7;  ///< residual above which a program has no solution
 constexpr double worthwhile = 1e-9;
-constexpr double coarse = 1e-6;  ///< residual of a program that is solved again anyway
+constexpr double coarse = 1e-6;  ///< residual that is enough for a program that is solved again
 constexpr double fine = 1e-11;
-constexpr double joined = 1e-15;  ///< residual of an equality that rounding leaves
+constexpr double joined = 1e-15;  ///< residual of an equality that is only rounding
 
 class ShapeExchange {
  public:
@@ -43,11 +43,11 @@ class ShapeExchange {
     found_.z = start;
   }
 
-  ShapeSolution run(double licence) {
+  ShapeSolution run(double slack) {
     if (auto broken = broken_where_fixed(model_, found_.z))
       infeasible(std::move(*broken));
-    else if (minimise() && licence > 0 && !norms_.any())
-      smooth(licence);
+    else if (minimise() && slack > 0 && !norms_.any())
+      smooth(slack);
     if (worst_equality(model_, found_.z) > joined) found_.z = as_fixed(model_, found_.z);
     return std::move(found_);
   }
@@ -67,7 +67,7 @@ class ShapeExchange {
     return true;
   }
 
-  /// Rounds of one task until nothing new is exceeded. False: no solution, or stopped.
+  /// Rounds of one task until no new row is exceeded. False: no solution, or stopped.
   bool settle_rows(const ShapeTask& task, bool keep_bound) {
     std::vector<double> level(model_.terms.size(), 1);
     const bool linear = keep_bound && task.squares.empty();
@@ -80,7 +80,7 @@ class ShapeExchange {
       take(s.x);
       for (std::size_t k = 0; k < level.size(); ++k)
         level[k] = p.column[k] ? s.x[*p.column[k]] : task.level[k].value_or(HUGE_VAL);
-      slack_ = p.slack ? s.x[*p.slack] : 0;
+      violation_ = p.slack ? s.x[*p.slack] : 0;
       const int added = look(p, s, task, level, keep_bound);
       if (added == 0 && precision_ == fine) return true;
       precision_ = added == 0 || !linear ? fine : finer(p, s);
@@ -109,14 +109,14 @@ class ShapeExchange {
     return s.residual <= (task.squares_alone ? worthwhile : std::max(hopeless, precision_));
   }
 
-  /// What is fixed at the ends to the bit: rest stays rest.
+  /// Makes the fixed values at the ends exact to the last bit: rest stays rest.
   void take(const std::vector<double>& x) {
     found_.z.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(model_.space.size()));
     for (const Form& f : model_.equalities)
       if (f.terms.size() == 1) found_.z[f.terms[0].index] = -f.constant / f.terms[0].factor;
   }
 
-  /// The bounds of what was found, and how many rows it exceeds that were not there.
+  /// Computes the bounds of the solution. Returns the number of new rows that it exceeds.
   int look(const ShapeProgram& p, const ConvexSolution& s, const ShapeTask& task,
            std::vector<double> level, bool keep_bound) {
     const auto shape = model_.space.segments(found_.z);
@@ -125,14 +125,14 @@ class ShapeExchange {
     if (keep_bound) keep(bound + norms_.to_bound(shape, last_sum_));
     alone_bound_ = keep_bound ? 0 : bound;
     for (double& each : level) each = task.terms ? each + met_ : HUGE_VAL;
-    return rows_.exchange(shape, level, std::max(slack_, 0.0));
+    return rows_.exchange(shape, level, std::max(violation_, 0.0));
   }
 
   void keep(double bound) {
     if (std::isfinite(bound)) found_.bound = std::max(found_.bound.value_or(bound), bound);
   }
 
-  /// As long as places are still far from where they belong, so may the solution be.
+  /// The tolerance of a solution: loose while the places are still far from their final ones.
   [[nodiscard]] double finer(const ShapeProgram& p, const ConvexSolution& s) const {
     double promised = 0;
     for (std::size_t k = 0; k < p.column.size(); ++k)
@@ -154,7 +154,7 @@ class ShapeExchange {
     return false;
   }
 
-  /// Says why; false.
+  /// Sets the reason and returns false.
   bool unsettled() {
     if (found_.end == End::stopped || out_of_reach() || round_out_of_reach() ||
         found_.end == End::stopped)
@@ -165,7 +165,7 @@ class ShapeExchange {
     return false;
   }
 
-  /// Whether the walls cannot all be kept: the least common violation, with its proof.
+  /// True if the constraints cannot all be kept, by the least common violation and its proof.
   bool out_of_reach() {
     found_.bound.reset();
     if (contradictory(model_, found_.z)) {
@@ -178,18 +178,19 @@ class ShapeExchange {
     task.round = false;
     const double residual = std::exchange(last_residual_, 0);
     bool settled = settle_rows(task, false);
-    if (!settled && found_.end != End::stopped) {  // the walls may leave coordinates open
+    if (!settled &&
+        found_.end != End::stopped) {  // the constraints may leave coordinates undetermined
       task.squares = hint(model_.space);
       settled = settle_rows(task, false);
     }
     last_residual_ = residual;
     if (!settled || alone_bound_ <= 2 * margin) return false;
-    infeasible("no spline over these knots keeps " + worst_walls(model_, found_.z, slack_) +
+    infeasible("no spline over these knots keeps " + worst_walls(model_, found_.z, violation_) +
                ": at least " + brief(100 * alone_bound_) + " % of a limit is exceeded");
     return true;
   }
 
-  /// Whether a limited norm cannot be kept: its least value is above.
+  /// True if a limited norm cannot be kept: its least value is above the limit.
   bool round_out_of_reach() {
     const double residual = last_residual_;
     for (const RoundCeiling& ceiling : model_.round) {
@@ -211,16 +212,16 @@ class ShapeExchange {
     return false;
   }
 
-  /// Of all shapes whose figures are within `licence`, the one with the least rms of the derivative
-  /// above the peaks'.
-  void smooth(double licence) {
+  /// Finds, of all shapes whose figures are within `slack`, the one with the least rms of the derivative above
+  /// that of the peaks.
+  void smooth(double slack) {
     const ShapeSolution best = found_;
     const auto shape = model_.space.segments(found_.z);
     ShapeTask task;
     task.squares_alone = true;
     int order = 1;
     for (const Term& t : model_.terms) {
-      task.level.push_back(t.rows.value(shape) / t.unit * (1 + licence));
+      task.level.push_back(t.rows.value(shape) / t.unit * (1 + slack));
       order = std::max(order, t.order + 1);
     }
     const LinearQuantity above = derivative_of_shape(std::min({order, model_.space.degree(), 5}));
@@ -231,7 +232,7 @@ class ShapeExchange {
     const bool smoother = settle_rows(task, false);
     if (found_.end == End::stopped) return keep_best(best);
     const auto now = model_.space.segments(found_.z);
-    const bool kept = weighted_sum(model_, now) <= weighted_sum(model_, shape) * (1 + 2 * licence);
+    const bool kept = weighted_sum(model_, now) <= weighted_sum(model_, shape) * (1 + 2 * slack);
     if (!smoother || !kept) keep_best(best);
   }
 
@@ -244,21 +245,21 @@ class ShapeExchange {
   const ShapeModel& model_;
   ShapeNorms norms_;
   const GoOn& go_on_;
-  double met_;  ///< what a plane may be exceeded by, in its term's unit
+  double met_;  ///< excess of a plane that counts as rounding, in the unit of its term
   ShapeRows rows_;
   ShapeSolution found_;
   double last_sum_ = HUGE_VAL;
   double last_residual_ = 0;
-  double precision_ = fine;  ///< of the next program
-  double slack_ = 0;
-  double alone_bound_ = 0;  ///< of the last program that was not the problem itself
+  double precision_ = fine;  ///< precision of the next program
+  double violation_ = 0;
+  double alone_bound_ = 0;  ///< bound of the last program that was not the problem itself
 };
 
 }  // namespace
 
 ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
-                        double licence, const GoOn& go_on) {
-  return ShapeExchange(model, start, precision, go_on).run(licence);
+                        double slack, const GoOn& go_on) {
+  return ShapeExchange(model, start, precision, go_on).run(slack);
 }
 
 }  // namespace jounce::optimizer

@@ -8,15 +8,16 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// Solves a ShapeModel, its figures and walls at every place: an exchange method over convex programs.
+/// Solves a ShapeModel with its figures and constraints at every place: an exchange method over convex
+/// programs.
 namespace jounce::optimizer {
 
 struct ShapeSolution {
   enum class End {
-    solved,      ///< nothing exceeds its level any more
-    infeasible,  ///< proven: the walls cannot all be kept
-    stalled,     ///< rounding, or no round left
-    stopped,     ///< go_on said so
+    solved,      ///< no row exceeds its level any more
+    infeasible,  ///< proven: the constraints cannot all be kept
+    stalled,     ///< rounding, or the last round is used
+    stopped,     ///< go_on returned false
   };
   End end = End::stalled;
   std::string why;  ///< infeasible or stalled, one sentence
@@ -27,12 +28,12 @@ struct ShapeSolution {
   int iterations = 0;  ///< iterations of the interior point method
 };
 
-/// Before each round, with its number and the weighted sum so far.
+/// Called before each round with its number and the weighted sum so far.
 using GoOn = std::function<bool(int round, double value)>;
 
-/// Minimises the weighted sum. Peaks alone leave much open: of all shapes within `licence` (relative)
-/// of the least sum, then the smoothest; 0: whichever was found. `start` is of the model's space.
+/// Minimizes the weighted sum. Peaks alone leave many shapes open: of those within `slack` (relative) of the
+/// least sum the function returns the smoothest; 0: any of them. `start` is in the space of the model.
 ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
-                        double licence, const GoOn& go_on);
+                        double slack, const GoOn& go_on);
 
 }  // namespace jounce::optimizer

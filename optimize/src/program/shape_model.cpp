@@ -13,12 +13,12 @@ struct Size {
   double offset = 0;
 };
 
-/// The largest size that an edge of a corridor asks for, in units of its value; `exact`: of those that
-/// are kept exactly.
+/// The largest size of the values that an edge of a corridor requires; `exact`: only of corridors that are kept
+/// exactly.
 double size_of_edges(const ShapeProblem& p, double offset, bool exact) {
   double size = 0;
   double per_unit = 1;
-  for (int k = 0; k <= std::min(p.degree, 5); ++k) {  // as the units of SplineSpace
+  for (int k = 0; k <= std::min(p.degree, 5); ++k) {  // in the units of SplineSpace
     for (const Corridor& c : p.corridors) {
       if (order_of(c.quantity) != k || (exact && !is_exact(c))) continue;
       const double by = std::abs(c.quantity.by[static_cast<std::size_t>(k)]);
@@ -33,8 +33,8 @@ double size_of_edges(const ShapeProblem& p, double offset, bool exact) {
   return size;
 }
 
-/// The size of the values: of the given shape and of what must be followed exactly; of a shape that
-/// stands still, of all that its corridors ask for.
+/// The size of the values: that of the given shape and of the corridors that are kept exactly; for a shape that
+/// stands still, that of all its corridors.
 Size size_of(const ShapeProblem& p, const std::vector<Segment>& given) {
   const double offset = value(given.front(), 0);
   double size = size_of_edges(p, offset, true);
@@ -55,7 +55,7 @@ int order_in(const ShapeFigure& figure) {
   return 2;  // a torque, mostly
 }
 
-/// The highest derivative that is minimised or limited.
+/// The highest derivative that is minimized or limited.
 int order_in(const ShapeProblem& p) {
   int order = 1;
   for (const WeightedFigure& m : p.minimize) order = std::max(order, order_in(m.figure));
@@ -64,7 +64,7 @@ int order_in(const ShapeProblem& p) {
   return std::min(order, p.degree);
 }
 
-/// Coordinates that stand alone in an equality, and those that follow from them at the next knot.
+/// Coordinates that are alone in an equality, and those that follow from them at the next knot.
 std::vector<bool> fixed_by(const SplineSpace& space, const std::vector<Form>& equalities) {
   std::vector<bool> fixed(space.size(), false);
   for (const Form& f : equalities)
@@ -79,7 +79,7 @@ std::vector<bool> fixed_by(const SplineSpace& space, const std::vector<Form>& eq
   return fixed;
 }
 
-/// One mode that may keep next to nothing: it keeps nothing, for planes so close together leave no inside.
+/// A limit close to zero on one mode becomes an equality with zero: planes so close together have no interior.
 bool is_silence(const Ceiling& c, double natural) {
   const auto* f = std::get_if<ResidualOf>(&c.figure);
   return f && f->low == f->high && f->damping_low == f->damping_high && c.at_most <= 1e-6 * natural;
@@ -134,7 +134,7 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
 
 std::vector<double> ShapeModel::with_own(const Coordinates& z) const {
   std::vector<double> x = z;
-  for (const Form& f : own) {  // the first term is the unknown itself
+  for (const Form& f : own) {  // the first term is the unknown
     double rest = f.constant;
     for (std::size_t j = 1; j < f.terms.size(); ++j)
       rest += f.terms[j].factor * z[f.terms[j].index];
@@ -168,7 +168,7 @@ double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape) 
 
 namespace {
 
-constexpr double near_point = 0.5;  ///< of the distance of two knots
+constexpr double near_point = 0.5;  ///< share of the distance of two knots
 
 /// The points that a shape must pass through, in order.
 std::vector<double> points_of(const ShapeProblem& p) {
@@ -179,8 +179,8 @@ std::vector<double> points_of(const ShapeProblem& p) {
   return points;
 }
 
-/// The point that is nearer to x than to the next knot: otherwise the piece between them is short when the shape is
-/// written, and an error e of its rise makes a jerk of 60 e / length^3. Without such a point, x.
+/// The point that is nearer to x than to the next knot. Otherwise the piece between them is short when the
+/// shape is written, and an error e of its rise makes a jerk of 60 e / length^3. Without such a point, x.
 double moved_to_point(double x, const std::vector<double>& points, double near) {
   const auto above = std::lower_bound(points.begin(), points.end(), x);
   if (above != points.end() && *above - x <= near) return *above;
@@ -192,7 +192,7 @@ double moved_to_point(double x, const std::vector<double>& points, double near) 
 
 std::vector<double> first_knots(const ShapeProblem& p) {
   const double h = (p.end - p.begin) / static_cast<double>(p.pieces);
-  std::vector<double> kept{p.begin, p.end};  // these stay where they are
+  std::vector<double> kept{p.begin, p.end};  // these keep their place
   for (const Corridor& c : p.corridors)
     if (c.from < c.to) kept.insert(kept.end(), {c.from, c.to});
   std::sort(kept.begin(), kept.end());
@@ -209,7 +209,7 @@ std::vector<double> first_knots(const ShapeProblem& p) {
     if (apart > 0.25 * h) knots.push_back(x);
   }
   std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());  // two may go to one point
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());  // two may move to one point
   return knots;
 }
 

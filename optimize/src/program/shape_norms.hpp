@@ -9,12 +9,12 @@
 
 namespace jounce::optimizer {
 
-/// The root of a falling function of one number, from secants.
+/// The root of a decreasing function of one number, from secants.
 class Root {
  public:
   explicit Root(double at) : at_(at) {}
   [[nodiscard]] double at() const { return at_; }
-  /// Goes on from the function's value here. `slope`: what is believed at first.
+  /// Continues from the value of the function here. `slope`: the first estimate.
   void advance(double value, double slope);
 
  private:
@@ -28,9 +28,9 @@ class Root {
 ///
 /// jointly convex in v and c, so that the minimum of a sum with weight |F z| is a fixed point:
 ///
-///     (2)  mu = weight / (2 c),   c = |F z|   where z minimises the sum with mu |F z|^2 instead.
+///     (2)  mu = weight / (2 c),   c = |F z|   where z minimizes the sum with mu |F z|^2 instead.
 ///
-/// One number a norm, found by secants in log c.
+/// One number for each norm, found by secants in log c.
 class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
@@ -39,18 +39,18 @@ class ShapeNorms {
   [[nodiscard]] bool any() const;
   [[nodiscard]] std::vector<Form> squares() const;
 
-  /// Brings c nearer to what it should be for the minimum found; whether it is there.
+  /// Moves c towards its value for the present minimum. Returns true if c has converged.
   bool settle(const std::vector<Segment>& shape);
 
-  /// What the bound of the quadratic program lacks to be one of the sum. That sum is convex in c with the
-  /// slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
+  /// The correction that makes the bound of the quadratic program a bound of the sum. That sum is convex in c
+  /// with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
   ///
   ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
   [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;
 
  private:
   const ShapeModel& model_;
-  std::vector<Root> c_;  ///< log c of each term; of peaks not used
+  std::vector<Root> c_;  ///< log c of each term; unused for peaks
 };
 
 }  // namespace jounce::optimizer

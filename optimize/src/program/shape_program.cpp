@@ -10,9 +10,9 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double range = 1e3;  ///< of a certificate, in sizes of the solution
+constexpr double range = 1e3;  ///< range of a certificate, in sizes of the solution
 
-/// By how much a better solution can differ.
+/// The greatest difference of each unknown of a better solution from this one.
 std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
                              const ConvexSolution& s, double sum) {
   const std::size_t size = model.space.size();
@@ -23,7 +23,7 @@ std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
   for (std::size_t j = 0; j < size; ++j) all[j] = range * largest[j % largest.size()];
   for (std::size_t k = 0; k < model.own.size(); ++k) {
     all[size + k] = model.range_of_own(k, all);
-    if (!p.slack)  // where walls hold, so do these
+    if (!p.slack)  // these hold where the constraints hold
       all[size + k] = std::min(all[size + k], model.own_most[k] + std::abs(s.x[size + k]));
   }
   for (std::size_t k = 0; k < p.column.size(); ++k)
@@ -32,25 +32,25 @@ std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
   return all;
 }
 
-/// What a bound owes to walls that really stand a little farther out.
+/// The correction of a bound for constraints whose true limits are a little wider.
 double held_off(const ShapeRows& rows, const ConvexSolution& s, const ShapeTask& task) {
   double sum = 0;
-  std::size_t k = 0;  // rows as program_of() takes them
+  std::size_t k = 0;  // rows in the order of program_of()
   for (const ShapeRow& row : rows.all())
     if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
-  for (const auto& multipliers : s.round_multipliers)  // a ceiling is held to 1 here
+  for (const auto& multipliers : s.round_multipliers)  // a ceiling is normalized to 1 here
     sum += 2 * RoundCeiling::off * norm(multipliers);
   return sum;
 }
 
-/// A ceiling that is round, in units of what it is held to.
+/// A ceiling on a norm, in units of its limit.
 RoundConstraint constraint(const RoundCeiling& ceiling) {
   RoundConstraint round{1, {}};
   for (const Form& f : ceiling.rows.squares) round.forms.push_back(scaled(f, 1 / ceiling.held()));
   return round;
 }
 
-/// A row with what its term's level, or v, takes off it.
+/// A row minus the level of its term, or minus v.
 Form constraint(const ShapeRow& row, const ShapeTask& task, const ShapeProgram& p) {
   Form form = row.form;
   if (!row.term && p.slack) form.terms.push_back({*p.slack, -1});

@@ -8,34 +8,34 @@
 
 namespace jounce::optimizer {
 
-/// What stands instead of t and mu in one kind of program.
+/// The replacement for t and mu in one kind of program.
 struct ShapeTask {
-  std::vector<std::optional<double>> level;  ///< level of terms: given, or a t of its own
-  bool terms = true;                         ///< with their rows
-  bool elastic = false;                      ///< walls may be broken by a common v, to be minimised
-  bool round = true;                         ///< with ceilings that are round
+  std::vector<std::optional<double>> level;  ///< level of each term: given, or a t of its own
+  bool terms = true;                         ///< includes the terms and their rows
+  bool elastic = false;  ///< constraints may be exceeded by a common v, which is minimized
+  bool round = true;     ///< includes ceilings on norms
   std::vector<Form> squares = {};
-  bool squares_alone = false;  ///< only to be smoother: not worth much trouble
+  bool squares_alone = false;  ///< only for smoothness: not worth much effort
 };
 
 /// A t for every term that is a peak, none given.
 ShapeTask plain(const ShapeModel& model);
 
-/// A task as a program in the coordinates, the responses' own unknowns, each t, and v.
+/// A task as a program in the coordinates, the own unknowns of the responses, each t, and v.
 struct ShapeProgram {
   ConvexProgram convex;
-  std::vector<std::optional<std::size_t>> column = {};  ///< column of each term's t
+  std::vector<std::optional<std::size_t>> column = {};  ///< column of the t of each term
   std::optional<std::size_t> slack = {};
 };
 
 ShapeProgram program_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask& task);
 
-/// What the objective of the program cannot be below, its walls where they really stand; elastic, v alone.
-/// `sum`: of the figures of the shape found.
+/// A lower bound of the objective, with the constraints at their true limits; if elastic, of v alone. `sum`: of
+/// the figures of the present shape.
 double bound_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask& task,
                 ShapeProgram program, const ConvexSolution& found, double sum);
 
-/// Squares next to nothing, which leave no coordinate open where walls do.
+/// Tiny squares that determine every coordinate that the constraints leave open.
 std::vector<Form> hint(const SplineSpace& space);
 
 }  // namespace jounce::optimizer

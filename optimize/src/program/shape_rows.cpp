@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-// Walls are kept `off`, where there is freedom: so what rounding leaves does not break them.
+// Constraints are tightened by `off` where there is freedom, so that rounding does not break them.
 
 namespace jounce::optimizer {
 namespace {
@@ -35,7 +35,7 @@ ShapeRows::ShapeRows(const ShapeModel& model) : model_(model) {
       if (auto row = wall_row(f, wall)) rows_.push_back(std::move(*row));
 }
 
-/// Whether it is new.
+/// True if the row is new.
 bool ShapeRows::add(ShapeRow row) {
   if (std::any_of(rows_.rbegin(), rows_.rend(),
                   [&](const auto& other) { return same(other, row); }))
@@ -44,7 +44,7 @@ bool ShapeRows::add(ShapeRow row) {
   return true;
 }
 
-/// Nothing where nothing free changes it.
+/// None where no free coordinate changes it.
 std::optional<ShapeRow> ShapeRows::wall_row(const Form& form, const Wall& wall) const {
   const double free = model_.freedom(form);
   if (free <= no_freedom) return {};

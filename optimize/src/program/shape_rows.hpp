@@ -8,22 +8,22 @@
 
 namespace jounce::optimizer {
 
-/// form(z) <= t of its term; of none: a wall, form(z) <= 0.
+/// form(z) <= t of its term; without a term: a constraint, form(z) <= 0.
 struct ShapeRow {
   Form form;
   std::optional<std::size_t> term = {};
-  double off = 0;  ///< by which a wall is kept off
+  double off = 0;  ///< distance kept from the constraint
 };
 
-/// The planes and walls of a model that are looked at: those to begin with, and those that shapes were
-/// found to exceed. The model must outlive it.
+/// The present planes and constraints of a model: the first ones, and those that shapes exceeded. The model
+/// must outlive it.
 class ShapeRows {
  public:
   explicit ShapeRows(const ShapeModel& model);
 
   [[nodiscard]] const std::vector<ShapeRow>& all() const { return rows_; }
-  /// Adds what a shape exceeds: planes above the level of their term (in its unit), walls by more than
-  /// slack. How many are new.
+  /// Adds the rows that a shape exceeds: planes above the level of their term (in its unit), constraints by
+  /// more than slack. Returns the number of new rows.
   int exchange(const std::vector<Segment>& shape, const std::vector<double>& level, double slack);
 
  private:
@@ -34,7 +34,7 @@ class ShapeRows {
   std::vector<ShapeRow> rows_;
 };
 
-/// A share of a form's slope that is less is no freedom.
+/// A smaller share of the slope of a form counts as fixed.
 constexpr double no_freedom = 1e-11;
 
 }  // namespace jounce::optimizer

@@ -49,7 +49,7 @@ Form at_one_place(const SplineSpace& space, const Corridor& c, const Edge& edge)
   return minus(space.at(c.quantity, i, s), edge.at_from);
 }
 
-/// Which side of a corridor: sign (q - edge) <= 0.
+/// One side of a corridor: sign (q - edge) <= 0.
 struct Flank {
   double sign = 1;
   Edge edge;
@@ -124,7 +124,7 @@ Wall wall_of(const SplineSpace& space, const Corridor& c, double offset) {
   return wall;
 }
 
-/// q == edge: all derivatives of q - edge vanish where the first piece begins; on the others those
+/// q == edge: all derivatives of q - edge vanish where the first piece begins, and on the other pieces those
 /// that may step there.
 void add_exact(const SplineSpace& space, const Corridor& c, std::vector<Form>& equalities) {
   if (c.from == c.to) {

@@ -9,17 +9,18 @@
 
 namespace jounce::optimizer {
 
-/// What walls are kept off, in their scale, where something free can do so: what rounding leaves.
+/// The distance kept from a constraint where something free changes it, in units of its scale: the solver
+/// leaves this much rounding.
 constexpr double margin = 1e-9;
 
-/// What must be kept everywhere in a window: a corridor, or a figure's ceiling.
+/// A constraint at every place of a window: a corridor, or the ceiling of a figure.
 struct Wall {
   std::string rule;     ///< "limit/geo_velocity"
-  double scale = 1;     ///< what violations are measured in, > 0
-  double off = margin;  ///< in its scale, what it is kept off where something free can do so
-  /// Each <= 0 where the wall is kept; to begin with.
+  double scale = 1;     ///< unit of violations, > 0
+  double off = margin;  ///< distance kept where something free changes it, in units of `scale`
+  /// Forms that are <= 0 where the constraint holds: the first ones.
   std::vector<Form> start = {};
-  /// Those that a shape breaks by more than slack * scale: where it does so most, on each piece.
+  /// The forms that a shape exceeds by more than slack * scale: on each piece where it exceeds them most.
   std::function<std::vector<Form>(const std::vector<Segment>& shape, double slack)> beyond = {};
 };
 
@@ -27,13 +28,13 @@ struct Wall {
 Wall wall_of(const SplineSpace& space, const Corridor& corridor, double offset);
 Wall wall_of(FigureRows rows, double at_most);
 
-/// A corridor without room, as equalities.
+/// A corridor without width, as equalities.
 void add_exact(const SplineSpace& space, const Corridor& corridor, std::vector<Form>& equalities);
 
 /// The value of an edge at x.
 double edge_at(const Corridor& corridor, const Edge& edge, double x);
 
-/// True if the corridor leaves no room: what it holds is kept exactly.
+/// True if the corridor has no width: its quantity is kept exactly.
 bool is_exact(const Corridor& corridor);
 
 }  // namespace jounce::optimizer

@@ -16,7 +16,7 @@ double over_factorial(double power, int k) {
   return power / factorial[static_cast<std::size_t>(k)];
 }
 
-/// 2^e next to x, so that scaling rounds nothing.
+/// The power of two nearest to x, so that scaling causes no rounding.
 double power_of_two(double x) {
   return std::exp2(std::round(std::log2(x)));
 }

@@ -22,14 +22,15 @@
 ///     (3)  S_ij = 4^(j-1) (j-1)! u / L^j up to the highest derivative m that matters, as a perfect spline
 ///          has; S_im / h_i^(j-m) above it: what a piece can do to that derivative
 ///
-/// More coordinates than freedom, tied by the equalities (2): each touches two neighbouring knots, so
-/// everything stays banded, and a short piece is as harmless as a long one. (Coefficients of B-splines
-/// for the value lose a factor 1/h in every derivative: at n = 5 and h = 1/1000 all digits.)
+/// There are more coordinates than degrees of freedom. The equalities (2) relate them: each contains two
+/// adjacent knots, so everything stays banded, and a short piece is as well conditioned as a long one.
+/// (Coefficients of B-splines for the value lose a factor 1/h in every derivative: at n = 5 and h = 1/1000 all
+/// digits.)
 namespace jounce::optimizer {
 
 using Coordinates = std::vector<double>;
 
-/// Places that are closer, in lengths of a piece, are one knot.
+/// Places closer than this share of the length of a piece are one knot.
 constexpr double same_knot = 1e-6;
 
 /// The order of the highest derivative in q; -1 if q is constant.
@@ -40,14 +41,14 @@ Segment quantity_of(const LinearQuantity& q, const Segment& f);
 
 class SplineSpace {
  public:
-  /// `size`: of the values, u, > 0. `knots` ascend, two at least. `order`: m of (3).
+  /// `size`: size of the values, u, > 0. `knots` ascend, at least two. `order`: m of (3).
   SplineSpace(std::vector<double> knots, int degree, int order, double size, double offset);
 
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] std::size_t pieces() const { return knots_.size() - 1; }
   [[nodiscard]] std::span<const double> knots() const { return knots_; }
   [[nodiscard]] double length(std::size_t piece) const { return knots_[piece + 1] - knots_[piece]; }
-  /// How many coordinates; further unknowns of a program come after.
+  /// The number of coordinates; further unknowns of a program come after them.
   [[nodiscard]] std::size_t size() const { return pieces() * stride() + stride() - 1; }
   /// The coordinate of f^(order) where a piece begins; piece == pieces(): at the end, order < degree.
   [[nodiscard]] std::size_t index(std::size_t piece, int order) const {
@@ -57,7 +58,7 @@ class SplineSpace {
   [[nodiscard]] double unit(std::size_t piece, int order) const {
     return units_[index(piece, order)];
   }
-  /// The size q would have in a perfect spline: sum |by[k]| S_k, as if all derivatives mattered.
+  /// The size of q in a perfect spline: sum |by[k]| S_k, as if all derivatives mattered.
   [[nodiscard]] double natural(const LinearQuantity& q) const;
   /// The piece that contains x; the one that begins there, at a knot.
   [[nodiscard]] std::size_t piece_at(double x) const;
@@ -71,18 +72,18 @@ class SplineSpace {
 
   /// (2), each == 0.
   [[nodiscard]] std::vector<Form> joints() const;
-  /// What is fixed at the ends, each == 0; `periodic`: derivatives agree.
+  /// The fixed values at the ends, each == 0; `periodic`: derivatives agree.
   [[nodiscard]] std::vector<Form> ends(const ShapeEnd& from, const ShapeEnd& to,
                                        bool periodic) const;
 
   /// The spline with these coordinates, from the first knot on.
   [[nodiscard]] std::vector<Segment> segments(const Coordinates& z) const;
-  /// The coordinates of a shape over the same interval: its derivatives at the knots, the mean of the
-  /// highest. Of a spline over these knots exactly its own.
+  /// The coordinates of a shape over the same interval: its derivatives at the knots, and the mean of the
+  /// highest one. For a spline over these knots they are exact.
   [[nodiscard]] Coordinates coordinates(const std::vector<Segment>& shape) const;
 
-  /// z with all but the top derivatives and those at the beginning made anew by (2): a spline, whatever
-  /// z was. Together those are a basis of the space.
+  /// z with all coordinates computed anew by (2), except for the highest derivatives and those at the
+  /// beginning. The result is a spline for any z. The kept coordinates are a basis of the space.
   [[nodiscard]] Coordinates propagated(Coordinates z) const;
   /// True if a coordinate belongs to that basis.
   [[nodiscard]] bool independent(std::size_t coordinate) const {
@@ -99,7 +100,7 @@ class SplineSpace {
   std::vector<double> units_;
 };
 
-/// What is fixed at an end, by order; empty: free.
+/// The fixed values at an end, by order; empty: free.
 std::array<std::optional<double>, 5> derivatives_of(const ShapeEnd& end);
 
 }  // namespace jounce::optimizer

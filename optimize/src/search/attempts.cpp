@@ -41,7 +41,7 @@ class Attempts {
   }
 
  private:
-  /// One thread: start after start.
+  /// One thread: it runs one start after the other.
   void work() {
     for (std::size_t i = next_++; i < starts_.size(); i = next_++) {
       if (i > last_) continue;
@@ -85,7 +85,8 @@ class Attempts {
   const AttemptsOptions& options_;
   std::vector<std::optional<Attempt>> results_;
   std::atomic<std::size_t> next_ = 0;
-  std::atomic<std::size_t> last_ = static_cast<std::size_t>(-1);  ///< start that is enough
+  std::atomic<std::size_t> last_ =
+      static_cast<std::size_t>(-1);  ///< number of the start whose result is enough
   std::atomic<bool> stopped_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
-#include <limits>
+#include <span>
 
-#include <nlopt.hpp>
+#include "optimize/src/solvers/local_solver.hpp"
 
-#include "optimize/src/solvers/forgiving.hpp"
-
-// Why SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients, a
-// vertex, at which sequential quadratic programming converges quadratically. In whitened variables it needs
-// 0.1 s for 50 coefficients and 2000 rows and 2.2 s for 200 and 4000, and agrees with an interior point
-// method to 6 digits; MMA and CCSAQ end up to 40 times off with a success code, COBYLA needs seconds for
-// 20 coefficients.
+// Reasons for SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients.
+// Sequential quadratic programming converges quadratically at such a vertex. In whitened variables it needs 0.1
+// s for 50 coefficients and 2000 rows, and 2.2 s for 200 and 4000, and agrees with an interior point method to
+// 6 digits. MMA and CCSAQ end up to 40 times off with a success code. COBYLA needs seconds for 20 coefficients.
 
 namespace jounce::optimizer {
 namespace {
@@ -23,107 +19,77 @@ namespace {
 using Eigen::Index;
 using Eigen::Map;
 using Eigen::VectorXd;
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t most_quantities = 4;
 
+/// The functions of a program, at (y, t).
 struct Run {
   const DescentProgram& program;
-  nlopt::opt& solver;
   const std::function<bool()>& go_on;
   VectorXd y = {};
   VectorXd gradient = {};
   int evaluations = 0;
   bool finite = true;
-  std::exception_ptr trouble = nullptr;
-  std::vector<double> last = {};  ///< the x before the solver lost its way into NaN
-  bool lost = false;
+  std::vector<double> last = {};  ///< the last finite x
+  bool lost = false;              ///< true after an x with NaN
 
   [[nodiscard]] Index unknowns() const { return program.unknowns; }
 
-  double objective(const double* x, double* slope) {
-    y = Map<const VectorXd>(x, unknowns());
+  double objective(std::span<const double> x, std::span<double> slope) {
+    require_finite(x);
+    y = Map<const VectorXd>(x.data(), unknowns());
     gradient.setZero(unknowns());
     double sum = 0;
     for (const Mean& mean : program.means) sum += mean.evaluate(y, 1, gradient);
     for (std::size_t k = 0; k < program.weight.size(); ++k)
-      sum += program.weight[k] * x[unknowns() + static_cast<Index>(k)];
-    if (slope) {
-      Map<VectorXd>(slope, unknowns()) = gradient;
-      std::copy(program.weight.begin(), program.weight.end(), slope + unknowns());
+      sum += program.weight[k] * x[static_cast<std::size_t>(unknowns()) + k];
+    if (!slope.empty()) {
+      Map<VectorXd>(slope.data(), unknowns()) = gradient;
+      std::copy(program.weight.begin(), program.weight.end(), slope.begin() + unknowns());
     }
+    finite = finite && std::isfinite(sum);
+    if (!finite) throw StopSolver{};
     return sum;
   }
 
-  void constraints(std::span<double> result, std::size_t n, const double* x, double* slope) {
-    y = Map<const VectorXd>(x, unknowns());
+  void constraints(std::span<const double> x, std::span<double> result, std::span<double> slope) {
+    require_finite(x);
+    const bool going = go_on();
+    y = Map<const VectorXd>(x.data(), unknowns());
     for (std::size_t i = 0; i < result.size(); ++i) {
       gradient.setZero(unknowns());
-      double* own = slope ? slope + i * n : nullptr;
-      if (own) std::fill(own, own + n, 0.0);
+      const auto own = slope.empty() ? slope : slope.subspan(i * x.size(), x.size());
+      std::fill(own.begin(), own.end(), 0.0);
       if (i < program.rows.size())
         result[i] = row(program.rows[i], x, own);
       else
         result[i] = ceiling(program.ceilings[i - program.rows.size()]);
-      if (own) Map<VectorXd>(own, unknowns()) = gradient;
+      if (!own.empty()) Map<VectorXd>(own.data(), unknowns()) = gradient;
+      finite = finite && std::isfinite(result[i]);
     }
     ++evaluations;
+    if (!finite || !going) throw StopSolver{};
   }
 
  private:
-  double row(const DescentRow& row, const double* x, double* slope) {
+  /// Throws for an x with NaN. SLSQP steps there if its rows are almost dependent, and NaN would count as a
+  /// constraint that holds.
+  void require_finite(std::span<const double> x) {
+    lost = !std::all_of(x.begin(), x.end(), [](double each) { return std::isfinite(each); });
+    if (lost) throw StopSolver{};
+    last.assign(x.begin(), x.end());
+  }
+
+  double row(const DescentRow& row, std::span<const double> x, std::span<double> slope) {
     const double value = row.evaluate(y, gradient);
     if (!row.t) return value;
-    const auto t = unknowns() + static_cast<Index>(*row.t);
-    if (slope) slope[t] = -1;
+    const std::size_t t = static_cast<std::size_t>(unknowns()) + *row.t;
+    if (!slope.empty()) slope[t] = -1;
     return value - x[t];
   }
 
   double ceiling(const Mean& mean) { return mean.evaluate(y, 1, gradient) - mean.offset; }
 };
-
-/// An exception must not pass NLopt, which would lose it; a NaN must not stay, which it would take for
-/// satisfied.
-template <class Evaluate>
-void guarded(Run& run, const Evaluate& evaluate) {
-  try {
-    if (!run.lost) evaluate();
-  } catch (...) {
-    run.trouble = std::current_exception();
-  }
-  if (run.trouble || !run.finite || run.lost) run.solver.force_stop();
-}
-
-/// SLSQP steps to NaN where its rows are almost dependent.
-void watch(Run& run, const double* x, std::size_t n) {
-  if (std::all_of(x, x + n, [](double each) { return std::isfinite(each); }))
-    run.last.assign(x, x + n);
-  else
-    run.lost = true;
-}
-
-double objective(unsigned n, const double* x, double* slope, void* data) {
-  auto& run = *static_cast<Run*>(data);
-  watch(run, x, n);
-  double value = 0;
-  guarded(run, [&] {
-    value = run.objective(x, slope);
-    run.finite = run.finite && std::isfinite(value);
-  });
-  return value;
-}
-
-void constraints(unsigned m, double* result, unsigned n, const double* x, double* slope,
-                 void* data) {
-  auto& run = *static_cast<Run*>(data);
-  watch(run, x, n);
-  guarded(run, [&] {
-    if (!run.go_on()) run.solver.force_stop();
-    run.constraints({result, m}, n, x, slope);
-    for (unsigned i = 0; i < m && !run.lost; ++i)
-      run.finite = run.finite && std::isfinite(result[i]);
-  });
-}
 
 }  // namespace
 
@@ -184,16 +150,16 @@ Descended descend(const DescentProgram& program, const VectorXd& y, int max_eval
   const VectorXd t = least_t(program, y);
   std::vector<double> x(y.begin(), y.end());
   x.insert(x.end(), t.begin(), t.end());
-  const std::size_t rows = program.rows.size() + program.ceilings.size();
-  nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(x.size()));
-  Run run{program, solver, go_on};
-  solver.set_min_objective(objective, &run);
-  if (rows > 0)
-    solver.add_inequality_mconstraint(constraints, &run, std::vector<double>(rows, 1e-10));
-  solver.set_xtol_rel(1e-12);
-  solver.set_ftol_rel(1e-12);
-  solver.set_maxeval(max_evaluations);
-  optimize_forgiving(solver, x, run.trouble);
+  Run run{program, go_on};
+  x = run_local_solver(
+      {.objective = [&](auto at, auto slope) { return run.objective(at, slope); },
+       .constraints = [&](auto at, auto rows, auto slope) { run.constraints(at, rows, slope); },
+       .rows = program.rows.size() + program.ceilings.size(),
+       .row_tolerance = 1e-10,
+       .x_relative = 1e-12,
+       .objective_relative = 1e-12,
+       .max_evaluations = max_evaluations},
+      std::move(x));
   if (run.lost) x = run.last;
   Descended result{Map<const VectorXd>(x.data(), y.size()),
                    Map<const VectorXd>(x.data() + y.size(), extra), std::max(run.evaluations, 1),

@@ -15,7 +15,7 @@ namespace jounce::optimizer {
 struct PlaceRow {
   const Pointwise* figure = nullptr;
   double x = 0;
-  double sign = 1;  ///< sign of the velocity; held
+  double sign = 1;  ///< fixed sign of the velocity
   std::vector<DenseRow> q = {};
 
   /// g at y, and its gradient times `factor` added to `gradient`.
@@ -31,7 +31,7 @@ struct DescentRow {
   double offset = 0;
   std::optional<std::size_t> t = {};
 
-  /// factor * (...) - offset at y, without t; its gradient is added to `gradient`.
+  /// factor * (...) - offset at y, without t. Adds its gradient to `gradient`.
   double evaluate(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> gradient) const;
 };
 
@@ -39,20 +39,20 @@ struct DescentRow {
 struct Mean {
   bool root = true;
   std::vector<PlaceRow> places = {};
-  std::vector<DenseRow> forms = {};  ///< instead of places: squares, weights in them
+  std::vector<DenseRow> forms = {};  ///< instead of places: squares that contain their weights
   std::vector<double> weight = {};
   double factor = 1;  ///< factor of the whole
-  double offset = 0;  ///< as a constraint: factor * mean - offset <= 0
+  double offset = 0;  ///< in a constraint: factor * mean - offset <= 0
 
   double evaluate(const Eigen::VectorXd& y, double factor,
                   Eigen::Ref<Eigen::VectorXd> gradient) const;
 };
 
-/// minimise sum weight[k] t[k] + sum of means   subject to   rows, ceilings.
+/// minimize sum weight[k] t[k] + sum of means   subject to   rows, ceilings.
 struct DescentProgram {
   Eigen::Index unknowns = 0;
-  std::vector<double> weight = {};  ///< weight of t
-  std::vector<Mean> means = {};     ///< in the objective, factors contain their weights
+  std::vector<double> weight = {};  ///< weights of t
+  std::vector<Mean> means = {};     ///< in the objective; their factors contain the weights
   std::vector<Mean> ceilings = {};
   std::vector<DescentRow> rows = {};
 };
@@ -64,8 +64,8 @@ struct Descended {
   bool finite = true;
 };
 
-/// A local solution from y by SLSQP, or where it stopped: the caller judges by exact values, NLopt's own
-/// verdict counts for nothing. `go_on` is asked at each evaluation of rows.
+/// A local solution from y by SLSQP, or the point where it stopped (see run_local_solver()). `go_on` is called
+/// at each evaluation of the rows.
 Descended descend(const DescentProgram& program, const Eigen::VectorXd& y, int max_evaluations,
                   const std::function<bool()>& go_on);
 

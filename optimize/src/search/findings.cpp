@@ -9,9 +9,9 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;  ///< relative: closer than this is there
+constexpr double met = 1e-6;  ///< relative distance below which a limit counts as reached
 
-/// What a ceiling limits, and its rule.
+/// The quantity of a ceiling, and its rule.
 std::string quantity_of(const DerivativeBound& ceiling) {
   const std::string name = OverMaster::names[ceiling.order];
   return ceiling.lower == 0 ? name : name + " while the master accelerates";
@@ -54,16 +54,15 @@ void add_bounds(const Space& space, const Point& z, std::vector<Finding>& active
   }
 }
 
-void add_peaks(const Shape& shape, const Space& space, const ObjectiveResult& result,
-               std::vector<Finding>& active) {
-  const auto order = peak_order(result.objective);
+void add_peaks(const Shape& shape, const Space& space, Objective objective,
+               const FigureResult& result, std::vector<Finding>& active) {
+  const auto order = peak_order(objective);
   if (!order || result.reached == 0) return;
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
     for (const Extremum& e : {shape.ranges[i][*order].min, shape.ranges[i][*order].max})
       if (result.reached - std::abs(e.value) <= met * result.reached)
-        active.push_back(at(std::string("objective/") + name(result.objective),
-                            OverMaster::names[*order], e, std::copysign(result.reached, e.value), 0,
-                            space.pieces[i].segment));
+        active.push_back(at("objective/" + result.name, OverMaster::names[*order], e,
+                            std::copysign(result.reached, e.value), 0, space.pieces[i].segment));
 }
 
 }  // namespace
@@ -103,12 +102,14 @@ Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& ca
 }
 
 std::vector<Finding> active_findings(const Space& space, std::span<const DerivativeBound> ceilings,
-                                     const Point& z, std::span<const ObjectiveResult> objectives) {
+                                     const Point& z, std::span<const Objective> minimize,
+                                     std::span<const FigureResult> figures) {
   const Shape shape(space, z);
   std::vector<Finding> active;
   add_limits(shape, space, ceilings, active);
   add_bounds(space, z, active);
-  for (const ObjectiveResult& result : objectives) add_peaks(shape, space, result, active);
+  for (std::size_t k = 0; k < minimize.size(); ++k)
+    add_peaks(shape, space, minimize[k], figures[k], active);
   return active;
 }
 

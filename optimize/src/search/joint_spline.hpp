@@ -18,8 +18,8 @@ struct JointSpline {
 };
 
 // The C2 cubic spline with accelerations a_i at knots i = 0 ... n, a_0 = a_n = 0. Knots 1 and n - 1 are
-// virtual: rest at the end beside them asks for p_1 = p_0 + a_1 h_1^2 / 6, and so p_(n-1). So each
-// position is p_i = q_i + r_i a_i, with r_i = 0 but at these two. The velocity is continuous where
+// virtual: rest at the adjacent end requires p_1 = p_0 + a_1 h_1^2 / 6, and similarly p_(n-1). So each position
+// is p_i = q_i + r_i a_i, with r_i = 0 except at these two. The velocity is continuous where
 //
 //   (1)  h_i a_(i-1) + 2 (h_i + h_(i+1)) a_i + h_(i+1) a_(i+1) = 6 (d_(i+1) - d_i),
 //        d_i = (p_i - p_(i-1)) / h_i

@@ -16,10 +16,12 @@ namespace {
 using optimizer::brief;
 using optimizer::Trial;
 using optimizer::Trials;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 
-constexpr double edge = 1e-3;       ///< of the ranges: what is beyond it is told
-constexpr double near_zero = 1e-4;  ///< of a constraint's usual size: it is met, no more
+constexpr double edge =
+    1e-3;  ///< share of the ranges: the outcome reports an impossible choice that is closer
+constexpr double near_zero =
+    1e-4;  ///< share of a constraint's usual size: a constraint that is closer to 0 is met
 
 void require_valid(const SearchVariable& v, std::size_t i) {
   const std::string key = "variable[" + std::to_string(i + 1) + "].";
@@ -36,20 +38,17 @@ void require_valid(const SearchVariable& v, std::size_t i) {
                      "must be within the bounds " + number(v.lower) + " and " + number(v.upper));
 }
 
-void require_valid(const std::vector<SearchVariable>& variables, const SearchOptions& options) {
+void require_valid(const std::vector<SearchVariable>& variables, const OptimizeOptions& options) {
   if (variables.empty()) throw InputError("variable", "", "is missing: give at least one variable");
   for (std::size_t i = 0; i < variables.size(); ++i) require_valid(variables[i], i);
-  if (options.max_evaluations < 1 || options.max_evaluations > 1'000'000)
-    throw InputError("max_evaluations", static_cast<double>(options.max_evaluations),
-                     "must be from 1 to 1000000");
-  if (options.seconds) require_positive("seconds", *options.seconds);
-  if (!(options.tolerance >= 1e-9 && options.tolerance <= 0.01))
-    throw InputError("tolerance", options.tolerance, "must be from 1e-9 to 0.01");
+  require_valid(options, 0.01);
+  if (const auto most = options.budget.evaluations; most && *most > 1'000'000)
+    throw InputError("max_evaluations", *most, "must be at most 1000000");
 }
 
-/// What the searching came to.
+/// The result of the phases of a search.
 struct Searched {
-  bool settled = false;  ///< nothing gained any more
+  bool settled = false;  ///< no phase gains any more
   optimizer::Roamed roamed;
 };
 
@@ -64,7 +63,7 @@ Searched searched(Trials& trials) {
       all.settled = true;
     } else {
       survey(trials);
-      if (trials.options().global) all.roamed = roam(trials, 0.5);
+      if (trials.is_global()) all.roamed = roam(trials, 0.5);
       all.settled = polish(trials);
     }
   } catch (const optimizer::Stop&) {
@@ -77,7 +76,7 @@ std::string plural(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// What is to be said where nothing meets the constraints.
+/// The reason where no point meets the constraints.
 std::string missed(const Trials& trials) {
   const Trial& best = trials.best();
   if (!best.answer.possible) return "no point of the search is possible: " + best.answer.why;
@@ -109,11 +108,11 @@ std::string settled_reason(const Trials& trials, const Searched& how) {
   if (trials.size() == 0) return "every variable is fixed";
   if (trials.size() == 1)
     return "the best over the whole range, looked at in " +
-           std::to_string(std::clamp(trials.options().max_evaluations / 4, 8, 256) + 1) +
+           std::to_string(std::clamp(trials.max_evaluations() / 4, 8, 256) + 1) +
            " places, edges bisected and dips narrowed down";
   const std::string local = "no step from the best point gains more than " +
                             brief(trials.options().tolerance) + " of it; ";
-  if (!trials.options().global) return local + "one local search, no proof";
+  if (!trials.is_global()) return local + "one local search, no proof";
   return local + std::to_string(how.roamed.agreeing) + " of " +
          std::to_string(how.roamed.searches) + " local searches" + " led there, no proof";
 }
@@ -131,7 +130,7 @@ void judge(const Trials& trials, const Searched& how, SearchOutcome& outcome) {
     outcome.reason = missed(trials) + (how.settled ? "" : "; " + ending(trials));
 }
 
-/// What stops further improvement.
+/// Adds the reasons that stop further improvement.
 void add_reasons(const Trials& trials, SearchOutcome& outcome) {
   const Trial& best = trials.best();
   for (std::size_t k = 0; k < trials.size(); ++k)
@@ -139,7 +138,7 @@ void add_reasons(const Trials& trials, SearchOutcome& outcome) {
       outcome.at_bound.push_back(trials.free()[k]);
   for (std::size_t i = 0; i < trials.scales().size(); ++i)
     if (best.answer.possible && best.answer.constraints[i] >= -near_zero * trials.scales()[i])
-      outcome.active.push_back(i);
+      outcome.met.push_back(i);
   double nearest = edge;
   for (const Trial& trial : trials.all()) {
     const double away = optimizer::distance(trial.z, best.z);
@@ -149,7 +148,29 @@ void add_reasons(const Trials& trials, SearchOutcome& outcome) {
   }
 }
 
-/// The best asked once more: what f says the second time is what counts.
+/// Constraints and variables as findings.
+void add_findings(const std::vector<SearchVariable>& variables, SearchOutcome& outcome) {
+  for (std::size_t i = 0; i < outcome.answer.constraints.size(); ++i) {
+    const double value = outcome.answer.constraints[i];
+    const std::string number = std::to_string(i + 1);
+    Finding& f = outcome.limits.findings.emplace_back();
+    f.rule = "constraint/" + number;
+    f.quantity = "constraint " + number;
+    f.value = value;
+    f.margin = -value;
+    f.broken = !(value <= 0);
+  }
+  for (const std::size_t i : outcome.met) outcome.active.push_back(outcome.limits.findings[i]);
+  for (const std::size_t i : outcome.at_bound) {
+    Finding& f = outcome.active.emplace_back();
+    f.rule = "bound/" + variables[i].name;
+    f.quantity = variables[i].name;
+    f.value = f.limit = outcome.best[i];
+  }
+  sort(outcome.limits);
+}
+
+/// Evaluates the best once more: the second value counts.
 void confirm(const SearchFunction& f, SearchOutcome& outcome) {
   const SearchAnswer again = f(outcome.best);
   ++outcome.evaluations;
@@ -161,13 +182,13 @@ void confirm(const SearchFunction& f, SearchOutcome& outcome) {
   }
   outcome.feasible = met;
   outcome.answer = again;
+  outcome.value = again.objective;
 }
 
 }  // namespace
 
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-                     const SearchOptions& options,
-                     const std::function<bool(const SearchProgress&)>& keep_going) {
+                     const OptimizeOptions& options, const KeepGoing& keep_going) {
   require_valid(variables, options);
   Trials trials(variables, f, options, keep_going);
   const Searched how = searched(trials);
@@ -177,11 +198,12 @@ SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchF
   outcome.answer = best.answer;
   outcome.feasible = best.violation == 0;
   outcome.evaluations = trials.count();
-  outcome.searches = how.roamed.searches;
+  outcome.starts = how.roamed.searches;
   outcome.agreeing = how.roamed.agreeing;
   judge(trials, how, outcome);
   add_reasons(trials, outcome);
   confirm(f, outcome);
+  add_findings(variables, outcome);
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optimize/src/search/drawn.hpp"
 #include "optimize/src/search/search_steps.hpp"
@@ -14,13 +15,13 @@
 //   MLSL, BOBYQA      20  13   1                  5      15         20         all 20   (penalty)
 //   ISRES             17   5   0                 20      18         10         all 20
 //
-// DIRECT and MLSL know no constraints and need a penalty, whose weight nobody knows; MLSL and ISRES
-// do not end by themselves. So: multi-start with NLopt's COBYLA, which knows constraints, from places
-// that are good and far from where others went, as MLSL does (A. Rinnooy Kan and G. Timmer,
-// Mathematical Programming 39, 1987), ended by the rule of C. Boender and A. Rinnooy Kan (Math. Prog. 37,
-// 1987): after N searches that found w basins, there are expected to be
+// DIRECT and MLSL do not support constraints and need a penalty, whose right weight is unknown. MLSL and ISRES
+// do not end by themselves. This phase is therefore a multi-start with NLopt's COBYLA, which supports
+// constraints. It starts from good places that are far from earlier searches, as MLSL does (A. Rinnooy Kan and
+// G. Timmer, Mathematical Programming 39, 1987). It ends by the rule of C. Boender and A. Rinnooy Kan (Math.
+// Prog. 37, 1987): after N searches that found w basins, the expected number of basins is
 //
-//   (1)  w (N - 1) / (N - w - 2)     of them, and it is enough where that is below w + 1/2.
+//   (1)  w (N - 1) / (N - w - 2),     and the phase ends where that is below w + 1/2.
 
 namespace jounce::optimizer {
 namespace {
@@ -42,7 +43,8 @@ class Roaming {
 
   Roamed run(double share) {
     search_from(trials_.best());
-    while (trials_.used() < share &&
+    const int most = trials_.options().starts.value_or(std::numeric_limits<int>::max());
+    while (trials_.used() < share && roamed_.searches < most &&
            expects_more(roamed_.searches, static_cast<double>(basins_.size()))) {
       const std::size_t first = trials_.all().size();
       for (std::size_t i = 0; i < 3 * (trials_.size() + 1); ++i)
@@ -78,7 +80,7 @@ class Roaming {
                        [&](const Choice& each) { return distance(each, place.z) >= reach(); });
   }
 
-  /// Where a variable has no say, one basin has many ends: equal values are one too.
+  /// Two ends are one basin if their values are equal: a variable without influence gives one basin many ends.
   [[nodiscard]] bool is_same(const Trial& a, const Trial& b) const {
     const double away = std::abs(a.answer.objective - b.answer.objective);
     const bool as_good = a.violation == 0 && b.violation == 0 && away <= 1e-2 * trials_.spread();
@@ -120,7 +122,7 @@ void survey(Trials& trials) {
     trials.at(z);
   }
   std::uint64_t state = trials.options().seed ^ 0x5bd1e995U;
-  if (trials.options().global)
+  if (trials.is_global())
     for (std::size_t i = 0; i < 2 * n; ++i) trials.at(drawn_choice(n, state));
   while (!trials.any_possible()) trials.at(drawn_choice(n, state));
   trials.settle_scales();

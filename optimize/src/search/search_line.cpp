@@ -5,10 +5,10 @@
 
 #include "optimize/src/search/search_steps.hpp"
 
-// One variable needs no solver, and can be told exactly what was looked at: equally spaced places, the
-// edges between those that meet the constraints and those that do not, by bisection, and the dips by golden
-// section. Nothing is assumed of the whole; of a cell between two places it is assumed that it holds one edge, or one
-// dip.
+// One variable needs no solver, and the report can state exactly what was examined: equally spaced places, the
+// edges between feasible and infeasible places, by bisection, and the minima, by golden section. The method
+// assumes nothing about the whole range. It assumes that a cell between two places has at most one edge or one
+// minimum.
 
 namespace jounce::optimizer {
 namespace {
@@ -28,7 +28,7 @@ class Line {
       if (trials_.best().violation == 0) edges(i);
     }
     if (trials_.best().violation > 0) return;
-    // A dip of the violation may have led into an island that the places missed.
+    // A minimum of the violation may have led to a feasible interval that the places missed.
     const Trial best = trials_.best();
     for (const Trial* beside : {below(best), above(best)})
       if (beside != nullptr && beside->violation > 0) bisect(best, *beside);
@@ -36,7 +36,7 @@ class Line {
 
  private:
   void look() {
-    const int cells = std::clamp(trials_.options().max_evaluations / 4, 8, 256);
+    const int cells = std::clamp(trials_.max_evaluations() / 4, 8, 256);
     places_.push_back(trials_.at(trials_.start()));
     for (int i = 0; i <= cells; ++i) {
       const Choice z{static_cast<double>(i) / cells};
@@ -49,7 +49,7 @@ class Line {
                          [&](const Trial& each) { return each.z == place.z; });
   }
 
-  /// Places that no neighbour is better than, the best first; eight of them at most.
+  /// Places without a better neighbor, the best first; at most eight.
   [[nodiscard]] std::vector<std::size_t> dips() const {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -69,7 +69,7 @@ class Line {
         places_[i].violation > 0 ? bisect(places_[j], places_[i]) : bisect(places_[i], places_[j]);
   }
 
-  /// The edge between one that meets the constraints and one that does not.
+  /// Bisects the edge between a feasible place and an infeasible one.
   void bisect(Trial inside, Trial outside) {
     while (distance(inside.z, outside.z) > 1e-3 * trials_.options().tolerance) {
       const Trial middle = trials_.at({(inside.z[0] + outside.z[0]) / 2});
@@ -99,7 +99,7 @@ class Line {
   [[nodiscard]] const Trial* below(const Trial& t) const { return beside(t, -1); }
   [[nodiscard]] const Trial* above(const Trial& t) const { return beside(t, 1); }
 
-  /// The nearest that was asked on that side.
+  /// The nearest evaluated place on that side.
   [[nodiscard]] const Trial* beside(const Trial& t, int side) const {
     const Trial* nearest = nullptr;
     for (const Trial& each : trials_.all()) {

@@ -1,57 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <span>
-#include <stdexcept>
 #include <utility>
-
-#include <nlopt.hpp>
 
 #include "optimize/src/search/search_shown.hpp"
 #include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/solvers/local_solver.hpp"
 
-// NLopt's part of a search. What NLopt answers is not looked at: Trials keeps the best of all that was asked,
-// by its own reading of the constraints (dependencies as measured: infeasible ends are called a success).
+// The local solvers of a search. Trials keeps the best of all evaluated points, by its own evaluation of the
+// constraints. The status of NLopt is ignored: it reports success at infeasible ends.
 //
-// COBYLA needs no derivatives and no smoothness, but creeps in curved valleys; SLSQP with central
-// differences runs along them. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc
-// (5 of 20 starts), with SLSQP before it on none of them.
+// COBYLA needs neither derivatives nor smoothness, but makes small steps in curved valleys. SLSQP with central
+// differences follows such valleys. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc (5 of
+// 20 starts). With SLSQP before it, it failed on none.
 
 namespace jounce::optimizer {
 namespace {
 
-/// One run of a solver. What is thrown while it asks stops it and is thrown again afterwards: NLopt
-/// would forget it.
+/// The function of a search in the form of a solver. Values and slopes of one point are computed once.
 class Run {
  public:
-  Run(nlopt::algorithm algorithm, Trials& trials, double hair, double difference)
-      : trials_(trials),
-        hair_(hair),
-        difference_(difference),
-        solver_(algorithm, static_cast<unsigned>(trials.size())) {
-    solver_.set_lower_bounds(0.0);
-    solver_.set_upper_bounds(1.0);
-    solver_.set_min_objective(&Run::objective, this);
-    const std::size_t rows = trials.best().answer.constraints.size() + 1;
-    solver_.add_inequality_mconstraint(&Run::constraints, this, std::vector<double>(rows, 0.0));
-  }
+  Run(Trials& trials, double hair, double difference)
+      : trials_(trials), hair_(hair), difference_(difference) {}
 
-  nlopt::opt& solver() { return solver_; }
-
-  Choice from(Choice z) {
-    double least = 0;
-    try {
-      solver_.optimize(z, least);
-    } catch (const std::runtime_error&) {     // roundoff, "nlopt failure", our own stop
-    } catch (const std::invalid_argument&) {  // a radius that the bounds leave no room for
-    }
-    if (trouble_) std::rethrow_exception(trouble_);
-    return z;
+  /// Runs a method. `local` has its stopping criteria.
+  void from(const Choice& z, LocalProblem local) {
+    local.lower = Choice(z.size(), 0.0);
+    local.upper = Choice(z.size(), 1.0);
+    local.rows = trials_.best().answer.constraints.size() + 1;
+    local.objective = [&](std::span<const double> x, std::span<double> gradient) {
+      const Choice at(x.begin(), x.end());
+      const double value = shown_at(at).objective;
+      for (std::size_t k = 0; k < gradient.size(); ++k) gradient[k] = slopes_at(at)[k].objective;
+      return value;
+    };
+    local.constraints = [&](std::span<const double> x, std::span<double> rows,
+                            std::span<double> gradient) {
+      const Choice at(x.begin(), x.end());
+      std::copy_n(shown_at(at).rows.begin(), rows.size(), rows.begin());
+      if (gradient.empty()) return;
+      for (std::size_t k = 0; k < at.size(); ++k)
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          gradient[i * at.size() + k] = slopes_at(at)[k].rows[i];
+    };
+    run_local_solver(local, z);
   }
 
  private:
-  const Shown& at(const Choice& z) {
+  const Shown& shown_at(const Choice& z) {
     if (z != z_) {
       now_ = shown(trials_, z, hair_);
       z_ = z;
@@ -66,67 +63,31 @@ class Run {
     return slopes_;
   }
 
-  template <class Do>
-  void guarded(const Do& what) {
-    if (trouble_) return;
-    try {
-      what();
-    } catch (...) {
-      trouble_ = std::current_exception();
-      solver_.force_stop();
-    }
-  }
-
-  static double objective(unsigned n, const double* x, double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
-    double value = 0;
-    run.guarded([&] {
-      const Choice z(x, x + n);
-      value = run.at(z).objective;
-      if (gradient == nullptr) return;
-      for (std::size_t k = 0; k < n; ++k) gradient[k] = run.slopes_at(z)[k].objective;
-    });
-    return value;
-  }
-
-  static void constraints(unsigned rows, double* result, unsigned n, const double* x,
-                          double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
-    std::fill(result, result + rows, 0.0);
-    run.guarded([&] {
-      const Choice z(x, x + n);
-      std::copy_n(run.at(z).rows.begin(), rows, result);
-      if (gradient == nullptr) return;
-      for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t i = 0; i < rows; ++i) gradient[i * n + k] = run.slopes_at(z)[k].rows[i];
-    });
-  }
-
   Trials& trials_;
   double hair_;
   double difference_;
-  nlopt::opt solver_;
   Choice z_, slopes_at_;
   Shown now_;
   std::vector<Shown> slopes_;
-  std::exception_ptr trouble_;
 };
 
-/// Where a run of asking ended: the best since `from`.
+/// The best point since evaluation number `from`.
 Trial best_since(const Trials& trials, std::size_t from) {
   const auto begin = trials.all().begin() + static_cast<std::ptrdiff_t>(from);
   if (begin == trials.all().end()) return trials.best();
   return *std::min_element(begin, trials.all().end(), better);
 }
 
-/// Whether something near the best is better: in each direction of a turned cross, at three distances.
+/// True if a point near the best is better: tries each direction of a turned cross at three distances.
 bool probe(Trials& trials) {
   const Trial before = trials.best();
   const std::size_t n = trials.size();
   for (const double radius : {1e-2, 1e-3, 1e-4})
     for (std::size_t k = 0; k < n; ++k)
       for (const double sign : {1.0, -1.0}) {
-        Choice z = before.z;  // half along axis k, half along the next: edges are often axes
+        Choice z =
+            before
+                .z;  // half along axis k and half along the next axis, because edges are often parallel to an axis
         z[k] = std::clamp(z[k] + sign * radius, 0.0, 1.0);
         z[(k + 1) % n] = std::clamp(z[(k + 1) % n] + radius / 2, 0.0, 1.0);
         trials.at(z);
@@ -134,7 +95,7 @@ bool probe(Trials& trials) {
   return is_gain(trials, before, trials.best());
 }
 
-/// Variables that ended beside a bound are put on it where that is no loss.
+/// Moves variables that ended next to a bound onto it, where that is no loss.
 void settle_at_bounds(Trials& trials) {
   for (std::size_t k = 0; k < trials.size(); ++k) {
     Choice z = trials.best().z;
@@ -157,26 +118,26 @@ bool is_gain(const Trials& trials, const Trial& before, const Trial& after) {
 
 Trial descend(Trials& trials, const Choice& z, double radius, double smallest, int evaluations) {
   const std::size_t from = trials.all().size();
-  Run run(nlopt::LN_COBYLA, trials, 0, 0);
-  run.solver().set_initial_step(radius);
-  run.solver().set_xtol_abs(smallest);
-  run.solver().set_maxeval(evaluations);
-  run.from(z);
+  Run(trials, 0, 0)
+      .from(z, {.method = LocalProblem::Method::cobyla,
+                .initial_step = radius,
+                .x_absolute = smallest,
+                .max_evaluations = evaluations});
   return best_since(trials, from);
 }
 
 void slide(Trials& trials, const Choice& z, double step, int iterations) {
-  Run run(nlopt::LD_SLSQP, trials, 1e-3 * trials.options().tolerance, step);
-  run.solver().set_xtol_abs(1e-2 * trials.options().tolerance);
-  run.solver().set_maxeval(iterations);
-  run.from(z);
+  const double tolerance = trials.options().tolerance;
+  Run(trials, 1e-3 * tolerance, step)
+      .from(z, {.x_absolute = 1e-2 * tolerance, .max_evaluations = iterations});
 }
 
 bool polish(Trials& trials) {
   const int n = static_cast<int>(trials.size());
   const double smallest = 0.1 * trials.options().tolerance;
   double radius = 0.1;
-  double step = 1e-4;  // of SLSQP's differences: above the noise of an integration, then finer
+  double step =
+      1e-4;  // for the differences of SLSQP: first above the errors of an integration, then finer
   for (int round = 0; round < 12; ++round) {
     const Trial before = trials.best();
     slide(trials, before.z, step, 60);

@@ -7,13 +7,13 @@
 
 namespace jounce::optimizer {
 
-/// A choice as rows r_i(z) <= 0 for a solver: the constraints in their usual sizes, tightened by a hair h,
-/// and one more for choices that are not possible:
+/// A choice as rows r_i(z) <= 0 for a solver: the constraints in their usual sizes, tightened by a small h, and
+/// one more row for choices that are not possible:
 ///
 ///     (1)  possible:      f(z), c_i(z) / s_i + h,  r_0 = 0
 ///     (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
 ///
-/// so that beyond the edge of what is possible nothing is gained, and r_0 leads back. NaN never gets in.
+/// so nothing is gained outside the possible choices, and r_0 leads back. No row is NaN.
 struct Shown {
   double objective = 0;  ///< in units of its spread
   std::vector<double> rows;

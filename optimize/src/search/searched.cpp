@@ -10,16 +10,16 @@
 namespace jounce::optimizer {
 namespace {
 
-/// Whether every figure to be minimised is within the tolerance of a proven bound.
+/// True if every minimized figure is within the tolerance of a proven bound.
 bool at_bound(const ShapeProblem& problem, const ShapeOutcome& out) {
   for (std::size_t k = 0; k < problem.minimize.size(); ++k) {
     const FigureResult& r = out.figures[k];
-    if (!r.bound || r.reached > *r.bound * (1 + problem.tolerance)) return false;
+    if (!r.bound || r.reached > *r.bound * (1 + problem.options.tolerance)) return false;
   }
   return true;
 }
 
-/// What the bounds of the single figures leave open.
+/// The remaining gap of the figures as a sentence.
 std::string gap_text(const ShapeOutcome& out) {
   for (const FigureResult& r : out.figures)
     if (r.bound && r.reached > 0)
@@ -30,7 +30,7 @@ std::string gap_text(const ShapeOutcome& out) {
 
 void set_status(const ShapeProblem& problem, const NotConvexResult& found, ShapeOutcome& out) {
   using End = NotConvexResult::End;
-  using Status = Outcome::Status;
+  using Status = OptimizeStatus;
   const auto answer = [&](Status status, std::string reason) {
     out.status = status;
     out.reason = std::move(reason);
@@ -41,8 +41,8 @@ void set_status(const ShapeProblem& problem, const NotConvexResult& found, Shape
     return answer(Status::stalled, "the shape found breaks a limit: " +
                                        broken_sentence(out.limits.findings.front()));
   if (at_bound(problem, out))
-    return answer(Status::optimal,
-                  "no function at all is better, to a relative " + brief(problem.tolerance));
+    return answer(Status::optimal, "no function at all is better, to a relative " +
+                                       brief(problem.options.tolerance));
   if (found.end == End::stalled) return answer(Status::stalled, found.why);
   answer(Status::converged, gap_text(out));
 }
@@ -62,19 +62,20 @@ std::vector<Segment> given_as_spline(const ShapeProblem& problem) {
   return model.space.segments(model.space.coordinates(given));
 }
 
-ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going) {
   const std::vector<Segment> given = given_as_spline(problem);
   NotConvexResult found = search_shape(problem, given, keep_going);
   make_exact(problem, found.shape);
   const ShapeModel model(problem, knots_of(problem, found.shape), given);
   ShapeOutcome out;
-  out.segments = found.shape;
+  out.best = found.shape;
   out.rounds = found.rounds;
   out.evaluations = found.evaluations;
-  out.value = weighted_sum(model, out.segments);
-  out.limits = checked(problem, model, out.segments);
-  out.figures = figure_results(problem, model.space, given, out.segments);
-  out.active = active(problem, model, out.segments);
+  out.value = weighted_sum(model, out.best);
+  out.limits = checked(problem, model, out.best);
+  out.figures = figure_results(problem, model.space, given, out.best);
+  out.active = active(problem, model, out.best);
+  out.feasible = out.limits.ok() && !out.best.empty();
   set_status(problem, found, out);
   return out;
 }

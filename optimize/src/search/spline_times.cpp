@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -59,7 +60,7 @@ void require_limits(const SplineTimesSpec& spec) {
   for (std::size_t j = 0; j < joints; ++j) {
     const Limits& l = spec.limits[j];
     require_valid(l);
-    if (shortest && !l.jerk)  // the accelerations at the ends would rise in no time
+    if (shortest && !l.jerk)  // the accelerations at the ends would rise in zero time
       throw InputError("limits[" + std::to_string(j + 1) + "].jerk", "",
                        "is missing: the shortest times of splines need a jerk limit");
   }
@@ -68,16 +69,15 @@ void require_limits(const SplineTimesSpec& spec) {
 void require_valid(const SplineTimesSpec& spec) {
   require_points(spec.points);
   require_limits(spec);
-  if (spec.starts < 1)
-    throw InputError("starts", static_cast<double>(spec.starts), "must be at least 1");
+  require_valid(spec.options);
   if (spec.objective != TimeObjective::shortest)
     require_positive("duration", spec.duration);
   else if (spec.duration != 0)
     throw InputError("duration", spec.duration, "is found by times = \"shortest\": leave it out");
 }
 
-/// The first: equal intervals, the outer ones a third of the others. The others: each of them times
-/// 1/e to e.
+/// The intervals of a start. The first start has equal intervals, the outer ones a third of the others. In the
+/// others each interval is multiplied by a factor from 1/e to e.
 std::vector<double> start(const SplineTimesSpec& spec, int which, std::uint64_t& state) {
   std::vector<double> h(spec.points.size() + 1, 3.0);
   h.front() = h.back() = 1;
@@ -86,35 +86,49 @@ std::vector<double> start(const SplineTimesSpec& spec, int which, std::uint64_t&
   return h;
 }
 
-std::string at(const Extremum& e, std::size_t joint, const char* quantity) {
-  return "joint " + std::to_string(joint + 1) + " " + quantity + " " + optimizer::brief(e.value) +
-         " at " + optimizer::brief(e.where) + " s";
+/// True if two values are equal to six digits of their size.
+bool is_same(double a, double b, double size) {
+  return std::abs(a - b) <= agreement * size;
 }
 
-/// Peaks of one joint that are at the limit; each once, though two intervals share a knot.
+/// Adds the peaks of one joint that are at the limit. Each is listed once, though two intervals share a knot.
 void add_active(const Trajectory& f, std::size_t joint, std::size_t order, double limit,
-                std::vector<std::string>& active) {
+                const char* kind, std::vector<Finding>& active) {
+  const char* quantity = OverTime::names[order];
+  const std::string axis = "joint " + std::to_string(joint + 1);
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     const Range range = segment_range(f, i, static_cast<int>(order));
     for (const Extremum& e : {range.min, range.max}) {
       if (std::abs(e.value) < limit * (1 - agreement)) continue;
-      std::string words = at(e, joint, OverTime::names[order]);
-      if (std::find(active.begin(), active.end(), words) == active.end())
-        active.push_back(std::move(words));
+      const bool again = std::any_of(active.begin(), active.end(), [&](const Finding& a) {
+        return a.axis == axis && a.quantity == quantity && is_same(a.where, e.where, f.length()) &&
+               is_same(a.value, e.value, limit);
+      });
+      if (again) continue;
+      active.push_back({.rule = std::string(kind) + quantity,
+                        .axis = axis,
+                        .quantity = quantity,
+                        .where = e.where,
+                        .value = e.value,
+                        .limit = std::copysign(limit, e.value),
+                        .margin = 1 - std::abs(e.value) / limit,
+                        .segment = i,
+                        .advice = {}});
     }
   }
 }
 
-std::vector<std::string> active_of(const SplineTimesSpec& spec, const SplineTimes& best) {
-  std::vector<std::string> active;
-  for (std::size_t j = 0; j < best.joints.size(); ++j) {
+std::vector<Finding> active_of(const SplineTimesSpec& spec, const SplineTimesOutcome& best) {
+  std::vector<Finding> active;
+  for (std::size_t j = 0; j < best.best.joints.size(); ++j) {
+    const Trajectory& joint = best.best.joints[j];
     if (spec.objective == TimeObjective::least_peak_jerk)
-      add_active(best.joints[j], j, 3, best.value, active);
+      add_active(joint, j, 3, best.value, "objective/", active);
     if (spec.objective != TimeObjective::shortest) continue;
     const std::array<std::optional<double>, 4> limits{
         std::nullopt, spec.limits[j].velocity, spec.limits[j].acceleration, spec.limits[j].jerk};
     for (std::size_t order = 1; order < 4; ++order)
-      if (limits[order]) add_active(best.joints[j], j, order, *limits[order], active);
+      if (limits[order]) add_active(joint, j, order, *limits[order], "limit/", active);
   }
   return active;
 }
@@ -130,25 +144,80 @@ Report check_all(const SplineTimesSpec& spec, const std::vector<Trajectory>& joi
   return all;
 }
 
-void judge(const std::vector<TimeAttempt>& attempts, SplineTimes& best) {
+/// Status and reason, from the attempts in the order of their values.
+void judge(const std::vector<TimeAttempt>& attempts, bool cancelled, bool spent,
+           SplineTimesOutcome& out) {
   const double value = attempts.front().value;
-  best.agreeing = static_cast<int>(std::count_if(
+  out.starts = static_cast<int>(attempts.size());
+  out.agreeing = static_cast<int>(std::count_if(
       attempts.begin(), attempts.end(),
       [&](const TimeAttempt& each) { return each.value <= value * (1 + agreement); }));
-  best.spread = attempts.size() > 1 ? attempts[1].value / value - 1 : 0;
+  out.spread = attempts.size() > 1 ? attempts[1].value / value - 1 : 0;
   const std::string of = " of " + std::to_string(attempts.size()) + " starts";
-  best.status = best.agreeing > 1 ? SplineTimes::Status::converged : SplineTimes::Status::stalled;
-  best.reason = best.agreeing > 1
-                    ? std::to_string(best.agreeing) + of + " agree to 1e-6, the best two to " +
-                          optimizer::brief(best.spread) + "; a local search is no proof"
-                    : "only one" + of + " found this result: more starts may find a better one";
+  const auto answer = [&](OptimizeStatus status, std::string reason) {
+    out.status = status;
+    out.reason = std::move(reason);
+  };
+  if (cancelled) return answer(OptimizeStatus::cancelled, "stopped by the caller");
+  if (out.agreeing > 1)
+    return answer(OptimizeStatus::converged,
+                  std::to_string(out.agreeing) + of + " agree to 1e-6, the best two to " +
+                      optimizer::brief(out.spread) + "; a local search is no proof");
+  answer(OptimizeStatus::stalled,
+         spent ? "the budget ended after " + std::to_string(attempts.size()) + " starts"
+               : "only one" + of + " found this result: more starts may find a better one");
 }
+
+/// The starts, until the budget or the caller ends them.
+class Starts {
+ public:
+  Starts(const SplineTimesSpec& spec, const KeepGoing& keep_going)
+      : spec_(spec), keep_going_(keep_going), count_(spec.options.starts.value_or(24)) {}
+
+  SplineTimesOutcome run() {
+    std::uint64_t state = spec_.options.seed;
+    for (int i = 0; i < count_ && (i == 0 || go_on()); ++i) {
+      attempts_.push_back(optimizer::improve(spec_, start(spec_, i, state)));
+      out_.evaluations += attempts_.back().evaluations;
+      out_.value = i == 0 ? attempts_.back().value : std::min(out_.value, attempts_.back().value);
+    }
+    std::stable_sort(attempts_.begin(), attempts_.end(),
+                     [](const TimeAttempt& a, const TimeAttempt& b) { return a.value < b.value; });
+    SplineTimes& best = out_.best;
+    best.intervals = attempts_.front().intervals;
+    best.duration = std::accumulate(best.intervals.begin(), best.intervals.end(), 0.0);
+    best.joints = spline_through(spec_.points, best.intervals);
+    out_.limits = check_all(spec_, best.joints);
+    out_.feasible = out_.limits.ok();
+    out_.active = active_of(spec_, out_);
+    judge(attempts_, cancelled_, spent_, out_);
+    return std::move(out_);
+  }
+
+ private:
+  bool go_on() {
+    const auto& [evaluations, seconds] = spec_.options.budget;
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin_;
+    spent_ =
+        (evaluations && out_.evaluations >= *evaluations) || (seconds && gone.count() >= *seconds);
+    cancelled_ =
+        keep_going_ && !keep_going_({.done = static_cast<double>(attempts_.size()) / count_,
+                                     .evaluations = out_.evaluations,
+                                     .reached = out_.value});
+    return !spent_ && !cancelled_;
+  }
+
+  const SplineTimesSpec& spec_;
+  const KeepGoing& keep_going_;
+  int count_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::vector<TimeAttempt> attempts_;
+  SplineTimesOutcome out_;
+  bool cancelled_ = false;
+  bool spent_ = false;
+};
 
 }  // namespace
-
-const char* name(SplineTimes::Status status) {
-  return status == SplineTimes::Status::converged ? "converged" : "stalled";
-}
 
 std::vector<Trajectory> spline_through(const Points& points, const std::vector<double>& intervals) {
   require_points(points);
@@ -171,25 +240,9 @@ std::vector<Trajectory> spline_through(const Points& points, const std::vector<d
   return joints;
 }
 
-SplineTimes spline_times(const SplineTimesSpec& spec) {
+SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going) {
   require_valid(spec);
-  std::uint64_t state = spec.seed;
-  std::vector<TimeAttempt> attempts;
-  SplineTimes best;
-  for (int i = 0; i < spec.starts; ++i) {
-    attempts.push_back(optimizer::improve(spec, start(spec, i, state)));
-    best.evaluations += attempts.back().evaluations;
-  }
-  std::stable_sort(attempts.begin(), attempts.end(),
-                   [](const TimeAttempt& a, const TimeAttempt& b) { return a.value < b.value; });
-  best.value = attempts.front().value;
-  best.intervals = attempts.front().intervals;
-  best.duration = std::accumulate(best.intervals.begin(), best.intervals.end(), 0.0);
-  best.joints = spline_through(spec.points, best.intervals);
-  best.limits = check_all(spec, best.joints);
-  best.active = active_of(spec, best);
-  judge(attempts, best);
-  return best;
+  return Starts(spec, keep_going).run();
 }
 
 }  // namespace jounce

@@ -7,13 +7,13 @@
 #include <complex>
 #include <limits>
 #include <numeric>
-
-#include <nlopt.hpp>
+#include <span>
 
 #include "optimize/src/search/joint_spline.hpp"
+#include "optimize/src/solvers/local_solver.hpp"
 
-// With all intervals times s, velocity, acceleration and jerk go with 1 / s, 1 / s^2, 1 / s^3. So from any
-// intervals the shortest ones of the same ratios are known:
+// If all intervals are multiplied by s, velocity, acceleration and jerk change by 1 / s, 1 / s^2, 1 / s^3. So
+// for any intervals the shortest ones with the same ratios are known:
 //
 //   (1)  s = max over joints and places of  |v| / V,  sqrt(|a| / A),  cbrt(|jerk| / J)
 //
@@ -21,21 +21,20 @@
 // between, |a| at knots, |jerk| constant. The maximum is not smooth; its epigraph is. In the
 // logarithms y of the intervals:
 //
-//   (2)  shortest           minimise log sum h  subject to  +- quantity / limit <= 1, each one
-//   (3)  least_peak_jerk    the same with the jerk alone, limit 1: T^3 max |jerk| is what counts
-//   (4)  least_square_jerk  minimise log(sum of the integrals) + 5 log sum h, free of any limit
+//   (2)  shortest           minimize log sum h  subject to  +- quantity / limit <= 1, each one
+//   (3)  least_peak_jerk    the same with the jerk alone and limit 1: T^3 max |jerk| is minimized
+//   (4)  least_square_jerk  minimize log(sum of the integrals) + 5 log sum h, without limits
 //
-// SLSQP with gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e)
-// has the imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. What the solver
-// answers is not believed: (1) makes it feasible, and the search begins anew there until it
-// gains nothing.
+// SLSQP gets gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e) has the
+// imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. The result of the solver need not
+// be feasible: (1) makes it feasible, and the search starts again there until it gains nothing.
 
 namespace jounce::optimizer {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double step = 1e-100;
-constexpr double farthest = 1e4;  ///< ratio that an interval may change by in one search
+constexpr double farthest = 1e4;  ///< greatest ratio by which an interval changes in one run
 
 struct Peak {
   std::size_t order;  ///< 1: velocity ...
@@ -87,22 +86,23 @@ class TimeProblem {
   }
 
   /// The rows of (2), with gradients by y.
-  void constraints(double* result, const std::vector<double>& y, double* gradient) const {
+  void constraints(std::span<const double> y, std::span<double> result,
+                   std::span<double> gradient) const {
     const std::size_t n = y.size();
-    for (std::size_t k = 0; k < (gradient != nullptr ? n : 1); ++k) {
+    for (std::size_t k = 0; k < (gradient.empty() ? 1 : n); ++k) {
       const auto all = peaks(intervals(y, k));
       for (std::size_t row = 0; row < all.size(); ++row) {
         const Complex share = all[row].value / all[row].limit;
         result[2 * row] = share.real() - 1;
         result[2 * row + 1] = -share.real() - 1;
-        if (gradient == nullptr) continue;
+        if (gradient.empty()) continue;
         gradient[2 * row * n + k] = share.imag() / step;
         gradient[(2 * row + 1) * n + k] = -share.imag() / step;
       }
     }
   }
 
-  double objective(const std::vector<double>& y, std::vector<double>& gradient) const {
+  double objective(std::span<const double> y, std::span<double> gradient) const {
     double value = 0;
     for (std::size_t k = 0; k < y.size(); ++k) {
       const auto h = intervals(y, k);
@@ -118,7 +118,7 @@ class TimeProblem {
 
  private:
   /// exp(y), the k-th with a derivative.
-  static std::vector<Complex> intervals(const std::vector<double>& y, std::size_t k) {
+  static std::vector<Complex> intervals(std::span<const double> y, std::size_t k) {
     std::vector<Complex> h;
     for (std::size_t i = 0; i < y.size(); ++i)
       h.push_back(std::exp(y[i]) * Complex(1, i == k ? step : 0));
@@ -144,46 +144,24 @@ class TimeProblem {
   std::vector<std::vector<double>> joints_;  ///< positions of each
 };
 
-/// NLopt's callbacks.
-struct Call {
-  const TimeProblem* problem;
-  int* evaluations;
-};
-
-double objective(const std::vector<double>& y, std::vector<double>& gradient, void* data) {
-  const Call& call = *static_cast<Call*>(data);
-  ++*call.evaluations;
-  return call.problem->objective(y, gradient);
-}
-
-void constraints(unsigned, double* result, unsigned n, const double* y, double* gradient,
-                 void* data) {
-  static_cast<Call*>(data)->problem->constraints(result, {y, y + n}, gradient);
-}
-
-/// One run of SLSQP from y; where it gave up is as good as anywhere.
-std::vector<double> solved(const TimeProblem& problem, bool limited, std::vector<double> y,
+/// One run of SLSQP from y, or y where the run ends in NaN.
+std::vector<double> solved(const TimeProblem& problem, bool limited, const std::vector<double>& y,
                            int& evaluations) {
-  nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(y.size()));
-  Call call{&problem, &evaluations};
-  std::vector<double> lower = y, upper = y;
-  for (double& bound : lower) bound -= std::log(farthest);
-  for (double& bound : upper) bound += std::log(farthest);
-  solver.set_lower_bounds(lower);
-  solver.set_upper_bounds(upper);
-  solver.set_min_objective(objective, &call);
+  LocalProblem local{
+      .row_tolerance = 1e-13, .lower = y, .upper = y, .x_relative = 1e-14, .max_evaluations = 400};
+  for (double& bound : local.lower) bound -= std::log(farthest);
+  for (double& bound : local.upper) bound += std::log(farthest);
+  local.objective = [&](std::span<const double> at, std::span<double> gradient) {
+    ++evaluations;
+    return problem.objective(at, gradient);
+  };
   if (limited) {
-    const std::vector<double> tolerances(problem.rows(y.size()), 1e-13);
-    solver.add_inequality_mconstraint(constraints, &call, tolerances);
+    local.rows = problem.rows(y.size());
+    local.constraints = [&](auto at, auto rows, auto gradient) {
+      problem.constraints(at, rows, gradient);
+    };
   }
-  solver.set_xtol_rel(1e-14);
-  solver.set_maxeval(400);
-  std::vector<double> best = y;
-  double value = 0;
-  try {
-    (void)solver.optimize(best, value);
-  } catch (const std::runtime_error&) {  // roundoff, or its linear algebra
-  }
+  const std::vector<double> best = run_local_solver(local, y);
   const bool finite =
       std::all_of(best.begin(), best.end(), [](double b) { return std::isfinite(b); });
   return finite ? best : y;
@@ -194,7 +172,8 @@ std::vector<double> exponentials(std::vector<double> y) {
   return y;
 }
 
-/// Makes the intervals as short as the limits allow, or as long as is asked; the objective's value.
+/// Makes the intervals as short as the limits allow, or as long as required. Returns the value of the
+/// objective.
 double settle(const SplineTimesSpec& spec, const TimeProblem& problem, std::vector<double>& h) {
   const double total = std::accumulate(h.begin(), h.end(), 0.0);
   const bool shortest = spec.objective == TimeObjective::shortest;

@@ -8,14 +8,14 @@
 
 namespace jounce::optimizer {
 
-/// What one start led to.
+/// The result of one start.
 struct TimeAttempt {
-  std::vector<double> intervals;  ///< s; for `shortest` scaled so that the limits just hold
+  std::vector<double> intervals;  ///< s; for `shortest` the limits just hold
   double value = 0;               ///< value of the objective
   int evaluations = 0;
 };
 
-/// A local optimum from the given intervals, of which only the ratios count.
+/// A local optimum from the given intervals. Only their ratios matter.
 TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> intervals);
 
 }  // namespace jounce::optimizer

@@ -16,7 +16,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// NaN compares false with everything: a solver would take it for a constraint that is met.
+/// Marks an answer with NaN as not possible: NaN compares false, so a solver would treat it as a constraint
+/// that is met.
 void refuse_not_finite(SearchAnswer& answer) {
   if (!answer.possible) return;
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -43,7 +44,7 @@ double distance(const Choice& a, const Choice& b) {
 }
 
 Trials::Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-               const SearchOptions& options, const KeepGoing& keep_going)
+               const OptimizeOptions& options, const KeepGoing& keep_going)
     : variables_(variables), f_(f), options_(options), keep_going_(keep_going) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const SearchVariable& v = variables[i];
@@ -58,7 +59,7 @@ std::vector<double> Trials::numbers(const Choice& z) const {
   for (const SearchVariable& v : variables_) x.push_back(v.start);
   for (std::size_t k = 0; k < free_.size(); ++k) {
     const SearchVariable& v = variables_[free_[k]];
-    // The start and the bounds themselves where they are meant, whatever rounding would make of them.
+    // The start and the bounds are exact, free of rounding.
     if (z[k] == start_[k]) continue;
     const double inner = v.lower + z[k] * (v.upper - v.lower);
     x[free_[k]] = z[k] >= 1 ? v.upper : std::clamp(inner, v.lower, v.upper);
@@ -67,17 +68,17 @@ std::vector<double> Trials::numbers(const Choice& z) const {
 }
 
 double Trials::used() const {
-  double share = static_cast<double>(count()) / options_.max_evaluations;
-  if (options_.seconds) {
+  double share = static_cast<double>(count()) / max_evaluations();
+  if (options_.budget.seconds) {
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begun_;
-    share = std::max(share, gone.count() / *options_.seconds);
+    share = std::max(share, gone.count() / *options_.budget.seconds);
   }
   return share;
 }
 
 void Trials::require_going() {
-  if (ended_ == Ended::no && count() >= options_.max_evaluations) ended_ = Ended::evaluations;
-  // One answer there is always.
+  if (ended_ == Ended::no && count() >= max_evaluations()) ended_ = Ended::evaluations;
+  // There is always one answer.
   if (ended_ == Ended::no && !all_.empty() && used() >= 1) ended_ = Ended::seconds;
   if (ended_ != Ended::no) throw Stop{};
 }
@@ -101,8 +102,9 @@ const Trial& Trials::at(const Choice& z) {
   if (better(all_.back(), all_[best_])) best_ = all_.size() - 1;
   std::optional<double> value;
   if (best().violation == 0) value = best().answer.objective;
-  if (keep_going_ && !keep_going_({count(), value}) && ended_ == Ended::no)
-    ended_ = Ended::cancelled;
+  const OptimizeProgress progress{
+      .done = std::min(used(), 1.0), .evaluations = count(), .reached = value};
+  if (keep_going_ && !keep_going_(progress) && ended_ == Ended::no) ended_ = Ended::cancelled;
   return all_.back();
 }
 

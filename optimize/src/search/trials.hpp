@@ -11,46 +11,48 @@
 
 namespace jounce::optimizer {
 
-/// A choice of the variables that are free, each 0 at its lower bound and 1 at its upper.
+/// A choice of the free variables, each 0 at its lower bound and 1 at its upper.
 using Choice = std::vector<double>;
 
-/// One choice and what it gave.
+/// One choice and its answer.
 struct Trial {
   Choice z;
   SearchAnswer answer;
   double violation = 0;  ///< the largest constraint, in its usual size; 0: all are met
 };
 
-/// Thrown out of Trials::at(), through whatever searches: there is no more to be asked.
+/// Thrown out of Trials::at(), through the running phase: the budget is spent or the caller stops the search.
 struct Stop {};
 
-/// Everything that was asked of a search's function: counts, keeps the best, ends in time.
+/// All evaluations of the function of a search: counts them, keeps the best and ends in time.
 class Trials {
  public:
-  using KeepGoing = std::function<bool(const SearchProgress&)>;
   enum class Ended { no, evaluations, seconds, cancelled };
 
   Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-         const SearchOptions& options, const KeepGoing& keep_going);
+         const OptimizeOptions& options, const KeepGoing& keep_going);
 
-  /// Asks, except for the choice asked last. Throws Stop.
+  /// Evaluates a choice, unless it is the last one. Throws Stop.
   const Trial& at(const Choice& z);
 
   [[nodiscard]] const Choice& start() const { return start_; }
   [[nodiscard]] std::vector<double> numbers(const Choice& z) const;
   [[nodiscard]] std::size_t size() const { return free_.size(); }
   [[nodiscard]] const std::vector<std::size_t>& free() const { return free_; }
-  [[nodiscard]] const SearchOptions& options() const { return options_; }
+  [[nodiscard]] const OptimizeOptions& options() const { return options_; }
+  [[nodiscard]] int max_evaluations() const { return options_.budget.evaluations.value_or(5000); }
+  /// True if there is a global phase.
+  [[nodiscard]] bool is_global() const { return options_.starts != 1; }
   [[nodiscard]] const std::deque<Trial>& all() const { return all_; }
   [[nodiscard]] const Trial& best() const { return all_[best_]; }
   [[nodiscard]] bool any_possible() const { return !all_.empty() && best().answer.possible; }
   [[nodiscard]] int count() const { return static_cast<int>(all_.size()); }
   [[nodiscard]] Ended ended() const { return ended_; }
-  /// The share used of evaluations or seconds, whichever is more.
+  /// The used share of the evaluations or of the time, whichever is greater.
   [[nodiscard]] double used() const;
 
-  /// Constraints and objective are measured by their usual sizes from here on: medians of what was
-  /// asked so far.
+  /// From here on, constraints and objective are measured by their usual sizes, the medians of the evaluations
+  /// so far.
   void settle_scales();
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
   [[nodiscard]] double spread() const { return spread_; }  ///< spread of the objective
@@ -62,7 +64,7 @@ class Trials {
 
   const std::vector<SearchVariable>& variables_;
   const SearchFunction& f_;
-  const SearchOptions& options_;
+  const OptimizeOptions& options_;
   const KeepGoing& keep_going_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::vector<std::size_t> free_;
@@ -74,8 +76,8 @@ class Trials {
   Ended ended_ = Ended::no;
 };
 
-/// What meets its constraints before what does not, the lower objective or violation first; what is
-/// not possible last.
+/// True if a is better. Choices that meet their constraints come before the others, then the lower objective or
+/// violation decides. Choices that are not possible come last.
 bool better(const Trial& a, const Trial& b);
 
 /// The largest distance in any variable.

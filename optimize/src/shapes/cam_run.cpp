@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cam with free segments -> its runs: which segments, and what their knots keep.
+// From a cam with free segments to its runs: their segments, and the fixed values of their knots.
 #include "optimize/src/shapes/cam_run.hpp"
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double no_step = 1e-9;     // relative to the peak jerk: forgives rounded input
-constexpr double joined_to = 1e-12;  // relative, of positions: pieces of a spline join to this
+constexpr double no_step = 1e-9;  // relative to the peak jerk: permits rounded input
+constexpr double joined_to =
+    1e-12;  // relative accuracy of the positions where pieces of a spline join
 
 std::vector<std::vector<std::size_t>> grouped(const CamShapeProblem& problem) {
   std::vector<std::vector<std::size_t>> groups;
@@ -28,7 +29,7 @@ std::vector<std::vector<std::size_t>> grouped(const CamShapeProblem& problem) {
   return groups;
 }
 
-/// What `knots` frees at a knot; start and last knot of a periodic cam are one.
+/// The freedom of a knot. The start and the last knot of a periodic cam are one.
 FreeKnot freedom(const CamShapeProblem& problem, std::size_t knot) {
   const std::size_t last = problem.cam.segments.size();
   for (const FreeKnot& free : problem.knots) {
@@ -38,13 +39,13 @@ FreeKnot freedom(const CamShapeProblem& problem, std::size_t knot) {
   return {};
 }
 
-/// The pieces of a cam before and after a place; none outside a cam that holds.
+/// The pieces of a cam before and after a place; none beyond an end of a cam that holds.
 struct Sides {
   const Segment* before = nullptr;
   const Segment* after = nullptr;
 };
 
-/// By the nearest break: a break is a sum of lengths, and may differ from the master in the last digit.
+/// Uses the nearest break: a break is a sum of lengths and may differ from the master in the last digit.
 Sides sides(const Cam& cam, double master) {
   const auto breaks = cam.breaks();
   const auto nearest = std::min_element(breaks.begin(), breaks.end(), [&](double a, double b) {
@@ -59,9 +60,9 @@ Sides sides(const Cam& cam, double master) {
   return s;
 }
 
-/// The jerk that the cam has on both sides of a run's end, if it does not step there. Outside a cam
-/// that holds it is 0. Rounding makes steps too: an error e of a position at one end of a piece of length h
-/// changes its jerk by 60 e / h^3.
+/// The jerk on both sides of an end of a run, if it does not step there. Beyond an end of a cam that holds it
+/// is 0. Rounding also makes steps: an error e of a position at one end of a piece of length h changes its jerk
+/// by 60 e / h^3.
 std::optional<double> steady_jerk(const Cam& cam, double master) {
   const Sides beside = sides(cam, master);
   const Range slave = extrema(cam, 0);

@@ -7,10 +7,10 @@
 
 #include "jounce/optimize/cam_shape.hpp"
 
-/// A run of free segments of a cam, as one function to optimise, and back.
+/// A run of free segments of a cam, converted to one function to optimize, and back.
 namespace jounce::detail {
 
-/// One knot of a run: what is fixed there, and within which bounds the rest is free.
+/// One knot of a run: its fixed values, and the bounds of its free ones.
 struct RunKnot {
   std::size_t knot = 0;  ///< in the spec
   double master = 0;     ///< master of the spec
@@ -22,7 +22,7 @@ struct RunKnot {
   [[nodiscard]] double x() const { return master + ahead; }
 };
 
-/// Free segments that follow one another: over the seam, segment n - 1 is followed by 0.
+/// Consecutive free segments. Over the seam, segment 0 follows segment n - 1.
 struct CamRunOf {
   std::vector<std::size_t> segments;
   std::vector<RunKnot> knots;  ///< one more than segments
@@ -39,11 +39,11 @@ std::vector<Finding> kept_jerks(const CamRunOf& run);
 
 const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment);
 
-/// True if a corridor of the cam lies over some of the run.
+/// True if a corridor of the cam covers some of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 
-/// The run as a problem of its own. `minimize` is empty. Positions are counted as true to `accuracy`,
-/// relative: limits are kept by what that is worth in the cam as written.
+/// The run as a problem of its own. `minimize` is empty. `accuracy` is the relative accuracy of positions: the
+/// limits are tightened by its effect on the cam as written.
 ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, double accuracy);
 
 /// `cam` with the shape in place of the run's laws: laws `hermite`, and slaves of knots that were free.

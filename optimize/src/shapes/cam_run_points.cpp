@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape -> the points of laws `hermite`, and the knots that were free.
+// From a shape to the points of laws `hermite`, and to the knots that were free.
 #include <algorithm>
 
 #include "optimize/src/shapes/cam_run.hpp"
@@ -7,14 +7,15 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double same_place = 1e-9;  // of the run: a break of the spline at a knot is the knot
+constexpr double same_place =
+    1e-9;  // share of the run: a break of the spline this near to a knot is the knot
 
 Jet jet_at(const Trajectory& curve, double x) {
   return curve.jet(std::clamp(x, curve.start(), curve.end()),
                    x >= curve.end() ? Side::left : Side::right);
 }
 
-/// Both ends of a closed run are one knot, and have the same derivatives to the last digit.
+/// Both ends of a closed run are one knot, with derivatives that are equal to the last digit.
 Jet jet_at(const Trajectory& curve, const CamRunOf& run, const RunKnot& knot) {
   const bool last = run.closed && knot.x() == run.knots.back().x();
   Jet f = jet_at(curve, last ? curve.start() : knot.x());
@@ -28,7 +29,7 @@ CamPoint point_at(const Jet& f, double master, bool jerk) {
   return point;
 }
 
-/// A point at a knot: the knot has the slave, and what is fixed there is so to the last digit.
+/// A point at a knot. The knot has the slave. The fixed values are exact to the last digit.
 CamPoint point_at(const RunKnot& knot, const Jet& f, double master, bool jerk) {
   CamPoint point = point_at(f, master, jerk);
   point.slave.reset();
@@ -66,7 +67,7 @@ void take(CamKnot& knot, const FreeKnot& free, const Jet& f, double lift) {
   if (free.geo_acceleration && knot.geo_acceleration) knot.geo_acceleration = f[2];
 }
 
-/// What was free at a knot; start and last knot of a periodic cam are one.
+/// Writes the free values of a knot. The start and the last knot of a periodic cam are one.
 void take(CamSpec& cam, const RunKnot& knot, const CamRunOf& run, const Jet& f) {
   const std::size_t last = cam.segments.size();
   const bool seam = cam.periodic && knot.knot % last == 0;

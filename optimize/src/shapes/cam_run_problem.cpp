@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run of a cam -> a shape problem.
+// From a run of a cam to a shape problem.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ double on(const Corridor& c, const Edge& edge, double x) {
   return edge.at_from + (edge.at_to - edge.at_from) * ((x - c.from) / (c.to - c.from));
 }
 
-/// The part of a corridor of the cam that lies over [low, high], moved by `ahead` and `lift`.
+/// The part of a corridor of the cam over [low, high], moved by `ahead` and `lift`.
 void cut(const Corridor& c, double low, double high, double ahead, double lift,
          std::vector<Corridor>& out) {
   const double from = std::max(c.from, low);
@@ -53,8 +53,8 @@ void cut(const Corridor& c, const CamRunOf& run, std::vector<Corridor>& out) {
   cut(c, run.start, last.master, last.ahead, last.lift, out);
 }
 
-/// What an error of the positions at the points is worth in the k-th derivative of a polynomial through
-/// them, over pieces of length h: about c_k error / h^k (hermite.hpp).
+/// The effect of an error of the positions at the points on the k-th derivative of a polynomial through them,
+/// over pieces of length h: about c_k error / h^k (hermite.hpp).
 double worth(const CamShapeProblem& problem, const CamRunOf& run, double accuracy,
              std::size_t order) {
   constexpr std::array c{1., 4., 30., 250.};
@@ -85,7 +85,8 @@ void add_limits(const CamShapeProblem& problem, const CamRunOf& run, double accu
     if (rates[k]) add(k + 1, -*rates[k], rates[k]);
 }
 
-/// A corridor of a derivative over a stretch, with what the positions' accuracy takes off both its edges.
+/// A corridor of a derivative over an interval, narrowed on both sides by the effect of the accuracy of the
+/// positions.
 Corridor narrowed(Corridor c, const CamShapeProblem& problem, const CamRunOf& run,
                   double accuracy) {
   double room = 0;
@@ -95,7 +96,7 @@ Corridor narrowed(Corridor c, const CamShapeProblem& problem, const CamRunOf& ru
   if (c.lower && c.upper)
     for (const double width :
          {c.upper->at_from - c.lower->at_from, c.upper->at_to - c.lower->at_to})
-      if (width < 4 * room) return c;  // kept exactly, or nearly so
+      if (width < 4 * room) return c;  // kept exactly, or nearly
   if (c.lower) c.lower = Edge{c.lower->at_from + room, c.lower->at_to + room};
   if (c.upper) c.upper = Edge{c.upper->at_from - room, c.upper->at_to - room};
   return c;
@@ -171,9 +172,7 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, 
   for (const Corridor& corridor : problem.corridors)
     cut(narrowed(corridor, problem, run, accuracy), run, p.corridors);
   p.ceilings = problem.ceilings;
-  p.seed = problem.seed;
-  p.max_evaluations = problem.max_evaluations;
-  p.tolerance = problem.tolerance;
+  p.options = problem.options;
   return p;
 }
 

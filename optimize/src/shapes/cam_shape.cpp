@@ -14,24 +14,32 @@
 namespace jounce {
 namespace {
 
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 using detail::CamRunOf;
 
-/// So that what was minimised may still be met where its least value is 0: of its given value.
+/// Share of the given value of a figure: permits a later stage where the least value of an earlier figure is 0.
 constexpr double least_concession = 1e-6;
 
-/// How true positions are, relative: of doubles, and of the joints of a spline from an iteration.
+/// Relative accuracy of positions: of doubles, and of the joints of a spline after an iteration.
 constexpr double rounding = 1.2e-16;
 constexpr double joints = 1e-11;
 
+/// Passes on the progress of one stage of one run as progress of the whole.
 struct Watch {
-  const CamShapeKeepGoing& keep_going;
-  CamShapeProgress progress;
+  const KeepGoing& keep_going;
+  std::size_t run = 0;
+  std::size_t runs = 0;
+  std::size_t stage = 0;
+  std::size_t stages = 0;
 
-  bool operator()(int round, double value) {
-    progress.round = round;
-    progress.value = value;
-    return !keep_going || keep_going(progress);
+  bool operator()(OptimizeProgress progress) const {
+    if (!keep_going) return true;
+    const auto before = static_cast<double>(run * stages + stage);
+    progress.done = (before + progress.done) / static_cast<double>(runs * stages);
+    progress.run = run;
+    progress.runs = runs;
+    progress.stage = stage;
+    return keep_going(progress);
   }
 };
 
@@ -44,7 +52,7 @@ std::vector<Ceiling> kept(const CamShapeProblem& problem, const std::vector<Figu
   return ceilings;
 }
 
-/// What became of one figure of a run.
+/// The result for one figure of a run.
 FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
                        const std::vector<Segment>& shape) {
   run.minimize = {{figure}};
@@ -55,7 +63,7 @@ FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
   return optimizer::figure_results(run, model.space, given, shape).front();
 }
 
-/// The figures of all entries of `minimize`, whether their turn came or not, then those of the ceilings.
+/// The figures of all entries of `minimize`, including those that were not reached, then those of the ceilings.
 std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const ShapeProblem& run,
                                      const std::vector<Segment>& shape) {
   std::vector<FigureResult> figures;
@@ -65,16 +73,15 @@ std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const Shape
   return figures;
 }
 
-/// One entry of `minimize` after the other, until one fails: then what was reached before stands.
+/// Minimizes one entry of `minimize` after the other. If one fails, the result of the one before stands.
 ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
   ShapeOutcome best;
-  std::vector<FigureResult> stages;  // of those before
+  std::vector<FigureResult> stages;  // results of the earlier entries
   for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
-    watch.progress.stage = stage;
+    watch.stage = stage;
     run.minimize = problem.minimize[stage];
     run.ceilings = kept(problem, stages);
-    ShapeOutcome found = optimizer::optimized_from(
-        run, best.segments, [&](int round, double value) { return watch(round, value); });
+    ShapeOutcome found = optimizer::optimized_from(run, best.best, watch);
     if (stage > 0 && !found.usable()) {
       best.status = found.status == Status::cancelled ? found.status : Status::stalled;
       best.reason = name(problem.minimize[stage].front().figure) +
@@ -90,15 +97,15 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
 
 CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, ShapeProblem shape,
                         Watch& watch) {
-  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch), {}};
-  if (outcome.shape.segments.empty()) return outcome;
-  outcome.figures = figures_of(problem, shape, outcome.shape.segments);
+  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch)};
+  if (outcome.shape.best.empty()) return outcome;
+  outcome.shape.figures = figures_of(problem, shape, outcome.shape.best);
   for (Finding& finding : detail::kept_jerks(run))
     outcome.shape.active.push_back(std::move(finding));
   return outcome;
 }
 
-/// check() of the cam as designed, told by the segments of the spec.
+/// check() of the cam as designed, with the segments of the spec.
 Report limits_of(const CamSpec& cam, const Limits& limits) {
   const CamDesign made = design(cam);
   Report report = check(made.cam, limits);
@@ -107,32 +114,28 @@ Report limits_of(const CamSpec& cam, const Limits& limits) {
   return report;
 }
 
-int badness(Status status) {
-  switch (status) {
-    case Status::optimal:
-      return 0;
-    case Status::converged:
-      return 1;
-    case Status::stalled:
-      return 2;
-    case Status::cancelled:
-      return 3;
-    case Status::infeasible:
-      break;
+/// Combines the outcomes of the runs.
+void sum_up(CamShapeOutcome& outcome) {
+  outcome.status = Status::optimal;
+  outcome.feasible = outcome.limits.ok();
+  for (const CamRunOutcome& run : outcome.runs) {
+    const ShapeOutcome& shape = run.shape;
+    if (outcome.reason.empty() || shape.status > outcome.status) {
+      outcome.status = shape.status;
+      outcome.reason = shape.reason;
+    }
+    outcome.feasible = outcome.feasible && shape.feasible;
+    outcome.figures.insert(outcome.figures.end(), shape.figures.begin(), shape.figures.end());
+    outcome.active.insert(outcome.active.end(), shape.active.begin(), shape.active.end());
+    outcome.evaluations += shape.evaluations;
+    outcome.rounds += shape.rounds;
   }
-  return 4;
+  if (outcome.runs.size() != 1) return;
+  outcome.value = outcome.runs.front().shape.value;
+  outcome.bound = outcome.runs.front().shape.bound;
 }
 
-}  // namespace
-
-bool CamShapeOutcome::usable() const {
-  return !runs.empty() && limits.ok() &&
-         std::all_of(runs.begin(), runs.end(), [](const auto& r) { return r.shape.usable(); });
-}
-
-namespace {
-
-/// Whether a segment that begins at x keeps a corridor, to the digits that `check` forgives.
+/// True if a segment that begins at x keeps a corridor, to the digits of `check`.
 bool keeps(const Corridor& corridor, const Segment& segment, double x) {
   if (corridor.from == corridor.to || x + segment.length > corridor.to * (1 + rounding) ||
       x < corridor.from * (1 - rounding))
@@ -151,7 +154,7 @@ bool keeps(const Corridor& corridor, const Segment& segment, double x) {
                corridor.lower->at_from - forgiven * std::abs(corridor.lower->at_from));
 }
 
-/// Whether the segments of a run keep the corridors of derivatives as designed.
+/// True if the segments of a run keep the corridors of derivatives as designed.
 bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
                      const CamRunOf& run) {
   const CamDesign made = design(cam);
@@ -164,7 +167,7 @@ bool keeps_corridors(const CamSpec& cam, const std::vector<Corridor>& corridors,
   return true;
 }
 
-/// Whether the segments of a run keep the limits as designed.
+/// True if the segments of a run keep the limits as designed.
 bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamRunOf& run) {
   if (!keeps_corridors(cam, problem.corridors, run)) return false;
   const Report report = limits_of(cam, problem.limits);
@@ -174,19 +177,20 @@ bool keeps_limits(const CamSpec& cam, const CamShapeProblem& problem, const CamR
   });
 }
 
-/// Optimises one run and puts it into outcome.best. What keeps the limits as a spline may break them in
-/// the last digits as points: then once more, by as much below.
+/// Optimizes one run and writes it to outcome.best. A spline that keeps the limits may break them in the last
+/// digits when it is written as points. Then the run is optimized again with tighter limits.
 void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
               CamShapeOutcome& outcome) {
-  const double parts = static_cast<double>(watch.progress.runs * watch.progress.stages);
+  const double parts = static_cast<double>(watch.runs * watch.stages);
   CamRunOutcome found;
   CamSpec best = outcome.best;
   for (const double accuracy : {rounding, joints, 100 * joints}) {
     ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
-    if (problem.seconds) shape.seconds = *problem.seconds / parts;
+    if (problem.options.budget.seconds)
+      shape.options.budget.seconds = *problem.options.budget.seconds / parts;
     found = optimized(problem, run, shape, watch);
-    if (found.shape.segments.empty()) break;
-    best = detail::with_shape(outcome.best, run, shape, found.shape.segments);
+    if (found.shape.best.empty()) break;
+    best = detail::with_shape(outcome.best, run, shape, found.shape.best);
     if (!found.shape.usable() || keeps_limits(best, problem, run)) break;
   }
   outcome.best = std::move(best);
@@ -195,26 +199,18 @@ void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
 
 }  // namespace
 
-CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
-                                    const CamShapeKeepGoing& keep_going) {
+CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem, const KeepGoing& keep_going) {
   require_valid(problem);
   const auto runs = detail::runs_of(problem);
   CamShapeOutcome outcome;
   outcome.best = problem.cam;
-  Watch watch{keep_going, {}};
-  watch.progress.runs = runs.size();
-  watch.progress.stages = problem.minimize.size();
+  Watch watch{.keep_going = keep_going, .runs = runs.size(), .stages = problem.minimize.size()};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    watch.progress.run = i;
+    watch.run = i;
     take_run(problem, runs[i], watch, outcome);
   }
-  const auto worst =
-      std::max_element(outcome.runs.begin(), outcome.runs.end(), [](const auto& a, const auto& b) {
-        return badness(a.shape.status) < badness(b.shape.status);
-      });
-  outcome.status = worst->shape.status;
-  outcome.reason = worst->shape.reason;
   outcome.limits = limits_of(outcome.best, problem.limits);
+  sum_up(outcome);
   return outcome;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cam with free shapes may ask for.
+// Validation of a cam with free shapes.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -19,7 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int most_refinements = 14;
-constexpr int starts = 3;
 
 std::vector<SearchedFigure> parts_of(const ShapeProblem& p, const std::vector<Segment>& given,
                                      const SplineSpace& space) {
@@ -38,14 +37,14 @@ std::vector<SearchedFigure> parts_of(const ShapeProblem& p, const std::vector<Se
   return parts;
 }
 
-/// Whether there is one figure to minimise, with a bound, and it is there.
+/// True if there is one figure to minimize and it is at its bound.
 bool at_bound(const ShapeProblem& problem, const std::vector<Segment>& shape) {
   if (problem.minimize.size() != 1) return false;
   const ShapeFigure& figure = problem.minimize.front().figure;
   const auto bound = known_bound(problem, figure);
   const auto found = pointwise(figure, problem.begin);
   return bound && found &&
-         value_of(*found, shape, problem.begin) <= *bound * (1 + problem.tolerance);
+         value_of(*found, shape, problem.begin) <= *bound * (1 + problem.options.tolerance);
 }
 
 NotConvexResult result_of(FoundShape best, const SearchBudget& budget, bool finite) {
@@ -77,12 +76,12 @@ bool needs_search(const ShapeProblem& problem) {
 }
 
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
-                             const ShapeKeepGoing& keep_going) {
-  SearchBudget budget{.most_evaluations = problem.max_evaluations};
-  if (problem.seconds)  // for ever is a year: more would not fit the clock
+                             const KeepGoing& keep_going) {
+  SearchBudget budget{.most_evaluations = problem.options.budget.evaluations.value_or(2000)};
+  if (problem.options.budget.seconds)  // at most a year: more would overflow the clock
     budget.until =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                           std::chrono::duration<double>(std::min(*problem.seconds, 3e7)));
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                           std::min(*problem.options.budget.seconds, 3e7)));
   const ShapeModel first(convex_part(problem), first_knots(problem), given);
   const std::vector<SearchedFigure> parts = parts_of(problem, given, first.space);
   auto search = std::make_unique<FixedKnots>(problem, parts, first_knots(problem), given);
@@ -95,6 +94,7 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
     best = search->only_shape();
     return result_of(std::move(best), budget, true);
   }
+  const int starts = problem.options.starts.value_or(3);
   for (int start = 0; start < starts && !budget.spent(); ++start) {
     FoundShape now = search->run(search->beside(start), budget, keep_going);
     finite = finite && search->finite();
@@ -104,7 +104,8 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
     std::vector<double> knots = search->finer(best.shape);
     if (budget.spent() || knots.size() == search->pieces() + 1) break;
     if (at_bound(problem, best.shape)) break;
-    // Not from the best: at its vertex of active rows SLSQP does not move, however much finer the knots.
+    // Starts from the given shape: at the vertex of active rows of the best one SLSQP does not move, even with
+    // finer knots.
     search = std::make_unique<FixedKnots>(problem, parts, std::move(knots), given);
     FoundShape now = search->run(search->beside(0), budget, keep_going);
     const bool worth_it = search->gain(now, best, 0.2);

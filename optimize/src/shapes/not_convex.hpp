@@ -8,11 +8,11 @@
 
 namespace jounce::optimizer {
 
-/// Where a search for a shape with figures that are not convex ended.
+/// The end of a search for a shape with figures that are not convex.
 struct NotConvexResult {
   enum class End {
-    converged,   ///< local: no place breaks its row any more, and the last rounds gained nothing
-    infeasible,  ///< no start met the limits: no proof
+    converged,  ///< a local result: no place breaks its row any more, and the last rounds gained nothing
+    infeasible,  ///< no start met the limits, which is no proof
     stalled,     ///< evaluations, time or rounds ran out, or a figure was not finite
     cancelled,
   };
@@ -26,18 +26,19 @@ struct NotConvexResult {
 /// True if a figure of the problem needs this search rather than a convex program.
 bool needs_search(const ShapeProblem& problem);
 
-/// Minimises the weighted sum from `given` and, from the same seed, a few shapes beside it. Walls, ceilings
-/// and peaks hold at every place (exchange), as in the convex solver. With ShapeProblem::refine pieces on
-/// which a peaked figure leaves or meets its level are halved and the search goes on.
+/// Minimizes the weighted sum from `given` and from a few shapes beside it, drawn from the seed. Constraints,
+/// ceilings and peaks hold at every place (an exchange method), as in the convex solver. With
+/// ShapeProblem::refine, the pieces on which a peaked figure leaves or meets its level are halved, and the
+/// search continues.
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
-                             const ShapeKeepGoing& keep_going);
+                             const KeepGoing& keep_going);
 
-/// The given shape; where it has sines, products of which fit no segment, the spline with the same
-/// derivatives at the knots.
+/// The given shape. If it has sines, whose products do not fit a segment: the spline with the same derivatives
+/// at the knots.
 std::vector<Segment> given_as_spline(const ShapeProblem& problem);
 
-/// The same as the answer of optimize_shape(): figures, limits and what is active judged on the finished
-/// shape, with a bound where one is known.
-ShapeOutcome searched(const ShapeProblem& problem, const ShapeKeepGoing& keep_going);
+/// The same as an outcome of optimize_shape(): figures, limits and active constraints of the finished shape,
+/// with a bound where one is known.
+ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going);
 
 }  // namespace jounce::optimizer

@@ -7,10 +7,19 @@
 
 namespace jounce::optimizer {
 
-/// optimize_shape() from a shape that is near the answer: figures are counted in what they are there, so that the
-/// numbers of the program are of about size one. Figures may differ from those of the given shape by a factor of
-/// hundreds. None: from the given shape. What is not convex begins as it always does.
+/// optimize_shape() from a shape that is near the result. The figures of that shape are the units, so the
+/// numbers of the program are of about size one; the figures of the given shape may differ by a factor of
+/// hundreds. Without such a shape it starts from the given one. Problems that are not convex always start from
+/// the given shape.
 ShapeOutcome optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
-                            const ShapeKeepGoing& keep_going);
+                            const KeepGoing& keep_going);
+
+/// Progress of a method whose number of rounds is unknown: 10 rounds count as half of the work.
+inline OptimizeProgress round_progress(int round, int evaluations, double reached) {
+  return {.done = round / (round + 10.0),
+          .round = round,
+          .evaluations = evaluations,
+          .reached = reached};
+}
 
 }  // namespace jounce::optimizer

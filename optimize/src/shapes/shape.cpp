@@ -11,18 +11,19 @@
 #include "optimize/src/shapes/optimized_from.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
-// Where the least peak is that of the highest derivative, the optimum is +-peak on every piece but those
-// in which it ought to switch: there it is the mean. A piece with the mean b between neighbours with a
-// and c switches where the mean is kept, at the share
+// If the figure is the peak of the highest derivative, the optimum is +-peak on every piece, except where it
+// should switch within a piece: there it is the mean. A piece with the mean b between neighbors with a and c
+// switches where the mean is preserved, at the share
 //
 //   (1)  s = (b - c) / (a - c)
 //
-// of its length. A knot there, and the next optimum has less to average. A piece with a mean b beyond both neighbours, or at an
-// end, holds a shorter stretch at a limit l of that derivative (its peak, or an edge of a corridor), and beside it the value a of a neighbour:
+// of its length. With a knot there, the next optimum averages less. A piece with a mean b beyond both
+// neighbors, or at an end, contains a shorter interval at a limit l of that derivative (its peak, or an edge of
+// a corridor), and beside it the value a of a neighbor:
 //
-//   (2)  share of the stretch = (b - a) / (l - a)
+//   (2)  share of the interval = (b - a) / (l - a)
 //
-// next to the neighbour that is like b, else in the middle.
+// next to the neighbor whose value is like b, otherwise in the middle.
 
 namespace jounce {
 namespace {
@@ -35,9 +36,9 @@ using Clock = std::chrono::steady_clock;
 using End = ShapeSolution::End;
 
 constexpr int max_refinements = 12;
-constexpr int max_lowerings = 3;  ///< of limits that a solution exceeds by rounding
+constexpr int max_lowerings = 3;  ///< attempts with lower limits, if rounding exceeds them
 constexpr std::size_t most_new_knots = 24;
-constexpr double shortest_piece = 1e-7;  ///< of the shape
+constexpr double shortest_piece = 1e-7;  ///< share of the length of the shape
 
 /// A place for a knot.
 struct KnotPlace {
@@ -45,13 +46,13 @@ struct KnotPlace {
   double x = 0;
 };
 
-/// What the highest derivative may be on a piece.
+/// The range of the highest derivative on a piece.
 struct TopRange {
   double lower = -HUGE_VAL;
   double upper = HUGE_VAL;
 };
 
-/// Finds where (1) and (2) want knots.
+/// Finds the places of new knots by (1) and (2).
 class Switches {
  public:
   Switches(const ShapeProblem& problem, const ShapeModel& model, const Coordinates& z)
@@ -62,7 +63,7 @@ class Switches {
     }
   }
 
-  /// The largest steps first.
+  /// The places with the largest steps first.
   std::vector<double> places() {
     for (std::size_t i = 0; i < top_.size(); ++i) look(i);
     std::sort(found_.begin(), found_.end(), [](auto& a, auto& b) { return a.weight > b.weight; });
@@ -110,7 +111,7 @@ class Switches {
            std::count_if(q.by.begin(), q.by.end(), [](double by) { return by != 0; }) == 1;
   }
 
-  /// By corridors, and by the peak that is minimised.
+  /// The range by corridors, and by the peak that is minimized.
   [[nodiscard]] TopRange range_of(std::size_t i) const {
     TopRange range;
     const double x = space_.knots()[i] + space_.length(i) / 2;
@@ -139,8 +140,8 @@ class Switches {
   std::vector<KnotPlace> found_;
 };
 
-/// Of a response and of its rms, which is not above it: planes hold what is next to nothing, a
-/// multiplier does not.
+/// The peak of a response, also for its rms, which is not above it: planes can hold a value close to zero, a
+/// multiplier cannot.
 ShapeFigure peak_of(const ShapeFigure& figure) {
   if (const auto* rms = std::get_if<RmsResponseOf>(&figure)) return ResponseOf{rms->name, rms->of};
   return figure;
@@ -148,9 +149,8 @@ ShapeFigure peak_of(const ShapeFigure& figure) {
 
 class ShapeSearch {
  public:
-  /// `start`: a shape to begin with; none: the given one.
-  ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start,
-              const ShapeKeepGoing& keep_going)
+  /// `start`: the first shape; none: the given one.
+  ShapeSearch(const ShapeProblem& problem, std::vector<Segment> start, const KeepGoing& keep_going)
       : problem_(problem),
         keep_going_(keep_going),
         begin_(Clock::now()),
@@ -163,6 +163,14 @@ class ShapeSearch {
   }
 
   ShapeOutcome run() {
+    optimize();
+    if (nothing_left()) take_smoothest();
+    out_.feasible = out_.limits.ok() && !out_.best.empty();
+    return std::move(out_);
+  }
+
+ private:
+  void optimize() {
     std::vector<double> knots = optimizer::first_knots(problem_);
     std::vector<Segment> from = start_.empty() ? given_ : start_;
     for (int k = 0;; ++k) {
@@ -171,22 +179,20 @@ class ShapeSearch {
       const double before = k > 0 ? out_.value : HUGE_VAL;
       const bool better = take(model, found);
       if (!problem_.refine || k == max_refinements || !better || found.end != End::solved) break;
-      if (near_bound() || before - out_.value < problem_.tolerance / 100 * out_.value) break;
+      if (near_bound() || before - out_.value < problem_.options.tolerance / 100 * out_.value)
+        break;
       const std::vector<double> more = Switches(problem_, model, found.z).places();
       if (more.empty()) break;
       knots.insert(knots.end(), more.begin(), more.end());
       std::sort(knots.begin(), knots.end());
-      from = out_.segments;
+      from = out_.best;
     }
-    if (nothing_left()) take_smoothest();
-    return std::move(out_);
   }
 
- private:
-  /// Whether responses alone are minimised and only rounding is left of them, which may have stopped
-  /// the solver.
+  /// True if only responses are minimized and their values are only rounding, which may have stopped the
+  /// solver.
   [[nodiscard]] bool nothing_left() const {
-    using Status = Outcome::Status;
+    using Status = OptimizeStatus;
     const bool answers = std::all_of(problem_.minimize.begin(), problem_.minimize.end(),
                                      [](const WeightedFigure& m) {
                                        return std::holds_alternative<ResponseOf>(m.figure) ||
@@ -196,33 +202,34 @@ class ShapeSearch {
     return out_.value <= nothing_ || out_.status == Status::stalled;
   }
 
-  /// Many shapes leave nothing, most of them wild: of all, the one with the least rms jerk.
+  /// Many shapes have a figure of zero, and most of them oscillate. Takes the one with the least rms jerk.
   void take_smoothest() {
     ShapeProblem calm = problem_;
     calm.minimize = {{RmsOf{derivative_of_shape(std::min(3, problem_.degree))}}};
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k)
       calm.ceilings.push_back({peak_of(problem_.minimize[k].figure), nothing_of_[k]});
-    if (problem_.seconds) calm.seconds = std::max(*problem_.seconds - elapsed(), 1e-3);
+    if (problem_.options.budget.seconds)
+      calm.options.budget.seconds = std::max(*problem_.options.budget.seconds - elapsed(), 1e-3);
     const ShapeOutcome found = ShapeSearch(calm, {}, keep_going_).run();
     out_.rounds += found.rounds;
     out_.evaluations += found.evaluations;
-    if (found.status == Outcome::Status::cancelled)
+    if (found.status == OptimizeStatus::cancelled)
       return answer(found.status, "stopped by the caller");
     if (!found.usable()) return;
     const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
-    out_.segments = found.segments;
-    out_.value = optimizer::weighted_sum(model, out_.segments);
-    out_.limits = optimizer::checked(problem_, model, out_.segments);
-    out_.spline_bound = 0;
+    out_.best = found.best;
+    out_.value = optimizer::weighted_sum(model, out_.best);
+    out_.limits = optimizer::checked(problem_, model, out_.best);
+    out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.segments);
+    out_.active = optimizer::active(problem_, model, out_.best);
     answer(
-        Outcome::Status::optimal,
+        OptimizeStatus::optimal,
         "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
   }
 
-  /// The pieces of a solution join exactly, which may take a limit beyond the last digits of the solver:
-  /// then once more, below it. The bound stays that of the problem.
+  /// Solves the program. The pieces of a solution join exactly, which may exceed a limit by the rounding of the
+  /// solver. Then it is solved again with a lower limit. The bound remains that of the problem.
   ShapeSolution improve(const ShapeModel& model, const std::vector<double>& knots,
                         const std::vector<Segment>& from) {
     ShapeSolution found = improve(model, model.space.coordinates(from));
@@ -242,10 +249,13 @@ class ShapeSearch {
 
   ShapeSolution improve(const ShapeModel& model, const Coordinates& from) {
     const auto go_on = [&](int round, double value) {
-      out_of_time_ = problem_.seconds && elapsed() > *problem_.seconds;
-      return !out_of_time_ && (!keep_going_ || keep_going_(out_.rounds + round, value * scale_));
+      out_of_time_ =
+          problem_.options.budget.seconds && elapsed() > *problem_.options.budget.seconds;
+      return !out_of_time_ &&
+             (!keep_going_ || keep_going_(optimizer::round_progress(
+                                  out_.rounds + round, out_.evaluations, value * scale_)));
     };
-    const double tolerance = problem_.tolerance;
+    const double tolerance = problem_.options.tolerance;
     return optimizer::minimised(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
   }
 
@@ -253,18 +263,18 @@ class ShapeSearch {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  /// Whether every figure with a known bound is at it, and there is one.
+  /// True if every figure has a known bound and is at it.
   [[nodiscard]] bool near_bound() const {
     bool any = false;
     for (std::size_t k = 0; k < problem_.minimize.size(); ++k) {
       const FigureResult& r = out_.figures[k];
-      if (!r.bound || r.reached > *r.bound * (1 + problem_.tolerance)) return false;
+      if (!r.bound || r.reached > *r.bound * (1 + problem_.options.tolerance)) return false;
       any = true;
     }
     return any;
   }
 
-  /// The outcome of these knots, unless the one before was better; whether it is taken.
+  /// Takes the outcome of these knots, unless the one before was better. Returns true if it is taken.
   bool take(const ShapeModel& model, const ShapeSolution& found) {
     std::vector<Segment> shape = model.space.segments(found.z);
     optimizer::make_exact(problem_, shape);
@@ -272,79 +282,80 @@ class ShapeSearch {
     out_.evaluations += found.iterations;
     const double value = optimizer::weighted_sum(model, shape) * model.scale;
     Report limits = optimizer::checked(problem_, model, shape);
-    const bool first = out_.segments.empty();
+    const bool first = out_.best.empty();
     if (!first && (found.end != End::solved || !limits.ok() || value > out_.value)) {
       if (found.end == End::stopped) set_status(found);
       return false;
     }
-    out_.segments = std::move(shape);
+    out_.best = std::move(shape);
     out_.value = value;
     out_.limits = std::move(limits);
-    out_.spline_bound = found.bound;
-    if (found.bound)  // no figure is below 0
-      out_.spline_bound = std::max(*found.bound * model.scale, 0.0);
+    out_.bound = found.bound;
+    if (found.bound)  // a figure is never below 0
+      out_.bound = std::max(*found.bound * model.scale, 0.0);
     nothing_ = 0;
     nothing_of_.clear();
     for (const auto& term : model.terms) {
       nothing_of_.push_back(term.rows.nothing * term.rows.natural);
       nothing_ += term.weight * nothing_of_.back() / term.unit * model.scale;
     }
-    if (out_.value <= nothing_ && out_.spline_bound) out_.spline_bound = 0;
+    if (out_.value <= nothing_ && out_.bound) out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.segments);
+    out_.active = optimizer::active(problem_, model, out_.best);
     set_status(found);
     return true;
   }
 
   void fill_figures(const ShapeModel& model) {
-    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.segments);
+    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.best);
   }
 
-  void answer(Outcome::Status status, std::string reason) {
+  void answer(OptimizeStatus status, std::string reason) {
     out_.status = status;
     out_.reason = std::move(reason);
   }
 
   void set_status(const ShapeSolution& found) {
-    using Status = Outcome::Status;
+    using Status = OptimizeStatus;
     if (found.end == End::infeasible) return answer(Status::infeasible, found.why);
     if (found.end == End::stopped)
       return out_of_time_ ? answer(Status::stalled, "the time limit of " +
-                                                        brief(*problem_.seconds) + " s is reached")
+                                                        brief(*problem_.options.budget.seconds) +
+                                                        " s is reached")
                           : answer(Status::cancelled, "stopped by the caller");
     if (!out_.limits.ok())
       return answer(Status::stalled, "the shape found exceeds a limit: " +
                                          optimizer::broken_sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
-    const double gap = out_.spline_bound ? (out_.value - *out_.spline_bound) / out_.value : 1;
-    if (out_.value <= nothing_ || gap <= problem_.tolerance)
+    const double gap = out_.bound ? (out_.value - *out_.bound) / out_.value : 1;
+    if (out_.value <= nothing_ || gap <= problem_.options.tolerance)
       return answer(Status::optimal, "no spline over these knots is better, to a relative " +
-                                         brief(problem_.tolerance));
+                                         brief(problem_.options.tolerance));
     answer(Status::converged,
            "at most " + brief(100 * gap) + " % could still be saved by a spline over these knots");
   }
 
   const ShapeProblem& problem_;
-  const ShapeKeepGoing& keep_going_;
+  const KeepGoing& keep_going_;
   Clock::time_point begin_;
   std::vector<Segment> given_;
   std::vector<Segment> start_;
   double scale_ = 1;  ///< scale of the model
   ShapeOutcome out_;
   bool out_of_time_ = false;
-  double nothing_ = 0;              ///< a sum that is only rounding
+  double nothing_ = 0;              ///< weighted sum that is only rounding
   std::vector<double> nothing_of_;  ///< the same of each figure
 };
 
 }  // namespace
 
-ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going) {
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going) {
   return optimizer::optimized_from(problem, {}, keep_going);
 }
 
 ShapeOutcome optimizer::optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
-                                       const ShapeKeepGoing& keep_going) {
+                                       const KeepGoing& keep_going) {
   require_valid(problem);
   if (needs_search(problem)) return searched(problem, keep_going);
   return ShapeSearch(problem, std::move(start), keep_going).run();

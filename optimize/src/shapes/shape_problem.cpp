@@ -35,7 +35,8 @@ void require_quantity(const std::string& key, const LinearQuantity& q, int degre
                          ", the shape has degree " + std::to_string(degree));
 }
 
-/// Finite, always as many, and affine in the shape: y(f + g) + y(0) = y(f) + y(g) for two rises.
+/// Requires finite numbers, always the same number of them, and an affine response: y(f + g) + y(0) = y(f) +
+/// y(g) for two rises.
 void require_response(const std::string& key, const ResponseOf& r, const ShapeProblem& p) {
   if (!r.of) throw InputError(key, r.name, "must be a function");
   const double length = p.end - p.begin;
@@ -83,12 +84,13 @@ void require_figure(const std::string& key, const ShapeFigure& figure, const Sha
   }
 }
 
-/// A power of ten both ways that the square of seven derivatives and of a power still stand.
+/// True if x is 0, or if |x| lies between 1 / most and most: then the squares of seven derivatives and of a power
+/// do not overflow.
 bool is_in_range(double x, double most) {
   return x == 0 || (std::abs(x) <= most && std::abs(x) >= 1 / most);
 }
 
-/// The place of a shape: long enough for its pieces to be told apart, short enough for its powers.
+/// The interval of a shape: long enough to separate the ends of its pieces, short enough for its powers.
 void require_place(const ShapeProblem& p) {
   const double length = p.end - p.begin;
   require(is_in_range(length, 1e12), "end", p.end, "must be 1e-12 to 1e12 after begin");
@@ -98,7 +100,7 @@ void require_place(const ShapeProblem& p) {
           "must be fewer: at this distance from 0 a double cannot separate their ends");
 }
 
-/// A periodic shape has one derivative at both ends.
+/// A periodic shape has the same derivatives at both ends.
 void require_periodic(const ShapeProblem& p) {
   const auto from = optimizer::derivatives_of(p.from);
   const auto to = optimizer::derivatives_of(p.to);
@@ -189,10 +191,7 @@ void require_valid(const ShapeProblem& p) {
   require(p.degree >= 2 && p.degree <= 7, "degree", p.degree, "must be 2 to 7");
   const auto pieces = static_cast<double>(p.pieces);
   require(p.pieces >= 1 && p.pieces <= 100000, "pieces", pieces, "must be 1 to 100000");
-  require(p.tolerance >= 1e-9 && p.tolerance <= 1, "tolerance", p.tolerance,
-          "must be in [1e-9, 1]");
-  require(p.max_evaluations >= 1, "max_evaluations", p.max_evaluations, "must be at least 1");
-  if (p.seconds) require(*p.seconds > 0, "seconds", *p.seconds, "must be > 0");
+  require_valid(p.options);
   require_place(p);
   require_end("from", p.from, p.degree, p.end - p.begin);
   require_end("to", p.to, p.degree, p.end - p.begin);

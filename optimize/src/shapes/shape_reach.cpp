@@ -11,7 +11,7 @@
 namespace jounce::optimizer {
 namespace {
 
-/// The residual of an equality, or of a wall that nothing changes, that as_fixed() may leave.
+/// Residual of an equality, or of a constraint that nothing changes, above which there is no solution.
 constexpr double hopeless = 1e-7;
 
 bool apart(const ShapeModel& model, const Coordinates& z) {
@@ -25,7 +25,7 @@ bool contradictory(const ShapeModel& model, const Coordinates& z) {
 }
 
 std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coordinates& z) {
-  std::optional<Coordinates> fixed;  // not z: that need not keep what is fixed
+  std::optional<Coordinates> fixed;  // z need not keep the fixed values
   for (const Wall& wall : model.walls)
     for (const Form& f : wall.start) {
       if (model.freedom(f) > no_freedom) continue;

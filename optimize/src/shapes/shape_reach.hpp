@@ -6,17 +6,18 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// Why the limits of a shape cannot be kept.
+/// Reasons why the limits of a shape cannot be kept.
 namespace jounce::optimizer {
 
-/// True if no shape at all has what is fixed at the ends and kept exactly; looked for near `z`.
+/// True if no shape at all has the fixed values at the ends and on the exact corridors; the search starts at
+/// `z`.
 bool contradictory(const ShapeModel& model, const Coordinates& z);
 
-/// Of walls that no free coordinate changes, what one is broken by, as a sentence. None where all are
-/// kept, and where what is fixed contradicts itself.
+/// A sentence on a constraint that is broken and that no free coordinate changes. None where all such
+/// constraints hold, and where the fixed values contradict each other.
 std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coordinates& z);
 
-/// The walls that stand in each other's way where `shape` has the least common violation, `slack`.
+/// The constraints that conflict where `shape` has the least common violation, `slack`.
 std::string worst_walls(const ShapeModel& model, const Coordinates& z, double slack);
 
 }  // namespace jounce::optimizer

@@ -7,11 +7,13 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;               ///< relative: closer than this is there
-constexpr double missed = 1e-7;            ///< of a derivative's size: that is a step
-constexpr double forgiven = 1e-12;         ///< what rounding may break, as in profiles/limits
-constexpr double left_by_a_solver = 1e-4;  ///< relative: what lower_exceeded() takes for rounding
-constexpr double solved = 1e-9;            ///< share of a quantity's size: a solver leaves as much
+constexpr double met = 1e-6;  ///< relative distance below which a limit counts as reached
+constexpr double missed =
+    1e-7;  ///< share of the size of a derivative above which a difference is a step
+constexpr double forgiven = 1e-12;  ///< rounding that a limit permits, as in profiles/limits
+constexpr double left_by_a_solver =
+    1e-4;                        ///< relative excess that lower_exceeded() treats as rounding
+constexpr double solved = 1e-9;  ///< share of the size of a quantity that a solver leaves
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
                 double margin, std::size_t piece, double rounding = forgiven) {
@@ -27,7 +29,7 @@ Finding finding(std::string rule, const std::string& quantity, const Extremum& e
           .advice = ""};
 }
 
-/// What the margin of a corridor is a share of: the size of its edges, or of the quantity where they are 0.
+/// The unit of the margin of a corridor: the size of its edges, or of the quantity where they are 0.
 double scale_of(const Corridor& c, double natural) {
   double scale = 0;
   for (const auto& edge : {c.lower, c.upper})
@@ -45,7 +47,7 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const double end =
         i + 1 == shape.size() ? std::max(x + shape[i].length, c.to) : x + shape[i].length;
-    const double near = 1e-6 * shape[i].length;  // knots stand at both ends of the window
+    const double near = 1e-6 * shape[i].length;  // there are knots at both ends of the window
     const double from = std::max(x, c.from);
     const double to = std::min(end, c.to);
     const bool point = c.from == c.to && from == to && (c.from < end || i + 1 == shape.size());
@@ -75,7 +77,8 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
   }
 }
 
-/// What is fixed at the ends, and joints, where the finished segments miss them: in units of SplineSpace.
+/// Findings where the finished segments miss the fixed values at the ends or a joint, in the units of
+/// SplineSpace.
 void add_missed(const ShapeProblem& problem, const ShapeModel& model,
                 const std::vector<Segment>& shape, std::vector<Finding>& findings) {
   const auto expect = [&](const char* rule, std::size_t knot, std::size_t k, double value,

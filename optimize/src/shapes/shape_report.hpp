@@ -5,32 +5,31 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// What a finished shape is worth: from its segments alone, by exact extrema, never from the rows of a
-/// program.
+/// The value of a finished shape, from its segments alone, by exact extrema, without the rows of a program.
 namespace jounce::optimizer {
 
-/// Corridors and ceilings, each with its smallest margin, kept or not. A corridor may be passed by 1e-9 of
-/// its quantity's size, a ceiling by 1e-9 of itself, which is what a solver leaves.
+/// Corridors and ceilings, each with its smallest margin. A corridor may be exceeded by 1e-9 of the size of its
+/// quantity, and a ceiling by 1e-9 of itself: a solver leaves as much.
 Report checked(const ShapeProblem& problem, const ShapeModel& model,
                const std::vector<Segment>& shape);
 
 /// Lowers the limits in `held` that the shape exceeds in `problem`, by twice the excess. Returns true if it
-/// lowered one. It lowers none where one is exceeded by more than a solver leaves, 1e-4 of itself.
+/// lowered one. It lowers none if one is exceeded by more than 1e-4 of itself.
 bool lower_exceeded(const ShapeProblem& problem, const ShapeModel& model,
                     const std::vector<Segment>& shape, ShapeProblem& held);
 
-/// What became of the problem's figures, then of its ceilings.
+/// The results for the figures of the problem, then for its ceilings.
 std::vector<FigureResult> figure_results(const ShapeProblem& problem, const SplineSpace& space,
                                          const std::vector<Segment>& given,
                                          const std::vector<Segment>& shape);
 
-/// Limits met to 1e-6 ("limit/..."), and where each figure takes its value ("objective/..."): each run
-/// of pieces once, where it begins.
+/// Limits met to 1e-6 ("limit/...") and places where a figure is attained ("objective/..."), each run of pieces
+/// once, where it begins.
 std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model,
                             const std::vector<Segment>& shape);
 
-/// What no function with these end conditions has less of, where that is known: peak and rms of one
-/// derivative between given ends.
+/// A lower bound for every function with these end conditions, where one is known: for the peak and the rms of
+/// one derivative between given ends.
 std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure& figure);
 
 }  // namespace jounce::optimizer

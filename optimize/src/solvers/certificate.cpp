@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-// With y >= 0 the multipliers of constraints, v those of equalities and w those of the forms of a round
-// constraint, for every feasible x
+// Let y >= 0 be the multipliers of the constraints, v those of the equalities, and w those of the forms of a
+// round constraint. For every feasible x
 //
 //   (1)  objective(x) >= L(x) = slope . x + sum squares(x)^2 + sum y constraints(x) + sum v equalities(x)
 //                               + w . forms(x) - |w| most
 //
-// and L is convex, so that with x0 the solution and r the gradient of L there
+// and L is convex. With x0 the solution and r the gradient of L there,
 //
 //   (2)  L(x) >= L(x0) + r . (x - x0) >= L(x0) - sum |r_j| range_j.
 //
-// r is zero but for rounding. Nor is the range a real restriction: the objective is convex too, so one
-// that were lower by e somewhere k times outside the range would be lower by e / k inside it.
+// r is zero except for rounding. The range is not a real restriction: the objective is convex too, so if it
+// were lower by e at a point k times outside the range, it would be lower by e / k inside it.
 
 namespace jounce::optimizer {
 

@@ -10,8 +10,8 @@ namespace jounce::optimizer {
 /// The root of the sum of squares.
 double norm(const std::vector<double>& numbers);
 
-/// What the objective of a program cannot be below for any x that keeps its constraints and lies within
-/// `range` of the solution, by weak duality: true whatever the solution is worth, close if it is good.
+/// A lower bound of the objective of a program for any x that keeps its constraints and lies within `range` of
+/// the solution, by weak duality. It holds for any solution, and is close for a good one.
 double weak_bound(const ConvexProgram& program, const ConvexSolution& solution,
                   const std::vector<double>& range);
 

@@ -122,7 +122,7 @@ ConeScaling::ConeScaling(const ConeShape& shape, const VectorXd& s, const Vector
   });
 }
 
-/// W (a, b) = e (w0 a + w1 . b, b + w1 (a + w1 . b / (1 + w0)));  of W^-1 the sign of w1 and 1/e.
+/// W (a, b) = e (w0 a + w1 . b, b + w1 (a + w1 . b / (1 + w0))). W^-1 has -w1 and 1/e instead.
 VectorXd ConeScaling::times(const VectorXd& v) const {
   VectorXd all = v;
   all.head(shape_.linear) = root_.cwiseProduct(v.head(shape_.linear));

@@ -7,34 +7,34 @@
 
 namespace jounce::optimizer {
 
-/// Where the slacks of a program live: `linear` numbers >= 0, then second-order cones { (a, b) : |b| <= a },
-/// each of so many numbers, a included.
+/// The cones of the slacks of a program: `linear` numbers >= 0, then second-order cones { (a, b) : |b| <= a },
+/// each with its number of entries, a included.
 struct ConeShape {
   Eigen::Index linear = 0;
   std::vector<Eigen::Index> round = {};
 
-  /// What s . y is divided by for the mean mu: one for each number and each cone.
+  /// The divisor of s . y for the mean mu: one for each number and each cone.
   [[nodiscard]] double degree() const {
     return static_cast<double>(linear) + static_cast<double>(round.size());
   }
 };
 
-/// Vectors in a product of cones, with Jordan's product: of numbers their product; of (a, b) and (c, d)
-/// (a c + b . d, a d + c b), whose unit is (1, 0).
+/// Vectors in a product of cones, with Jordan's product. For numbers it is their product; for (a, b) and (c, d)
+/// it is (a c + b . d, a d + c b), whose unit is (1, 0).
 Eigen::VectorXd unit_of(const ConeShape& shape);
 Eigen::VectorXd product(const ConeShape& shape, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
-/// What has the product p with a; a lies inside its cones.
+/// The vector whose product with a is p; a lies inside its cones.
 Eigen::VectorXd quotient(const ConeShape& shape, const Eigen::VectorXd& p,
                          const Eigen::VectorXd& a);
 /// The inverse of a.
 Eigen::VectorXd inverse(const ConeShape& shape, const Eigen::VectorXd& a);
-/// The longest step, at most 1, that stays within: v + step dv.
+/// The longest step, at most 1, for which v + step dv stays in the cones.
 double longest(const ConeShape& shape, const Eigen::VectorXd& v, const Eigen::VectorXd& dv);
-/// v moved inside its cones: numbers to `least`, others by 1.
+/// v moved inside its cones: numbers to `least`, cones by 1.
 Eigen::VectorXd inside(const ConeShape& shape, Eigen::VectorXd v, double least);
 
-/// The scaling W of Nesterov and Todd (Mathematics of Operations Research 22, 1997) at s and y, symmetric
-/// with W y = W^-1 s. Of numbers W^2 = s / y; of a cone, with J = diag(1, -1, ... -1),
+/// The scaling W of Nesterov and Todd (Mathematics of Operations Research 22, 1997) at s and y, symmetric with
+/// W y = W^-1 s. For numbers W^2 = s / y; for a cone, with J = diag(1, -1, ... -1),
 ///
 ///     (1)  W^2 = e^2 (2 w w' - J),   W^-2 = (2 (J w)(J w)' - J) / e^2,   w' J w = 1,
 ///     (2)  w = (s/|s| + J y/|y|) / (2 c),   c^2 = (1 + s' y / (|s| |y|)) / 2,   e^2 = |s| / |y|,   |s|^2 = s' J s
@@ -45,9 +45,9 @@ class ConeScaling {
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& v) const;            ///< W v
   [[nodiscard]] Eigen::VectorXd inverse(const Eigen::VectorXd& v) const;          ///< W^-1 v
   [[nodiscard]] Eigen::VectorXd inverse_squared(const Eigen::VectorXd& v) const;  ///< W^-2 v
-  /// W^-2 without the rank-one part of its cones, and with 0 where their a is.
+  /// W^-2 without the rank-one part of its cones, and with 0 in the place of their a.
   [[nodiscard]] Eigen::VectorXd diagonal() const;
-  /// r of each cone, 0 where its a is: W^-2 = diagonal + r r' between numbers that do not belong to an a.
+  /// r of each cone, with 0 in the place of its a: W^-2 = diagonal + r r' for all entries except those of a.
   [[nodiscard]] std::vector<Eigen::VectorXd> rank_ones() const;
 
  private:

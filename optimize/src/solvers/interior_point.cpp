@@ -8,20 +8,21 @@
 #include "optimize/src/solvers/cone_scaling.hpp"
 #include "optimize/src/solvers/kkt.hpp"
 
-// With Q x + q the gradient of the objective, G x + s = h the constraints with multipliers y, and
-// A x = b the equalities with multipliers v,
+// Let Q x + q be the gradient of the objective, G x + s = h the constraints with multipliers y, and A x = b the
+// equalities with multipliers v. The equations
 //
 //   (1)  Q x + q + G' y + A' v = 0,   G x + s - h = 0,   A x - b = 0,   s o y = mu e,   s, y inside their cones
 //
-// is solved by Newton's method while mu falls to zero; o is Jordan's product and e its unit: of constraints
-// numbers and 1 (cone_scaling.hpp). With W y = W^-1 s = l and u what has the product r with l, a step is
+// are solved by Newton's method while mu decreases to zero. o is Jordan's product and e its unit: for
+// constraints, numbers and 1 (cone_scaling.hpp). With W y = W^-1 s = l, and u the vector whose product with l
+// is r, a step is
 //
 //   (2)  (Q + G' W^-2 G) dx + A' dv = -r_dual - G' (W^-2 r_primal - W^-1 u),
 //        A dx = -r_equal,   ds = -r_primal - G dx,   dy = -W^-2 ds - W^-1 u
 //
-// Twice with one factorisation: first with r = l o l, which tells how far mu may be lowered and the
-// second-order term (W^-1 ds) o (W dy), then with both put in (Mehrotra 1992; of cones: L. Vandenberghe, The
-// CVXOPT linear and quadratic cone program solvers, 2010).
+// One factorization serves two steps. The first, with r = l o l, determines how far mu may be lowered and the
+// second-order term (W^-1 ds) o (W dy). The second includes both (Mehrotra 1992; for cones: L. Vandenberghe,
+// The CVXOPT linear and quadratic cone program solvers, 2010).
 
 namespace jounce::optimizer {
 namespace {
@@ -30,9 +31,9 @@ using Vector = Kkt::Vector;
 
 constexpr int max_iterations = 100;
 constexpr int patience = 8;    ///< iterations without progress
-constexpr double good = 1e-8;  ///< a residual that is not worth another attempt
+constexpr double good = 1e-8;  ///< a residual that needs no further attempt
 
-/// How a solution is begun: what is added to the diagonal (Kkt), and mu; 0: small, one over the number of
+/// The start of a solution: the number added to the diagonal (Kkt), and mu; 0: small, one over the number of
 /// constraints. Near the boundary of a cone a small mu makes short steps.
 struct Beginning {
   double regular = 0;
@@ -40,8 +41,8 @@ struct Beginning {
 };
 constexpr std::array beginnings{Beginning{1e-8, 0}, Beginning{0, 0}, Beginning{1e-8, 1}};
 
-/// Unknowns and equalities of the largest program whose rows are exchanged. A factorisation cannot be
-/// interrupted, and its time grows with the square of the size: 0.6 s here, 9 s at four times as many.
+/// Unknowns and equalities of the largest program with row exchanges. A factorization cannot be interrupted,
+/// and its time grows with the square of the size: 0.6 s here, 9 s at four times the size.
 constexpr std::size_t most_pivoted = 6000;
 
 bool is_too_large(const ConvexProgram& p, const Beginning& begin) {
@@ -77,7 +78,7 @@ class Newton {
       if (options.go_on && !options.go_on()) break;
       if (!advance()) break;
       ++since;
-      if (infeasibility() < 0.9 * nearest) {  // complementarity may rise meanwhile
+      if (infeasibility() < 0.9 * nearest) {  // complementarity may increase meanwhile
         nearest = infeasibility();
         since = 0;
       }
@@ -120,7 +121,7 @@ class Newton {
   [[nodiscard]] double worst() const { return std::max(at_.s.dot(at_.y), infeasibility()); }
   static double largest(const Vector& v) { return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0; }
 
-  /// (2), without and with what is to be divided by l.
+  /// (2), for the u of a step.
   [[nodiscard]] Step step(const ConeScaling& w, const Vector& u) const {
     const auto& [x, s, y, v] = at_;
     const Vector scaled_u = w.inverse(u);

@@ -28,10 +28,10 @@ struct RoundConstraint {
   std::vector<Form> forms = {};
 };
 
-/// minimise slope . x + sum of squares[i](x)^2
+/// minimize slope . x + sum of squares[i](x)^2
 /// subject to constraints[k](x) <= 0, equalities[k](x) = 0, and round constraints, second-order cones.
-/// Unknowns and forms of about size one. Together squares, constraints and equalities must determine x;
-/// where there are equalities, what they leave open stays near where it was.
+/// Unknowns and forms are of about size one. Squares, constraints and equalities together must determine x. If
+/// there are equalities, the undetermined part of x stays near its start.
 struct ConvexProgram {
   std::vector<double> slope;
   std::vector<Form> squares;
@@ -43,18 +43,19 @@ struct ConvexProgram {
 struct ConvexSolution {
   std::vector<double> x;
   std::vector<double> multipliers;  ///< >= 0, one for each constraint
-  /// One for each form of each round constraint: the multiplier of `most` is the root of their squares.
+  /// One for each form of each round constraint. The multiplier of `most` is the root of their squares.
   std::vector<std::vector<double>> round_multipliers = {};
   std::vector<double> equal_multipliers = {};
   int iterations = 0;
-  double residual = 0;  ///< the worst of complementarity and of what is left of each condition
+  double residual = 0;  ///< the worst complementarity and the worst residual of the conditions
 };
 
 struct SolveOptions {
-  /// Where rounding stops it, it begins anew: with a slower, stabler factorisation, then farther inside.
+  /// If rounding stops a run, starts again: with a slower, more stable factorization, then farther inside.
   bool thorough = true;
-  double precision = 1e-11;               ///< residuals and complementarity that are good enough
-  std::function<bool()> go_on = nullptr;  ///< asked before each iteration; false: the best so far
+  double precision = 1e-11;  ///< residuals and complementarity that are good enough
+  std::function<bool()> go_on =
+      nullptr;  ///< called before each iteration; false: ends with the best so far
 };
 
 /// Mehrotra's predictor-corrector method from `start`, which need not be feasible, with the scaling of

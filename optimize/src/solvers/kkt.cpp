@@ -8,9 +8,9 @@
 
 #include "optimize/src/solvers/forms.hpp"
 
-// With equalities K is indefinite. With a little on its diagonal, plus where x is and minus where the
-// multipliers are, it is quasidefinite, so that L D L' exists in any order (Vanderbei 1995) and the order
-// can be chosen for sparsity alone. What was added is taken out again by iterative refinement.
+// K is indefinite if there are equalities. A small number on its diagonal, plus for x and minus for the
+// multipliers, makes it quasidefinite, so L D L' exists in any order (Vanderbei 1995), and the order can be
+// chosen for sparsity alone. Iterative refinement removes the effect of the small number.
 
 namespace jounce::optimizer {
 namespace {
@@ -35,7 +35,7 @@ void each_product(const Rows& rows, Eigen::Index row, const Visit& visit) {
       visit(i.col(), j.col(), i.value() * j.value());
 }
 
-/// All rows of G x + s = h: of a round constraint (0, forms), h = (most, ...).
+/// All rows of G x + s = h. A round constraint has the rows (0, forms) and h = (most, ...).
 std::vector<Form> all_constraints(const ConvexProgram& p) {
   std::vector<Form> all = p.constraints;
   for (const RoundConstraint& round : p.round) {

@@ -11,17 +11,17 @@
 
 namespace jounce::optimizer {
 
-/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ],  with G the constraints, those that are
-/// round after the others, and A the equalities of a program and Q the second derivative of its squares. The
-/// pattern is found and ordered once; with W it is factorised anew. What a cone adds to it that is of rank one
-/// would fill it: that part is left to the formula of Sherman, Morrison and Woodbury.
+/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints, the round ones last,
+/// A the equalities of a program and Q the second derivative of its squares. The pattern is found and ordered
+/// once. For each W the matrix is factorized again. The rank-one part of a cone would fill the matrix: the
+/// formula of Sherman, Morrison and Woodbury treats it separately.
 class Kkt {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
   using Vector = Eigen::VectorXd;
 
-  /// `regular`: what may be added to the diagonal where there are equalities; 0: nothing, and rows are
-  /// exchanged for stability instead, which takes some five times as long.
+  /// `regular`: number that may be added to the diagonal if there are equalities; 0: none, and rows are
+  /// exchanged for stability instead, which takes about five times as long.
   Kkt(const ConvexProgram& program, double regular);
 
   [[nodiscard]] const Matrix& g() const { return g_; }
@@ -52,10 +52,10 @@ class Kkt {
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows_;  ///< G by rows
   Vector q_, h_, b_;
   std::vector<Eigen::Index> place_;  ///< place of each contribution, in k_'s values
-  std::vector<double> fixed_;        ///< k_ without G' D G, regularised
-  Vector regular_;                   ///< what was added to the diagonal
-  std::vector<Vector> u_;            ///< K = (what is factorised) + sum u u'
-  Eigen::MatrixXd solved_u_;         ///< (what is factorised)^-1 u, side by side
+  std::vector<double> fixed_;        ///< k_ without G' D G, regularized
+  Vector regular_;                   ///< numbers added to the diagonal
+  std::vector<Vector> u_;            ///< K = (factorized part) + sum u u'
+  Eigen::MatrixXd solved_u_;         ///< (factorized part)^-1 u, side by side
   Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
   SparseFactor factor_;
 };

@@ -43,7 +43,7 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(n);
   const VectorXd start = Eigen::Map<const VectorXd>(near.data(), n);
-  // A z = -b with A' P = Q R: R' (Q' z) = -P' b; the rest of Q' z is that of `near`.
+  // A z = -b with A' P = Q R: R' (Q' z) = -P' b. The rest of Q' z is that of `near`.
   VectorXd turned = q.transpose() * start;
   const VectorXd wanted = qr.permutation().transpose() * -constants_of(equalities);
   const MatrixXd r = qr.r();
@@ -55,7 +55,8 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   basis_ = MatrixXd::Zero(n, 0);
   inverse_ = MatrixXd::Zero(0, n);
   if (free.cols() == 0) return;  // the ends leave nothing free
-  // N' M N = L L' without forming it, which would square its condition; what moves nothing is left out.
+  // N' M N = L L', without computing it, which would square its condition. Directions that move nothing are
+  // left out.
   const jounce::detail::PivotedQr half(measure(space) * free, 1e-13);
   const Index moving = half.rank();
   const MatrixXd turned_free = (free * half.permutation()).leftCols(moving);

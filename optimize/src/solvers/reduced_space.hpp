@@ -32,7 +32,7 @@ class ReducedSpace {
                const Coordinates& near);
 
   [[nodiscard]] Eigen::Index size() const { return basis_.cols(); }
-  /// How far z0 misses the equalities: they contradict each other if this is not rounding.
+  /// The distance of z0 from the equalities. If it is not only rounding, they contradict each other.
   [[nodiscard]] double contradiction() const { return contradiction_; }
   [[nodiscard]] Coordinates z(const Eigen::VectorXd& y) const;
   [[nodiscard]] DenseRow row(const Form& form) const;

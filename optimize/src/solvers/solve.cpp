@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <utility>
 
-#include <nlopt.hpp>
-
-#include "optimize/src/solvers/forgiving.hpp"
+#include "optimize/src/solvers/local_solver.hpp"
 #include "optimize/src/solvers/whitening.hpp"
 
 namespace jounce::optimizer {
@@ -24,7 +21,7 @@ struct Constraints {
     return program.rows.size() + 2 * program.space.variables.size();
   }
 
-  /// `gradient`, row by row, is always written.
+  /// Always writes `gradient`, row by row.
   void operator()(std::span<double> result, std::span<const double> x,
                   std::span<double> gradient) const {
     const std::size_t n = x.size() - 1;
@@ -74,70 +71,42 @@ struct Tangents {
   std::vector<double> slope;
 };
 
-/// What passes through NLopt: an exception must not, for it would be forgotten, and NaN must stop
-/// the run, for it counts as satisfied.
-template <class Function>
-struct Callback {
-  const Function& function;
-  nlopt::opt& solver;
-  const std::function<bool()>& go_on;
-  std::vector<double> slope;
-  int evaluations = 0;
-  bool finite = true;
-  std::exception_ptr trouble;
-
-  static void call(unsigned m, double* result, unsigned n, const double* x, double* gradient,
-                   void* data) {
-    auto& self = *static_cast<Callback*>(data);
-    const std::span values(result, m);
-    self.slope.resize(std::size_t{m} * n);
-    try {
-      self.function(values, {x, n},
-                    gradient ? std::span(gradient, self.slope.size()) : std::span(self.slope));
-    } catch (...) {
-      self.trouble = std::current_exception();
-    }
-    ++self.evaluations;
-    for (const double value : values) self.finite = self.finite && std::isfinite(value);
-    if (self.trouble || !self.finite || !self.go_on()) self.solver.force_stop();
-  }
-};
-
-double objective(unsigned n, const double* x, double* gradient, void* /*data*/) {
-  if (gradient) {
-    std::fill(gradient, gradient + n, 0.0);
-    gradient[n - 1] = 1;
-  }
-  return x[n - 1];
-}
-
-/// SLSQP from (0, t) with |y| <= radius. Rows are scaled to 1; what is forgiven of them is less
-/// than the margin the caller keeps.
+/// SLSQP from (0, t) with |y| <= radius. Rows are scaled to 1. A row may be exceeded by less than the margin
+/// that the caller keeps. NaN stops the run: NLopt would treat it as a constraint that holds.
 template <class Function>
 Solved run(const Program& program, const Whitening& whitening, const Function& function, double t,
            double radius, int max_evaluations, const std::function<bool()>& go_on) {
   const std::size_t n = program.space.variables.size();
-  const std::size_t rows = program.rows.size() + 2 * n;
-  nlopt::opt solver(nlopt::LD_SLSQP, static_cast<unsigned>(n + 1));
-  std::vector<double> lower(n + 1, -radius);
-  std::vector<double> upper(n + 1, radius);
-  lower.back() = program.least_t;
-  upper.back() = std::numeric_limits<double>::infinity();
-  solver.set_lower_bounds(lower);
-  solver.set_upper_bounds(upper);
-  solver.set_xtol_rel(1e-13);
-  solver.set_maxeval(max_evaluations);
-  Callback<Function> callback{function, solver, go_on, {}, 0, true, nullptr};
-  solver.set_min_objective(objective, nullptr);
-  solver.add_inequality_mconstraint(&Callback<Function>::call, &callback,
-                                    std::vector<double>(rows, 1e-11));
+  LocalProblem local{.rows = program.rows.size() + 2 * n,
+                     .row_tolerance = 1e-11,
+                     .lower = std::vector<double>(n + 1, -radius),
+                     .upper = std::vector<double>(n + 1, radius),
+                     .x_relative = 1e-13,
+                     .max_evaluations = max_evaluations};
+  local.lower.back() = program.least_t;
+  local.upper.back() = std::numeric_limits<double>::infinity();
+  local.objective = [](std::span<const double> x, std::span<double> gradient) {
+    std::fill(gradient.begin(), gradient.end(), 0.0);
+    if (!gradient.empty()) gradient.back() = 1;
+    return x.back();
+  };
+  int evaluations = 0;
+  bool finite = true;
+  std::vector<double> slope(local.rows * (n + 1));
+  local.constraints = [&](std::span<const double> x, std::span<double> rows,
+                          std::span<double> gradient) {
+    ++evaluations;
+    function(rows, x, gradient.empty() ? std::span(slope) : gradient);
+    for (const double value : rows) finite = finite && std::isfinite(value);
+    if (!finite || !go_on()) throw StopSolver{};
+  };
   std::vector<double> x(n, 0.0);
   x.push_back(std::max(t, program.least_t));
-  optimize_forgiving(solver, x, callback.trouble);
-  for (const double value : x) callback.finite = callback.finite && std::isfinite(value);
+  x = run_local_solver(local, std::move(x));
+  for (const double value : x) finite = finite && std::isfinite(value);
   const double reached = x.back();
   x.pop_back();
-  return {clamped(program.space, whitening.z(x)), reached, callback.evaluations, callback.finite};
+  return {clamped(program.space, whitening.z(x)), reached, evaluations, finite};
 }
 
 }  // namespace

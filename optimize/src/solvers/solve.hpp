@@ -6,7 +6,6 @@
 
 #include "optimize/src/solvers/program.hpp"
 
-/// The only place that knows NLopt.
 namespace jounce::optimizer {
 
 struct Solved {
@@ -16,15 +15,14 @@ struct Solved {
   bool finite = true;  ///< no constraint became NaN or infinite on the way
 };
 
-/// A local solution by SLSQP, or the best point on the way to one: NLopt's own verdict is not
-/// reported because it is not to be trusted (it calls infeasible points a success). Exceptions of
-/// the evaluation pass through. `go_on` is asked at each evaluation; false ends the run.
+/// A local solution by SLSQP, or the best point on the way to one (see run_local_solver()). Exceptions of
+/// the evaluation pass through. `go_on` is called at each evaluation; false ends the run.
 Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
              const std::function<bool()>& go_on);
 
-/// The same for the program linearised at (z, t), within a box of the given radius in whitened
-/// coordinates (1: about as far as the rows take to change by their own size). Its t is what may be
-/// hoped for; the evaluation counts as one.
+/// The same for the program linearized at (z, t), within a box of the given radius in whitened coordinates (1:
+/// about the distance at which the rows change by their own size). Its t is the predicted value. The evaluation
+/// counts as one.
 Solved linear_step(const Program& program, const Point& z, double t, double radius);
 
 }  // namespace jounce::optimizer

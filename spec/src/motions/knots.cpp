@@ -165,7 +165,7 @@ Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
     knot.finish();
   }
   try {
-    return table_of(spline_times(times).joints.front(), rule);
+    return table_of(spline_times(times).best.joints.front(), rule);
   } catch (const InputError& error) {
     const bool of_limits = error.key().starts_with("limits[1]");
     throw InputError(of_limits ? "limits" + error.key().substr(9) : "knot", error.value(),

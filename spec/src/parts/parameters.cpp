@@ -63,18 +63,19 @@ void read_figure(TomlReader& table, ParametersSpec& spec) {
   spec.maximize = most.has_value();
 }
 
-void read_options(TomlReader& table, SearchOptions& options) {
+void read_options(TomlReader& table, OptimizeOptions& options) {
   const std::vector<std::string> ways{"global", "local"};
-  if (const auto way = table.optional_choice("search", ways)) options.global = *way == 0;
+  if (const auto way = table.optional_choice("search", ways))
+    options.starts = *way == 0 ? std::nullopt : std::optional(1);
   if (const auto seed = table.optional_count("seed")) options.seed = *seed;
   if (const auto most = table.optional_count("max_evaluations")) {
     if (*most > 1'000'000)
       table.fail("max_evaluations", std::to_string(*most), "must be at most 1000000");
-    options.max_evaluations = static_cast<int>(*most);
+    options.budget.evaluations = static_cast<int>(*most);
   }
-  options.seconds = table.optional_number("seconds", "s");
-  if (options.seconds && *options.seconds <= 0)
-    table.fail("seconds", number(*options.seconds), "must be greater than 0");
+  options.budget.seconds = table.optional_number("seconds", "s");
+  if (const auto seconds = options.budget.seconds; seconds && *seconds <= 0)
+    table.fail("seconds", number(*seconds), "must be greater than 0");
   options.tolerance = table.optional_number("tolerance", "1").value_or(options.tolerance);
   if (options.tolerance < 1e-9 || options.tolerance > 0.01)
     table.fail("tolerance", number(options.tolerance), "must be from 1e-9 to 0.01");

@@ -16,7 +16,7 @@
 namespace jounce {
 namespace {
 
-constexpr std::size_t checksum_size = 16;  // of the SHA-256, in hexadecimal
+constexpr std::size_t checksum_size = 16;  // hexadecimal digits of the SHA-256
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);

@@ -5,14 +5,14 @@
 
 namespace jounce::detail {
 
-/// What Jounce needs of MPI, as the module jounce_mpi.so offers it: loaded only where mpirun has started
-/// the program, so that MPI burdens nobody else.
+/// The MPI functions that Jounce uses, exported by the module jounce_mpi.so. The module is loaded only where
+/// mpirun has started the program, so other runs do not need MPI.
 struct MpiCalls {
   void (*start)(int& rank, int& size);
   void (*send)(int to, const std::string& bytes);
-  int (*receive)(std::string& bytes);  ///< waits for anybody's; answers whose
+  int (*receive)(std::string& bytes);  ///< waits for a message of any process; returns its sender
   void (*end)();
-  void (*abort)(int status);  ///< of all processes
+  void (*abort)(int status);  ///< number of all processes
 };
 
 /// The name under which the module exports its `const MpiCalls*()`.

@@ -42,8 +42,8 @@ const MpiCalls* load() {
   throw InputError("mpirun", "", "needs a Jounce built with MPI: jounce_mpi.so is missing");
 }
 
-/// How many cases a worker may hold: so many that it never waits for the next order, but no more than it makes within
-/// `held`, which is how long a stopped sweep goes on.
+/// The number of cases that a worker may hold: enough that it never waits for the next order, but no more than
+/// it makes within `held`, the time for which a stopped sweep continues.
 class Ahead {
  public:
   void made_one() { ++made_; }
@@ -62,7 +62,7 @@ class Ahead {
   std::size_t made_ = 0;
 };
 
-/// The first rank: hands cases out to the others and takes their lines; a thread beside it makes cases, too.
+/// The first rank: distributes cases to the others and takes their lines. A second thread makes cases, too.
 class Handing {
  public:
   Handing(const MpiCalls& calls, int size, const std::vector<std::size_t>& numbers,
@@ -161,7 +161,7 @@ class Handing {
   const MakeLine& make_;
   const TakeLine& take_;
   std::vector<Worker> workers_;  ///< by rank
-  std::mutex mutex_;             ///< of next_, and of take_
+  std::mutex mutex_;             ///< guards next_ and take_
   std::size_t next_ = 0;
   std::exception_ptr trouble_;
 };

@@ -42,7 +42,8 @@ constexpr std::array<Polynomial, sobol_dimensions - 1> polynomials{{
 
 using Directions = std::array<std::uint32_t, bits>;
 
-/// v_i = m_i / 2^i as 32 bits; beyond the degree s: v_i = a_1 v_(i-1) ^ ... ^ a_(s-1) v_(i-s+1) ^ v_(i-s) ^ v_(i-s) >> s.
+/// v_i = m_i / 2^i as 32 bits. Beyond the degree s: v_i = a_1 v_(i-1) ^ ... ^ a_(s-1) v_(i-s+1) ^ v_(i-s) ^
+/// v_(i-s) >> s.
 constexpr Directions directions_of(const Polynomial& p) {
   Directions v{};
   for (int i = 0; i < bits; ++i) {

@@ -86,7 +86,7 @@ SpecNumbers::SpecNumbers(Document document) : document_(std::move(document)) {
         toml::parse(std::string_view(document_.text), std::string_view(document_.name));
     Reader{*this}(root, "");
   } catch (const toml::parse_error&) {
-    (void)parse_spec(document_.text, document_.name);  // says what is wrong
+    (void)parse_spec(document_.text, document_.name);  // throws with the reason
     throw;
   }
 }

@@ -27,7 +27,7 @@ std::vector<std::string> names_of(const SweepSpec& spec) {
   return names;
 }
 
-/// What a case is looked at as: its spec, or what optimising that makes of it. `chosen`: the numbers.
+/// The spec of a case, or its optimum. `chosen`: the numbers that the optimization chose.
 Spec spec_of(const SweepSpec& spec, std::size_t number, std::vector<double>& chosen) {
   Spec given = spec.base.spec(spec.numbers(number));
   if (!spec.optima) return given;
@@ -47,7 +47,7 @@ SweepRow impossible(const SweepSpec& spec, std::size_t number, const std::string
 /// The worst limit that is broken, or "".
 std::string broken_limit(const SweepSpec& spec, const Assessment& all) {
   if (!all.report.ok()) {
-    const Finding& worst = all.report.findings.front();  // as sort() leaves them
+    const Finding& worst = all.report.findings.front();  // in the order of sort()
     return worst.rule + (worst.axis.empty() ? "" : " (" + worst.axis + ")");
   }
   for (const SweepLimit& limit : spec.limits)
@@ -91,7 +91,7 @@ SweepRow evaluated(const SweepSpec& spec, std::size_t number) {
     row.figures.insert(row.figures.end(), chosen.begin(), chosen.end());
     return row;
   } catch (const InputError& error) {
-    // Without the place in the text: it has other numbers in it than the file.
+    // Without the place in the text, whose numbers differ from those in the file.
     return impossible(
         spec, number,
         error.key() + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule());

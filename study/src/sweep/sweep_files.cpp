@@ -19,7 +19,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-/// RFC 4180: in quotes where a comma or a quote stands in it.
+/// RFC 4180: in quotes if it contains a comma or a quote.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -20,8 +20,7 @@ namespace {
 
 using detail::TomlReader;
 
-/// A number that the spec writes without a unit can be given in that way only: here nobody knows
-/// which unit it is.
+/// A number without a unit in the spec can be given only without a unit: this reader cannot determine its unit.
 template <class Read>
 auto read_in(const std::string& unit, const Read& read) -> decltype(read("")) {
   if (!unit.empty()) return read(unit);

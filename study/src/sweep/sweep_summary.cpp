@@ -80,7 +80,7 @@ std::size_t column_of(const SweepSpec& spec, const std::string& figure) {
 }
 
 Share share_of(std::size_t hits, std::size_t n) {
-  constexpr double z = 1.959963984540054;  // of 97.5 %
+  constexpr double z = 1.959963984540054;  // quantile of 97.5 %
   const auto total = static_cast<double>(n);
   const double p = static_cast<double>(hits) / total;
   const double middle = (p + z * z / (2 * total)) / (1 + z * z / total);

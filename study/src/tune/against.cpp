@@ -11,48 +11,49 @@
 
 #include "study/src/tune/driven_cam.hpp"
 
-// With z the shape and y(z) what a drive does at the instants that are looked at. Of a linear drive y_l
-// is affine in z, and the problem is convex (ResponseOf). Of another drive
+// Let z be the shape and y(z) the response of a drive at its instants. For a linear drive y_l is affine in z,
+// and the problem is convex (ResponseOf). For another drive
 //
 //   (1)  y(z) ~ y_l(z) + d,    d = y(z_k) - y_l(z_k)
 //
-// where y_l is the same drive without what makes it nonlinear: exact at z_k, with the slopes of y_l. An arm's
-// weight G sin(a(r)) grows with the reference r; its slope along z_k, as if the load stood where r is, goes with
-// the torque of y_l:
+// where y_l is the same drive without its nonlinear parts. (1) is exact at z_k, with the slopes of y_l. The
+// weight G sin(a(r)) of an arm grows with the reference r. Its slope along z_k, as if the load were at r, is
+// added to the torque of y_l:
 //
 //   (3)  T_l(z) <- T_l(z) + G cos(a(r_k)) a' r(z)
 //
-// (nearly exact, as the load lags by far less than the arm must turn for its weight to change). Solved,
-// the drive itself is run along what is found; better, and z_k moves there; not better, and d goes only
-// part of the way
+// This is nearly exact, because the load lags by far less than the arm must turn for its weight to change.
+// After a solution, the drive itself is run along the result. If it is better, z_k moves there. If not, d is
+// changed only partly:
 //
 //   (2)  d <- (d_old + d_new) / 2
 //
-// Of a linear drive peaks between the instants count as well: where a peak of the response, found on a grid 64 times as
-// close, is above what the program saw, it becomes an instant, and all is solved again, until there is none.
+// For a linear drive, the peaks between the instants count as well. A peak of the response on a grid 64 times
+// as fine that exceeds the value in the program becomes an instant, and the program is solved again, until
+// there is no such peak.
 //
-// Every figure is known by integration at the end. A ceiling C that the integrated
-// figure F exceeds is lowered to C C / F, and all is solved again.
+// Every figure is finally determined by integration. A ceiling C that the integrated figure F exceeds is
+// lowered to C C / F, and the problem is solved again.
 
 namespace jounce {
 namespace {
 
 using detail::DrivenCam;
 using Lists = DrivenCam::Lists;
-using Status = Outcome::Status;
+using Status = OptimizeStatus;
 using Clock = std::chrono::steady_clock;
 
 constexpr double worth_a_round = 1e-3;  ///< relative gain
-constexpr double rounding = 1e-9;       ///< of a ceiling
+constexpr double rounding = 1e-9;       ///< relative to a ceiling
 constexpr double new_peak =
     1e-6;  ///< relative: a peak that exceeds a figure by more becomes an instant
 constexpr double floor_of_peaks = 1e-9;  ///< relative to the given figure: less is rounding
 constexpr int max_exchanges = 12;        ///< exchanges of instants per solution
 
-/// What a drive has beside its linear twin, at a cam.
+/// The difference between a drive and its linear twin, at a cam.
 struct Correction {
   Lists lists = {};                 ///< d of (1)
-  std::vector<double> slopes = {};  ///< of (3)
+  std::vector<double> slopes = {};  ///< slopes of (3)
 };
 
 /// The problem with every figure of the drive as a function of the shape.
@@ -66,7 +67,7 @@ class Prepared {
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
-  /// d of (1), and what ceilings are held to.
+  /// Sets d of (1) and the limits of the ceilings.
   CamShapeProblem& with(const Correction& correction, const std::vector<double>& at_most) {
     for (ShapeFigure* figure : wanted_)
       if (const auto drive = drive_figure(*figure)) fill(*figure, *drive, correction);
@@ -93,7 +94,7 @@ class Prepared {
   std::vector<ShapeFigure*> wanted_;
 };
 
-/// Nothing where the drive could not be integrated.
+/// None where the drive could not be integrated.
 std::optional<Correction> correction_at(const DrivenCam& driven, const CamSpec& cam) {
   std::vector<double> slopes = driven.weight_slopes(cam);
   Lists own = driven.measured(cam);
@@ -117,10 +118,10 @@ Correction halfway(const Correction& a, Correction b) {  // (2)
   return b;
 }
 
-/// What counts of a cam that was driven.
+/// The score of a cam with its drive.
 struct Standing {
-  double score = 1;     ///< weighted sum, of the given cam 1
-  bool excess = false;  ///< over a ceiling
+  double score = 1;     ///< weighted sum; 1 for the given cam
+  bool excess = false;  ///< a ceiling is exceeded
 
   [[nodiscard]] bool better_than(const Standing& other) const {
     return excess != other.excess ? !excess : score < other.score;
@@ -129,43 +130,42 @@ struct Standing {
 
 class Search {
  public:
-  Search(const CamShapeProblem& problem, const Against& against,
-         const CamShapeKeepGoing& keep_going)
+  Search(const CamShapeProblem& problem, const Against& against, const KeepGoing& keep_going)
       : problem_(problem),
         against_(against),
         keep_going_(keep_going),
         driven_(problem, against),
         prepared_(problem, driven_) {
     for (const Ceiling& c : problem.ceilings) at_most_.push_back(c.at_most);
-    out_.given = driven_.run(problem.cam);
-    best_.excess = breaks_ceiling(out_.given);
-    exact_ = driven_.is_linear() && out_.given.saturation.empty();
+    out_.driven_given = driven_.run(problem.cam);
+    best_.excess = breaks_ceiling(out_.driven_given);
+    exact_ = driven_.is_linear() && out_.driven_given.saturation.empty();
   }
 
   AgainstOutcome run() {
-    if (!out_.given.integration.ok()) return failed();
+    if (!out_.driven_given.integration.ok()) return failed();
     if (!exact_) correction_ = correction_at(driven_, problem_.cam).value_or(Correction{});
-    for (out_.rounds = 1;; ++out_.rounds) {
+    for (solutions_ = 1;; ++solutions_) {
       const bool more = round();
-      if (!more || out_.rounds == against_.max_rounds) break;
+      if (!more || solutions_ == against_.max_rounds) break;
     }
-    return told();
+    return concluded();
   }
 
  private:
   AgainstOutcome failed() {
-    out_.shapes.status = Status::infeasible;
-    out_.shapes.reason = "the drive model could not be integrated with the given cam: " +
-                         out_.given.integration.reason;
-    out_.shapes.best = problem_.cam;
+    out_.status = Status::infeasible;
+    out_.reason = "the drive model could not be integrated with the given cam: " +
+                  out_.driven_given.integration.reason;
+    out_.best = problem_.cam;
     return out_;
   }
 
-  /// One solution and its run; whether another may be better.
+  /// One solution and its run. Returns true if another round may be better.
   bool round() {
     CamShapeOutcome found = solved();
     if (!found.usable()) {
-      if (!have_) out_.shapes = std::move(found);
+      if (!have_) shapes() = std::move(found);
       return false;
     }
     DriveResult run = driven_.run(found.best);
@@ -185,12 +185,13 @@ class Search {
            (excess || !better || before - best_.score > worth_a_round * before);
   }
 
-  /// The shapes of one convex problem, with the peaks of a linear drive where they are.
+  /// The shapes of one convex problem, including the peaks of a linear drive.
   CamShapeOutcome solved() {
     for (int k = 0;; ++k) {
       CamShapeProblem& problem = prepared_.with(correction_, at_most_);
-      if (problem_.seconds) problem.seconds = std::max(*problem_.seconds - gone(), 1e-3);
-      CamShapeOutcome found = optimize_cam_shapes(problem, watched());
+      if (problem_.options.budget.seconds)
+        problem.options.budget.seconds = std::max(*problem_.options.budget.seconds - gone(), 1e-3);
+      CamShapeOutcome found = optimize_cam_shapes(problem, keep_going_);
       const bool done = !exact_ || !found.usable() || found.status == Status::cancelled ||
                         k == max_exchanges || out_of_time();
       if (done || add_peaks(found) == 0) return found;
@@ -200,12 +201,14 @@ class Search {
   [[nodiscard]] double gone() const {  // s
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
-  [[nodiscard]] bool out_of_time() const { return problem_.seconds && gone() >= *problem_.seconds; }
+  [[nodiscard]] bool out_of_time() const {
+    return problem_.options.budget.seconds && gone() >= *problem_.options.budget.seconds;
+  }
 
-  /// How many peaks of the drive's figures stand out of the instants that were looked at.
+  /// Adds the peaks of the drive's figures that exceed the values at the instants. Returns their number.
   std::size_t add_peaks(const CamShapeOutcome& found) {
     std::size_t added = 0;
-    auto figure = found.runs.front().figures.begin();
+    auto figure = found.runs.front().shape.figures.begin();
     const auto look = [&](const ShapeFigure& of, double level) {
       if (const auto drive = drive_figure(of))
         added += driven_.add_peaks(*drive, found.best,
@@ -226,7 +229,7 @@ class Search {
     return true;
   }
 
-  /// Whether a ceiling of the drive is exceeded.
+  /// Lowers the ceilings that the drive exceeds. Returns true if there is one.
   bool lower_ceilings(const DriveResult& run) {
     bool excess = false;
     for (std::size_t i = 0; i < at_most_.size(); ++i) {
@@ -249,34 +252,35 @@ class Search {
         });
   }
 
-  /// Whether it is better than the best so far, which is the given cam to begin with: what keeps the
-  /// ceilings comes before what does not; then the first weighted sum counts. The first is kept anyway,
-  /// so that there is something to tell.
+  /// Takes a result. Returns true if it is better than the best so far, at first the given cam. A cam that
+  /// keeps the ceilings is better than one that does not; then the first weighted sum decides. The first result
+  /// is kept in any case, for the outcome.
   bool take(CamShapeOutcome found, DriveResult run, bool excess) {
     const Standing now{weighted(found, run), excess};
     const bool better = now.better_than(best_);
-    if (have_ && !better && !now.better_than(told_)) return false;
+    if (have_ && !better && !now.better_than(kept_)) return false;
     have_ = true;
-    told_ = now;
+    kept_ = now;
     if (better) best_ = now;
     promised_ = weighted(found, std::nullopt);
-    out_.shapes = std::move(found);
-    out_.best = std::move(run);
+    shapes() = std::move(found);
+    out_.driven_best = std::move(run);
     return better;
   }
 
-  /// Relative to the given cam; the drive's figures by integration, where there is one.
+  /// The weighted sum relative to the given cam. With a run, the figures of the drive are those of the
+  /// integration.
   [[nodiscard]] double weighted(const CamShapeOutcome& found,
                                 const std::optional<DriveResult>& run) const {
     double sum = 0;
     double all = 0;
     for (std::size_t i = 0; i < problem_.minimize.front().size(); ++i) {
       const WeightedFigure& m = problem_.minimize.front()[i];
-      const FigureResult& figure = found.runs.front().figures[i];
+      const FigureResult& figure = found.runs.front().shape.figures[i];
       double given = figure.given;
       double reached = figure.reached;
       if (const auto drive = run ? drive_figure(m.figure) : std::nullopt) {
-        given = detail::value_of(*drive, out_.given);
+        given = detail::value_of(*drive, out_.driven_given);
         reached = detail::value_of(*drive, *run);
       }
       sum += m.weight * (given > 0 ? reached / given : 1 + reached);
@@ -285,31 +289,30 @@ class Search {
     return sum / all;
   }
 
-  [[nodiscard]] CamShapeKeepGoing watched() const {
-    return [this](const CamShapeProgress& p) { return !keep_going_ || keep_going_(p); };
-  }
-
-  AgainstOutcome told() {
+  AgainstOutcome concluded() {
+    out_.rounds = solutions_;
     if (!have_) return out_;
     add_figures();
-    // Where the given cam breaks a ceiling, or the best within the limits is no better, it need not be.
-    const bool improved = told_.score < 1 || breaks_ceiling(out_.given) ||
-                          (promised_ >= 1 && out_.shapes.status == Status::optimal);
-    out_.real = !told_.excess && improved;
+    // No improvement is required if the given cam breaks a ceiling, or if the best cam within the limits is no
+    // better.
+    const bool improved = kept_.score < 1 || breaks_ceiling(out_.driven_given) ||
+                          (promised_ >= 1 && out_.status == Status::optimal);
+    out_.real = !kept_.excess && improved;
     if (!exact_) without_bounds();
-    if (told_.excess)
-      out_.shapes.reason = "by integration, a limit of the drive is exceeded";
+    if (kept_.excess)
+      out_.reason = "by integration, a limit of the drive is exceeded";
     else if (!improved)
-      out_.shapes.reason = "by integration, the given cam is at least as good for the drive";
-    if (!out_.real) out_.shapes.status = Status::stalled;
+      out_.reason = "by integration, the given cam is at least as good for the drive";
+    if (!out_.real) out_.status = Status::stalled;
+    out_.feasible = out_.feasible && out_.real;
     return out_;
   }
 
   void add_figures() {
     const auto add = [&](const ShapeFigure& figure) {
       if (const auto drive = drive_figure(figure))
-        out_.figures.push_back({name(*drive), detail::value_of(*drive, out_.given),
-                                detail::value_of(*drive, out_.best)});
+        out_.driven_figures.push_back({name(*drive), detail::value_of(*drive, out_.driven_given),
+                                       detail::value_of(*drive, out_.driven_best)});
     };
     for (const auto& stage : problem_.minimize)
       for (const WeightedFigure& m : stage) add(m.figure);
@@ -317,28 +320,33 @@ class Search {
   }
 
   void without_bounds() {
-    for (CamRunOutcome& run : out_.shapes.runs) {
-      run.shape.spline_bound.reset();
-      for (FigureResult& figure : run.figures) figure.bound.reset();
+    out_.bound.reset();
+    for (FigureResult& figure : out_.figures) figure.bound.reset();
+    for (CamRunOutcome& run : out_.runs) {
+      run.shape.bound.reset();
+      for (FigureResult& figure : run.shape.figures) figure.bound.reset();
     }
-    if (out_.shapes.status == Status::optimal) out_.shapes.status = Status::converged;
-    out_.shapes.reason = "the drive is not linear: better in its own runs, but not proven best (" +
-                         std::to_string(out_.rounds) + " rounds tried)";
+    if (out_.status == Status::optimal) out_.status = Status::converged;
+    out_.reason = "the drive is not linear: better in its own runs, but not proven best (" +
+                  std::to_string(solutions_) + " rounds tried)";
   }
+
+  CamShapeOutcome& shapes() { return out_; }
 
   const CamShapeProblem& problem_;
   const Against& against_;
-  const CamShapeKeepGoing& keep_going_;
+  const KeepGoing& keep_going_;
   DrivenCam driven_;
   Prepared prepared_;
   AgainstOutcome out_;
   Correction correction_;
+  int solutions_ = 0;
   std::vector<double> at_most_;
-  bool exact_ = true;  ///< the linear drive is the drive
+  bool exact_ = true;  ///< the linear drive is exact
   Clock::time_point begin_ = Clock::now();
   bool have_ = false;
-  Standing best_;  ///< of the given cam to begin with
-  Standing told_;  ///< of `out_`
+  Standing best_;  ///< score of the best cam, at first the given one
+  Standing kept_;  ///< score of the cam in `out_`
   double promised_ = 1;
   int worse_ = 0;
 };
@@ -368,7 +376,7 @@ void require_valid(const CamShapeProblem& problem, const Against& against) {
 }  // namespace
 
 AgainstOutcome optimize_against(const CamShapeProblem& problem, const Against& against,
-                                const CamShapeKeepGoing& keep_going) {
+                                const KeepGoing& keep_going) {
   require_valid(problem, against);
   return Search(problem, against, keep_going).run();
 }

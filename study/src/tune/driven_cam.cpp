@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t moving = 500;         ///< steps along the cam
 constexpr std::size_t most_settling = 500;  ///< steps of standstill after it
-constexpr std::size_t closer = 8;           ///< times, twice, is where a peak is looked for
-constexpr double same_instant = 1e-6;       ///< of a step
+constexpr std::size_t closer = 8;           ///< refinement of the search for a peak, applied twice
+constexpr double same_instant = 1e-6;       ///< share of a step
 
 void make_linear(Friction& friction) {
   friction.coulomb = 0;
   friction.breakaway = 0;
 }
 
-/// The drive without what nonlinearity() finds.
+/// The drive without the nonlinear parts that nonlinearity() lists.
 Drive linear_twin(Drive drive) {
   make_linear(drive.motor.friction);
   for (Mass& mass : drive.train) {
@@ -107,7 +107,7 @@ std::vector<double> DrivenCam::peaks_of(DriveFigure figure, const Trajectory& mo
   for (std::size_t i = 0; i <= closer * (moving + settling_ - first); ++i)
     at.push_back(begin + step_ / closer * static_cast<double>(i));
   at.back() = step_ * static_cast<double>(moving + settling_);
-  std::vector<double> closely;  // about each peak, once more as close
+  std::vector<double> closely;  // around each peak, refined once more
   const std::vector<double> y = magnitudes(figure, motion, at);
   for (std::size_t i = 1; i + 1 < at.size(); ++i)
     if (y[i] > y[i - 1] && y[i] >= y[i + 1])
@@ -168,7 +168,7 @@ std::vector<double> DrivenCam::list(DriveFigure figure, const std::vector<DriveS
   std::vector<double> y;
   const std::vector<double> at = times();
   const std::vector<double> all = even_times();
-  std::size_t i = 0;  // of the next equally spaced instant
+  std::size_t i = 0;  // index of the next equally spaced instant
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const DriveSample& s = samples[k];
     const bool even = i < all.size() && at[k] == all[i];
@@ -176,7 +176,7 @@ std::vector<double> DrivenCam::list(DriveFigure figure, const std::vector<DriveS
     if (figure == DriveFigure::torque) y.push_back(torque);
     if (figure == DriveFigure::following_error) y.push_back(s.following_error);
     if (figure == DriveFigure::rms_torque && even && i <= moving) {
-      // The mean of the squares is the trapezoidal rule: half of both ends, over one interval less.
+      // The mean of the squares is the trapezoidal rule: half of both ends, divided by one interval less.
       const double share = (i == 0 || i == moving ? 0.5 : 1.0) * (moving + 1.0) / moving;
       y.push_back(std::sqrt(share) * torque);
     }

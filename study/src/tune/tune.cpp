@@ -64,7 +64,7 @@ class Tuned {
     }
   }
 
-  /// The rule behind each constraint; what is required follows, lower and upper bounds in turn.
+  /// The rule of each constraint. The required figures follow, each with its lower and then its upper bound.
   [[nodiscard]] const std::vector<std::string>& rules() const { return rows_.rules(); }
 
   [[nodiscard]] std::vector<TunedFigure> figures(const Assessment& at) const {
@@ -84,7 +84,7 @@ class Tuned {
   }
 
  private:
-  /// A variable is counted as the file counts it: what is written back is what was searched.
+  /// A variable has the unit of the file, so the number that is written is the number of the search.
   void add(std::size_t i) {
     const SpecParameter& p = wanted_.parameters[i];
     const std::string written = numbers_.unit(p.key);
@@ -149,7 +149,7 @@ bool meets(const SearchAnswer& answer) {
                      [](double constraint) { return constraint <= 0; });
 }
 
-/// x to so many decimals, each up or down as the bits of `how` say.
+/// Rounds x to a number of digits, each entry up or down according to the bits of `how`.
 Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, int digits,
                  unsigned how) {
   Point y = x;
@@ -166,8 +166,9 @@ Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, i
   return y;
 }
 
-/// The best in as few digits as lose no more than half the tolerance: three of the range to nine.
-void round_off(Tuned& tuned, const SearchOptions& options, SearchOutcome& best) {
+/// Rounds the best to the fewest digits that cost no more than half the tolerance: from three digits of the
+/// range to nine.
+void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best) {
   const double objective = best.answer.objective;
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
   for (int digits = 3; digits < 10; ++digits)
@@ -203,7 +204,7 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
       required.push_back(f.name + " is at its maximum, " + number(*f.at_most) + " " + f.unit);
   }
   const std::size_t rules = tuned.rules().size();
-  for (const std::size_t i : outcome.search.active) {
+  for (const std::size_t i : outcome.search.met) {
     if (i >= rules) all.push_back(required.at(i - rules));
     if (i >= rules || tuned.rules()[i].empty()) continue;
     std::string worst = worst_of(outcome.report, tuned.rules()[i], labels);
@@ -228,7 +229,7 @@ void add_numbers(const Tuned& tuned, TuneOutcome& outcome) {
   }
 }
 
-/// What is required and not held, as sentences.
+/// The required figures that are not met, as sentences.
 std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
   std::vector<std::string> all;
   const auto add = [&](const TunedFigure& f, const char* bound, double limit) {
@@ -242,7 +243,7 @@ std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
   return all;
 }
 
-/// What the spec came to as it was given; nothing where it cannot be made.
+/// The figures of the given spec; none if it cannot be made.
 std::vector<TunedFigure> given_figures(Tuned& tuned) {
   Point start;
   for (const SearchVariable& v : tuned.variables()) start.push_back(v.start);
@@ -252,7 +253,7 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
 
 }  // namespace
 
-TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress&)>& keep_going) {
+TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   if (!spec.parameters)
     throw InputError("optimize.parameter", "",
                      "is missing: name each number that may change in an [[optimize.parameter]]")
@@ -261,7 +262,7 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   const std::vector<TunedFigure> given = given_figures(tuned);
   TuneOutcome outcome;
   outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
-  const bool cancelled = outcome.search.status == Outcome::Status::cancelled;
+  const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
   if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
   add_numbers(tuned, outcome);
   outcome.text = tuned.text(outcome.search.best);
@@ -271,7 +272,7 @@ TuneOutcome tune(const Spec& spec, const std::function<bool(const SearchProgress
   outcome.figures = tuned.figures(best);
   for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
   if (!outcome.usable()) {
-    if (outcome.search.status == Outcome::Status::infeasible)
+    if (outcome.search.status == OptimizeStatus::infeasible)
       outcome.search.reason = "no values tried keep all limits";
     outcome.active = missed_of(outcome.figures);
     return outcome;

@@ -7,9 +7,9 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double most = 1e6;        ///< a margin beyond says no more
-constexpr double least = 1e-9;      ///< by which a broken limit is broken at least
-constexpr std::size_t places = 32;  ///< more segments share constraints with their neighbours
+constexpr double most = 1e6;        ///< greatest margin that matters
+constexpr double least = 1e-9;      ///< least violation of a broken limit
+constexpr std::size_t places = 32;  ///< more segments share constraints with their neighbors
 
 struct Rule {
   double margin = most;
@@ -35,7 +35,7 @@ std::vector<const LimitMargin*> rooms_of(const Assessment& at, const std::string
   return all;
 }
 
-/// The smallest margin of each place: of so many segments, each the same number but for rounding.
+/// The smallest margin of each of `count` places, which contain equal numbers of segments except for rounding.
 std::vector<double> by_place(const std::vector<double>& segments, std::size_t count) {
   std::vector<double> margins(count, most);
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -49,7 +49,7 @@ double constraint(double margin, bool broken) {
   return broken ? -std::clamp(margin, -most, most) : -std::clamp(margin, 0.0, most);
 }
 
-/// A rule that is broken breaks at least one constraint, whatever rounding makes of it.
+/// A broken rule breaks at least one constraint, regardless of rounding.
 void mark_broken(std::vector<double>& all, std::size_t from) {
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from);
   const auto worst = std::max_element(begin, all.end());

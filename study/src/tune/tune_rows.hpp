@@ -9,23 +9,23 @@
 
 namespace jounce::detail {
 
-/// The limits of a spec as constraints of a search, in the same order for every design. A limit of a
-/// curve has one for each of its bounds and segments: the smallest of their margins has kinks, in which
-/// a solver that follows slopes stops short of the optimum.
+/// The limits of a spec as constraints of a search, in the same order for every design. A limit of a curve has
+/// one for each of its bounds and segments: the smallest margin of all has kinks, where a solver that uses
+/// slopes would stop before the optimum.
 class TuneRows {
  public:
-  /// Each <= 0 where `check` finds its limit kept. The first design settles which there are; the last
-  /// stands for rules that only later designs have.
+  /// Each is <= 0 where `check` reports its limit as kept. The first design determines the list. The last
+  /// constraint represents rules that only later designs have.
   std::vector<double> of(const Assessment& at);
 
-  /// The rule behind each; "" behind the last.
+  /// The rule of each constraint; "" for the last.
   [[nodiscard]] const std::vector<std::string>& rules() const { return rules_; }
 
  private:
-  /// Neighbouring constraints of one rule: one bound's segments, or the rule as a whole.
+  /// Consecutive constraints of one rule: the segments of one bound, or the rule as a whole.
   struct Group {
     std::string rule;
-    std::size_t bound = 0;  ///< its index in the rule's rooms
+    std::size_t bound = 0;  ///< index among the margins of the rule
     std::size_t places = 1;
     bool by_segment = false;
   };

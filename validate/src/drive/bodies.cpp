@@ -22,8 +22,8 @@ void join(Body& body, const Mass& m) {
   rub(body, m.friction);
 }
 
-/// For small angles a pendulum pulls at its pivot as a spring with the same frequency would: with
-/// l th'' + x'' = -g th and u = x + l th its pull is J_p g th / l = J_p (2 pi f)^2 (u - x).
+/// For small angles a pendulum acts on its pivot like a spring with the same frequency: with l th'' + x'' = -g
+/// th and u = x + l th its force is J_p g th / l = J_p (2 pi f)^2 (u - x).
 Body hung(const Pendulum& p, double inertia) {
   const double w = 2 * std::numbers::pi * p.frequency;
   Body body;

@@ -14,7 +14,7 @@ struct Gravity {
   double ratio;
 };
 
-/// Masses that are joined rigidly, as one, with the joint to the body before.
+/// Rigidly joined masses as one body, with the joint to the body before.
 struct Body {
   double inertia = 0;
   double viscous = 0;

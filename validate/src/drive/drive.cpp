@@ -85,7 +85,7 @@ void detail::require_within(const DriveOptions& options, double start, double en
 
 namespace {
 
-/// How far from where the period began it ended.
+/// The distance between the state at the end of the period and that at its beginning.
 Finding periodic_of(const SignalView& period, const Drive& drive, const std::vector<double>& start,
                     const std::vector<double>& end, double tolerance) {
   const std::size_t angles = 2 * detail::bodies(drive).size();

@@ -27,7 +27,7 @@ double slope(const Friction& f, double w) {
 
 }  // namespace
 
-/// dS/dS less loss: what of a change of the joint's torque the sliding body sees, (9), (10).
+/// dS/dS less loss: the effect of a change of the joint's torque on the sliding body, (9), (10).
 double DriveModel::passed(std::size_t i, const double* y) const {
   const double eta = train_[i].efficiency;
   return mode_.slip[i] * joint(i, y) > 0 ? eta : 1 / eta;

@@ -21,19 +21,19 @@
 //                 joint drives (s S_i > 0), (1 / eta - 1) |S_i| where it is driven
 //     (11) a body at rest stays so (w_i = 0) while -(F(0) + L(-1)) <= N_i <= F(0) + L(1)
 //
-// Within the limit (5) is the usual z' = K_v e / T_i. At the limit the term T_l - T_d drains z with
-// the time constant T_i, so that it does not wind up; T_l is continuous where the limit is met.
+// Within the limit (5) is the usual z' = K_v e / T_i. At the limit the term T_l - T_d reduces z with the time
+// constant T_i, so that z does not wind up. T_l is continuous where the limit is met.
 //
-// Dry friction as a plain sign(w) makes a solver creep to and fro over w = 0 without end, and
-// tanh(w / eps) lets an axis creep that ought to stand. So sticking is a mode (11) of its own: what
-// stands, stands.
+// With dry friction as a plain sign(w) a solver would step back and forth over w = 0 without end, and with
+// tanh(w / eps) an axis that should stand would creep. So sticking is a mode (11) of its own, in which a body
+// stands exactly.
 //
-// What is integrated are deviations from the reference,
+// The integrated variables are deviations from the reference,
 //
 //     (12)  x_i = th_i - th_r,  x_i'' = w_i' - a_r
 //
-// so that errors are relative to the following error and not to how far the axis has travelled;
-// and beside them
+// so that errors are relative to the following error and not to the distance that the axis has traveled, and in
+// addition
 //
 //     (13) W' = T^2,  E' = T w_0                               rms torque, work
 

@@ -13,7 +13,7 @@
 
 namespace jounce::detail {
 
-/// What switches. Modes change between steps only, so that what a solver integrates is smooth.
+/// The switching elements. Modes change only between steps, so that the integrated equations are smooth.
 struct DriveMode {
   int torque = 0;              ///< 1 or -1 while the torque stands at that limit, else 0
   int feed = 0;                ///< sign of the reference's velocity: friction feed-forward
@@ -54,7 +54,7 @@ class DriveModel {
   [[nodiscard]] double commanded(const Jet& r, const double* y) const;  ///< T_d of (3)
   [[nodiscard]] double torque(const Jet& r, const double* y) const;     ///< T of (6), the motor's
   [[nodiscard]] double motor_speed(const Jet& r, const double* y) const;
-  /// The limit on the side of the sign, as a signed torque, at that speed of the motor: (4).
+  /// The limit on one side as a signed torque, at that speed of the motor: (4).
   [[nodiscard]] double limit(int sign, double motor_speed) const;
   /// True if it is less there than the motor's peak.
   [[nodiscard]] bool weakened(int sign, double motor_speed) const;
@@ -64,20 +64,20 @@ class DriveModel {
 
   /// Rest in equilibrium at the reference's position, and the modes that belong to it.
   void rest(const Jet& r, double* y);
-  /// The axis moves on as it is where the reference steps, so the deviations step.
+  /// Applies a step of the reference: the axis moves on, so the deviations step.
   void shift(const Jet& before, const Jet& after, double* y) const;
 
   /// Torque of the joint before body i, i >= 1: (7).
   [[nodiscard]] double joint(std::size_t i, const double* y) const;
-  /// How far the flank of that sign is pressed, in N m; it touches where this is positive: (8).
+  /// The force that presses the flank of that sign, in N m; it touches where this is positive: (8).
   [[nodiscard]] double pressed(std::size_t i, int flank, const double* y) const;
-  /// All torque on body i but dry friction and the loss of its gear.
+  /// All torque on body i except dry friction and the loss of its gear.
   [[nodiscard]] double net(std::size_t i, const Jet& r, const double* y) const;
-  /// The greatest torque that dry friction and the loss of the gear hold at rest against motion of
-  /// that sign, >= 0: (11).
+  /// The greatest torque that dry friction and the loss of the gear hold at rest against motion of that sign,
+  /// >= 0: (11).
   [[nodiscard]] double holding(std::size_t i, int sign, const double* y) const;
 
-  /// What a sampled controller gives out, until it is called again.
+  /// The torque of a sampled controller, until the next call.
   void hold(double torque) { held_ = torque; }
   /// e and T_c of (1) and (2) for a motor read at `angle`, relative to the reference, and `speed`.
   [[nodiscard]] double velocity_error(const Jet& r, double angle, double speed) const;
@@ -111,7 +111,7 @@ class DriveModel {
   double held_ = 0;
 };
 
-/// The sizes of what a run is about, rad, rad/s and N m: what tolerances are shares of. All > 0.
+/// The scales of a run, rad, rad/s and N m: tolerances are shares of them. All > 0.
 struct DriveScales {
   double angle, speed, torque;
 

@@ -105,7 +105,7 @@ void require_valid(const std::string& part, const Friction& f) {
                      "must not be less than coulomb; 0 means equal to coulomb");
 }
 
-/// What one number demands of another.
+/// Relations between two numbers.
 void require_valid(const Motor& m) {
   require_valid("motor.", m.friction);
   if (m.max_velocity != 0 && !(m.max_velocity > m.rated_velocity))
@@ -142,7 +142,7 @@ std::vector<DriveNumber> numbers(Drive& drive) {
 }
 
 void require_valid(const Drive& drive) {
-  Drive copy = drive;  // numbers() hands out places to write to
+  Drive copy = drive;  // numbers() returns places to write to
   for (const DriveNumber& number : numbers(copy)) require(number);
   require_valid(drive.motor);
   for (std::size_t i = 0; i < drive.train.size(); ++i)
@@ -166,7 +166,7 @@ Drive wittenstein_premo_2d() {
   m.rated_velocity = 2490 / 5.53;                     // the greatest power at the peak torque
   m.max_velocity = 7023 * 2 * std::numbers::pi / 60;  // without load
   m.torque_constant = 0.52;
-  m.resistance = 1.5 * 3.72;  // three phases of half the terminals'
+  m.resistance = 1.5 * 3.72;  // three phases with half the resistance between the terminals
   m.thermal_time = 17.4 * 60;
   drive.controller.position_gain = 40;
   drive.controller.velocity_gain = 200 * 2 * m.inertia;

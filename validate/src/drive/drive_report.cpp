@@ -80,7 +80,7 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
   if (limits.settling_time && result.integration.ok())
     report.findings.push_back(settling_of(result, options, end));
   report.findings.push_back(saturation_of(result, drive.motor.torque_limit));
-  if (!result.integration.ok()) {  // what was not exceeded by then may have been later
+  if (!result.integration.ok()) {  // a limit that holds so far may be broken later
     std::erase_if(report.findings, [](const Finding& f) { return !f.broken; });
     report.findings.push_back(integration_of(result.integration));
   }

@@ -5,7 +5,7 @@
 
 namespace jounce::detail {
 
-/// What a run is worth against the limits given; `end`: of the reference.
+/// The report of a run against its limits; `end`: of the reference.
 Report drive_report(const DriveResult& result, const Drive& drive, const DriveOptions& options,
                     double end);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run of a drive with forward sensitivities. The equations are DriveModel's, their derivatives by
-// the state its Jacobian. By the logarithm of a number p they are central differences of the
+// The run of a drive with forward sensitivities. The equations are those of DriveModel, and their derivatives
+// by the state are its Jacobian. Derivatives by the logarithm of a number p are central differences of the
 // right-hand side alone,
 //
 //     (1)  df/d(log p) = (f(p e^h) - f(p e^-h)) / 2h,    h = 6e-6
 //
-// with errors of order h^2 and of rounding / h, both about 1e-11: nothing is differenced through the
-// integrator, whose own steps would drown it.
+// with errors of order h^2 and of rounding / h, both about 1e-11. The integrator is not differenced: the errors
+// of its steps would be larger than the differences.
 //
 // A mode changes where an event function g(t, y; p) goes through zero, at an instant that moves with
 // p. With f- and f+ before and after, the sensitivities step (Rozenvasser, Avtomatika i Telemekhanika
@@ -14,9 +14,9 @@
 //
 //     (2)  dt*/dp = -(dg/dy s + dg/dp) / (dg/dt along f-),      s+ = s- + (f- - f+) dt*/dp
 //
-// Where the right-hand side goes on without a step (a torque limit, a flank that is met) that is
-// nothing; where dry friction stops a body, it is what makes its speed no longer depend on p. Where
-// the reference steps, the deviations step by what does not depend on p.
+// Where the right-hand side is continuous (a torque limit, a flank that meets), the jump is zero. Where dry
+// friction stops a body, it removes the dependence of the speed on p. At a step of the reference, the
+// deviations step by an amount that does not depend on p.
 
 #include "validate/src/drive/drive_response.hpp"
 
@@ -37,7 +37,7 @@ namespace jounce::detail {
 namespace {
 
 constexpr double difference = 6e-6;  // (1)
-/// A model with its switches, which refer to it: at home in one place.
+/// A model with its switches, which refer to it, so it cannot be moved.
 struct Switched {
   DriveModel model;
   DriveScales scales;
@@ -121,7 +121,7 @@ class ResponseRun {
       absolute[i + 1] = least * here_.scales.speed;
     }
     for (std::size_t i = model_.torque_squared(); i < n_; ++i)
-      absolute[i] = std::numeric_limits<double>::max();  // integrals that nobody looks at here
+      absolute[i] = std::numeric_limits<double>::max();  // integrals without a tolerance
     return {Method::bdf, spec_.tolerance, std::move(absolute), closest_, 10'000'000};
   }
 
@@ -287,7 +287,7 @@ class ResponseRun {
   DriveModel& model_;
   std::size_t n_;
   std::vector<std::unique_ptr<Switched>> up_ = {}, down_ = {};
-  Jet begin_;  // what the reference was until then
+  Jet begin_;  // the reference before this instant
   LockedReference reference_;
   std::array<std::vector<double>, 3> scratch_ = {}, events_ = {};
   std::vector<double> moves_ = {};

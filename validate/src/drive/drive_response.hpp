@@ -10,7 +10,7 @@
 
 namespace jounce::detail {
 
-/// What is recorded of an axis.
+/// The recorded outputs of an axis.
 enum Output : std::size_t { position, velocity, torque, load, outputs };
 
 /// A drive's answer to a reference at given times, with derivatives by the logarithms of numbers.

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run of a drive along a reference. What CVODES must be told, each point a measured failure
-// otherwise:
+// The run of a drive along a reference. CVODES needs these rules, each because of a measured failure without
+// it:
 //
 // - the reference is locked to the interval between two breaks, and every break is a stop;
-// - at a step of position, velocity or acceleration the solver begins anew; at higher knots it goes
-//   on (a thousand restarts in a fine table would cost more accuracy than the knots);
-// - no step is longer than 0.3 of the interval, and a solver that comes out of a long dwell with a
-//   longer one begins anew: it would step over a short move and call that success;
-// - what switches (torque limit, backlash, dry friction) is a mode, set at the start and at every
-//   restart, changed where root finding or the check after each step says so;
-// - a sampled controller's torque steps at every one of its instants, each of which is a stop and a
-//   new beginning.
+// - at a step of position, velocity or acceleration the solver restarts; at higher knots it continues
+//   (a thousand restarts in a fine table would cost more accuracy than the knots);
+// - no step is longer than 0.3 of the interval, and a solver that leaves a long dwell with a longer step
+//   restarts: it would step over a short move and report success;
+// - a switching element (torque limit, backlash, dry friction) is a mode, set at the start and at every
+//   restart, and changed by root finding or by the check after each step;
+// - the torque of a sampled controller steps at each of its instants, so each is a stop and a restart.
 
 #include "validate/src/drive/drive_run.hpp"
 
@@ -79,8 +78,8 @@ class Run {
     return ode;
   }
 
-  /// Absolute tolerances as shares of what each state is about: such that the positions come out
-  /// within 1e-9 of the stroke (measured against matrix exponentials).
+  /// Absolute tolerances as shares of the scale of each state. With these, the positions are within 1e-9 of the
+  /// stroke (measured against matrix exponentials).
   [[nodiscard]] SolverOptions settings() const {
     const double tolerance = options_.tolerance;
     std::vector<double> absolute(model_.size(), 3e-4 * tolerance * run_size_.torque);
@@ -91,7 +90,7 @@ class Run {
     const double integral = 0.1 * tolerance * (end_ - origin_) * run_size_.torque;
     absolute[model_.torque_squared()] = integral * run_size_.torque;
     absolute[model_.work()] = integral * run_size_.speed;
-    // a sampled controller's many new beginnings add up
+    // the many restarts of a sampled controller add up
     const double relative = model_.sampled() ? 0.1 * tolerance : tolerance;
     return {Method::bdf, relative, std::move(absolute), closest_, options_.max_steps};
   }
@@ -128,7 +127,7 @@ class Run {
     return true;
   }
 
-  /// What the sampled controller has to do now.
+  /// Performs the due actions of the sampled controller.
   void act() {
     if (!sampled_ || sampled_->next() > solver_.time() + closest_) return;
     const int before = model_.mode().torque;
@@ -175,7 +174,7 @@ class Run {
     return result;
   }
 
-  /// A success code proves nothing: the end must be reached, and no interval stepped over.
+  /// A success code proves nothing: checks that the end was reached, and that no interval was stepped over.
   void accept(Integration& integration) const {
     if (!integration.ok()) return;
     const double end = end_ + options_.settle;
@@ -198,7 +197,7 @@ class Run {
   DriveModel model_;
   DriveScales run_size_;
   Switches switches_;
-  Jet begin_;  // what the reference was until then
+  Jet begin_;  // the reference before this instant
   LockedReference reference_;
   OdeSolver solver_;
   Observer observer_;

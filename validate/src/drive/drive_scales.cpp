@@ -7,7 +7,7 @@
 namespace jounce::detail {
 namespace {
 
-/// Torques that stand on the bodies without any motion, at most.
+/// The greatest static torque on the bodies, without motion.
 double standing(const DriveModel& model) {
   double sum = 0;
   for (const Body& body : model.train()) {

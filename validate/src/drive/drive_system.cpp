@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drive without nonlinear parts: bodies 0 (the motor) to n in a chain, joined by shafts; masses that
-// stand rigidly on the one before are one body with it, a pendulum is a body of its own, hung from the
-// last. With angles x_i = th_i - th_r relative to the reference,
+// A drive without nonlinear parts: bodies 0 (the motor) to n in a chain, joined by shafts. Masses joined
+// rigidly to the one before are one body with it. A pendulum is a body of its own on the last body. With angles
+// x_i = th_i - th_r relative to the reference,
 //
 //     (1)  e     = -K_p x_0 + (k_v - 1) w_r - x_0'                   both loops' error
 //     (2)  T_c   = K_v e + z + k_a J a_r + k_f b w_r                  J, b: of all bodies together
@@ -31,13 +31,13 @@ struct LinkedBody {
   double inertia = 0;
   double friction = 0;
   double load = 0;
-  double stiffness = 0;  // of the shaft to the body before
+  double stiffness = 0;  // stiffness of the shaft to the body before
   double damping = 0;
 };
 
 struct DriveChain {
   std::vector<LinkedBody> bodies;
-  std::size_t load = 0;  // the body that the last mass belongs to
+  std::size_t load = 0;  // the body of the last mass
 };
 
 DriveChain chain_of(const Drive& drive) {

@@ -16,9 +16,9 @@ enum DriveRow : Eigen::Index {
   load_row,
   velocity_row,
   drive_rows,
-  // What a run is watched for beside these: the load's velocity relative to the reference; a pendulum's
-  // angle to the load (0 without one); the torque that the controller asks for; and T + k w, which its limit
-  // at high speed is about (equation (9) of drive_system.cpp; k = 0 where the speed does not count).
+  // Further watched outputs: the velocity of the load relative to the reference; the angle of a pendulum to the
+  // load (0 without one); the torque that the controller demands; and T + k w, which the limit at high speed
+  // bounds (equation (9) of drive_system.cpp; k = 0 where the limit does not depend on the speed).
   load_velocity_row = drive_rows,
   swing_row,
   demand_row,
@@ -26,9 +26,10 @@ enum DriveRow : Eigen::Index {
   watched_rows
 };
 
-/// A linear drive under a continuous controller, rows up to drive_rows. The equations stand at the head of drive_system.cpp.
+/// A linear drive under a continuous controller, rows up to drive_rows. The equations are at the head of
+/// drive_system.cpp.
 LinearSystem drive_system(const Drive& drive);
-/// The same with all that is watched.
+/// The same with all watched outputs.
 LinearSystem watched_drive(const Drive& drive);
 
 /// The torque lost per rad/s beyond the rated velocity, k; 0 where the motor has its peak at any speed.
@@ -38,7 +39,7 @@ double torque_slope(const Motor& motor);
 /// absolute: nothing depends on a reference.
 LinearSystem open_drive(const Drive& drive);
 
-/// Where a system stays at rest on a reference at rest: A x + B (1, 0, 0) = 0.
+/// The state of rest of a system on a reference at rest: A x + B (1, 0, 0) = 0.
 Eigen::VectorXd equilibrium(const LinearSystem& system);
 
 /// The same of an open drive, held by its controller: the angles, relative to the reference, and the
@@ -49,7 +50,7 @@ struct OpenRest {
 };
 OpenRest open_rest(const Drive& drive);
 
-/// What a sampled controller multiplies, in N m per rad/s and rad/s^2.
+/// The gains of a sampled controller, in N m per rad/s and rad/s^2.
 double total_inertia(const Drive& drive);
 double total_friction(const Drive& drive);
 

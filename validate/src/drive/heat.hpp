@@ -13,8 +13,8 @@ class Heat {
   explicit Heat(const Motor& motor)
       : rated_(motor.rated_torque * motor.rated_torque), time_(motor.thermal_time) {}
 
-  /// After another dt, over which T^2 integrates to `squared`, as if T^2 were its mean there. 0 where it is
-  /// not modelled.
+  /// The value after another dt, over which T^2 integrates to `squared`, as if T^2 were constant at its mean. 0
+  /// if it is not modeled.
   double after(double dt, double squared) {
     if (time_ == 0) return 0;
     share_ += (squared / (dt * rated_) - share_) * -std::expm1(-dt / time_);
@@ -27,8 +27,8 @@ class Heat {
   double share_ = 0;
 };
 
-/// What follows from the torque where the motor's torque constant is given; `squared`: integral of T^2 over
-/// reference and standstill. The rms current needs rms_torque.
+/// The figures that follow from the torque if the motor's torque constant is given; `squared`: integral of T^2
+/// over reference and standstill. The rms current needs rms_torque.
 inline void add_current(DriveResult& found, const Motor& motor, double squared) {
   const double constant = motor.torque_constant;
   if (constant == 0) return;

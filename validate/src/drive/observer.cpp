@@ -85,7 +85,7 @@ void Observer::power(const Points& p, double done) {
   double driving = std::max(0.0, done);
   if (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0) {
     const double h = (p[2].time - p[0].time) / 2;
-    const auto part = [&](double from, double to) {  // of the trapezoid, what is above zero
+    const auto part = [&](double from, double to) {  // positive part of a trapezoid
       if (from >= 0 && to >= 0) return h * (from + to) / 2;
       if (from <= 0 && to <= 0) return 0.0;
       const double top = std::max(from, to);
@@ -97,7 +97,7 @@ void Observer::power(const Points& p, double done) {
   found_.energy.regenerated += driving - done;
 }
 
-/// The instant between a and b (either first) where `outside` changes: of a itself it is true.
+/// The instant between a and b (either first) where `outside` changes; at a it is true.
 template <class Outside>
 double Observer::crossing(const OdeSolver& solver, const SignalPiece& reference, double out,
                           double in, Outside outside) {
@@ -108,7 +108,7 @@ double Observer::crossing(const OdeSolver& solver, const SignalPiece& reference,
   return in;
 }
 
-/// Keeps where the following error is beyond its limit.
+/// Records where the following error exceeds its limit.
 void Observer::beyond(const OdeSolver& solver, const SignalPiece& reference, const Points& p) {
   if (!options_.limits.following_error) return;
   const double limit = *options_.limits.following_error * model_.radians_per_unit();
@@ -138,7 +138,7 @@ void Observer::beyond(const OdeSolver& solver, const SignalPiece& reference, con
   part(v, p[2]);
 }
 
-/// Keeps since when the load is within the band; its entry is a zero of the dense output.
+/// Records since when the load is within the band. Its entry is a zero of the dense output.
 void Observer::settling(const OdeSolver& solver, const SignalPiece& reference, const Points& p) {
   if (!options_.limits.settling_band) return;
   const double band = *options_.limits.settling_band * model_.radians_per_unit();
@@ -162,7 +162,7 @@ void Observer::swing(const Point& a, const Point& b) {
 
 void Observer::sample(const OdeSolver& solver, const SignalPiece& reference) {
   const double unit = 1 / model_.radians_per_unit();
-  const double slack = 1e-9 * spacing_;  // the last one must not be lost to rounding
+  const double slack = 1e-9 * spacing_;  // rounding must not drop the last one
   while (found_.samples.size() < options_.samples) {
     const double t = static_cast<double>(found_.samples.size()) * spacing_;
     if (t > solver.time() + slack) return;
@@ -172,8 +172,8 @@ void Observer::sample(const OdeSolver& solver, const SignalPiece& reference) {
   }
 }
 
-void Observer::finish(double noise, DriveResult& result) {
-  found_.residual_frequency = swings_.frequency(noise);
+void Observer::finish(double least_speed, DriveResult& result) {
+  found_.residual_frequency = swings_.frequency(least_speed);
   if (settling_ && options_.limits.settling_band) found_.settling_time = inside_;
   result = std::move(found_);
 }

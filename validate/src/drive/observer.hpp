@@ -24,14 +24,14 @@ class Observer {
   /// zero.
   Observer(const DriveModel& model, const DriveOptions& options, double origin, double duration);
 
-  /// After each step, with the reference it was made along. Reads the solver's dense output.
+  /// Called after each step, with the reference of that step. Reads the solver's dense output.
   void step(const OdeSolver& solver, const SignalPiece& reference);
 
-  /// From here on, the reference's end, it stands still: residual and swings are watched.
+  /// Called at the end of the reference: from here on, residual and swings are watched.
   void settle(double end) { settling_ = true, end_ = end; }
 
-  /// Swings slower than `noise` (rad/s) or than 1 % of the fastest do not count.
-  void finish(double noise, DriveResult& result);
+  /// Swings slower than `least_speed` (rad/s) or than 1 % of the fastest do not count.
+  void finish(double least_speed, DriveResult& result);
 
  private:
   struct Point {
@@ -68,10 +68,10 @@ class Observer {
   DriveResult found_;
   double torque_squared_ = 0;  ///< integrals up to the last step
   double work_ = 0;
-  std::optional<Point> last_ = {};    ///< where the last step ended,
-  long restarts_ = -1;                ///< unless the solver began anew there
+  std::optional<Point> last_ = {};    ///< state at the end of the last step,
+  long restarts_ = -1;                ///< unless the solver restarted there
   bool beyond_ = false;               ///< the limit of the following error, at the last point
-  std::optional<double> inside_ = 0;  ///< since when, after the end; none: outside of the band
+  std::optional<double> inside_ = 0;  ///< time since when; none: outside of the band
   Swings swings_;
 };
 

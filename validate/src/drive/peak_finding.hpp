@@ -8,7 +8,7 @@
 
 namespace jounce::detail {
 
-/// A peak against what its magnitude may be, > 0; the advice is for one that is beyond.
+/// The finding of a peak against the limit of its magnitude, > 0; `advice` is for a peak beyond it.
 inline Finding peak_finding(const char* rule, const char* quantity, const Peak& peak, double limit,
                             const char* advice) {
   Finding finding;

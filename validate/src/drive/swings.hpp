@@ -8,12 +8,12 @@
 
 namespace jounce::detail {
 
-/// Counts the zeros of a speed that decays, as long as the swings between them stand out.
+/// Counts the zeros of a decaying speed as long as the swings between them are large enough.
 class Swings {
  public:
-  /// A speed on the way, in the order of time.
+  /// The next value of the speed, in the order of time.
   void see(double speed) { speed_ = std::max(speed_, std::abs(speed)); }
-  /// It goes through zero.
+  /// The speed crosses zero.
   void zero(double time) {
     zeros_.push_back({time, speed_});
     if (zeros_.size() > 1) fastest_ = std::max(fastest_, speed_);
@@ -23,11 +23,11 @@ class Swings {
   /// The greatest speed between two zeros so far.
   [[nodiscard]] double fastest() const { return fastest_; }
 
-  /// Zeros in pairs over the time from the first to the last, up to the first swing slower than `noise` or
-  /// than 1 % of the fastest; 0 where there are not two. The swing before the first zero began before
-  /// the watch: only what lies between zeros counts.
-  [[nodiscard]] double frequency(double noise) const {
-    const double least = std::max(noise, 0.01 * fastest_);
+  /// Frequency from the pairs of zeros over the time from the first to the last, up to the first swing slower
+  /// than `least` or than 1 % of the fastest; 0 if there are fewer than two. The swing before the first zero
+  /// began before the watch, so only swings between zeros count.
+  [[nodiscard]] double frequency(double least_speed) const {
+    const double least = std::max(least_speed, 0.01 * fastest_);
     std::size_t swings = 0;
     while (swings + 1 < zeros_.size() && zeros_[swings + 1].speed >= least) ++swings;
     if (swings < 2) return 0;
@@ -37,7 +37,7 @@ class Swings {
  private:
   struct Zero {
     double time;
-    double speed;  ///< the greatest since the one before
+    double speed;  ///< the greatest since the zero before
   };
   std::vector<Zero> zeros_;
   double speed_ = 0;

@@ -48,7 +48,7 @@ double Switches::threshold(int sign, const Jet& r, const double* y, double width
          sign * (model_.mode().torque == sign ? -band : band);
 }
 
-/// How far a body that sticks is from breaking away: (11) of drive_model.cpp.
+/// The torque by which a sticking body is below breaking away: (11) of drive_model.cpp.
 double Switches::margin(std::size_t body, const Jet& r, const double* y, double widths) const {
   const double band = widths * tolerance_ * torque_;
   const double net = model_.net(body, r, y);
@@ -98,7 +98,7 @@ bool Switches::update_slip(std::size_t body, const Jet& r, double* y, int crosse
     return true;
   }
   if (crossed * mode >= 0 && mode * (speed + w_r) >= -tolerance_ * speed_) return false;
-  speed = -w_r;  // at rest: (11) says whether it stays so
+  speed = -w_r;  // at rest: (11) decides if it stays at rest
   const double net = model_.net(body, r, y);
   mode = margin(body, r, y, 1) >= 0 ? 0 : sign_of(net);
   return true;
@@ -127,7 +127,7 @@ bool Switches::update(const Jet& r, double* y, std::span<const int> crossed) {
   bool changed = false;
   if (feed_ && at(crossed, feed_event_) != 0)
     changed |= set(model_.mode().feed, crossed[feed_event_]);
-  // Each change may bring about another: a flank that is met, a body that breaks away.
+  // A change may cause another: a flank that meets, a body that breaks away.
   for (int round = 0; round < 8; ++round) {
     bool again = !model_.sampled() && update_torque(r, y, crossed);
     for (std::size_t k = 0; k < gaps_.size(); ++k)
@@ -144,7 +144,7 @@ bool Switches::update(const Jet& r, double* y, std::span<const int> crossed) {
 
 void Switches::begin(const Jet& r, double fastest) {
   if (!feed_) return;
-  const bool standing = std::abs(r[1]) <= 1e-12 * fastest;  // what then sets it in motion
+  const bool standing = std::abs(r[1]) <= 1e-12 * fastest;  // torque that sets it in motion
   model_.mode().feed = sign_of(!standing ? r[1] : r[2] != 0 ? r[2] : r[3]);
 }
 

@@ -8,25 +8,25 @@
 
 namespace jounce::detail {
 
-/// Brings a model's modes about: the event functions that root finding watches, and what becomes of
-/// a mode where one of them goes through zero. A band of one tolerance about every threshold keeps
-/// rounding from switching to and fro; what an event cannot see (two crossings in one step, a start
-/// on a threshold) is found by the state itself, outside of two tolerances.
+/// Changes the modes of a model: the event functions for root finding, and the new mode where one of them
+/// crosses zero. A band of one tolerance around every threshold prevents rounding from switching back and
+/// forth. The state itself determines cases that an event cannot detect (two crossings in one step, a start on
+/// a threshold), outside of two tolerances.
 class Switches {
  public:
-  /// Torques and speeds of the run, in N m and rad/s: what the tolerance is a share of.
+  /// Torques and speeds of the run, in N m and rad/s: the tolerance is a share of them.
   Switches(DriveModel& model, double tolerance, double torque, double speed);
 
   [[nodiscard]] int events() const { return events_; }
   void evaluate(const Jet& r, const double* y, double* g) const;
 
-  /// The modes that the state is in, `crossed` being the direction of every event (empty: none).
-  /// What comes to rest gets the speed of rest. True if a mode changed.
+  /// Sets the modes of the state, with `crossed` the direction of every event (empty: none). A body that comes
+  /// to rest gets the speed of rest. Returns true if a mode changed.
   bool update(const Jet& r, double* y, std::span<const int> crossed = {});
-  /// Which way the friction feed-forward pushes at the beginning of an interval.
+  /// The sign of the friction feed-forward at the beginning of an interval.
   void begin(const Jet& r, double fastest);
 
-  /// How often a flank of a joint has been met.
+  /// The number of times that a flank of a joint has met.
   [[nodiscard]] long impacts() const { return impacts_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An output y = q z of z' = M z (equations (1) to (6) of ladder.cpp) leaves the chord between its values at
-// the ends of a stretch of length H by
+// An output y = q z of z' = M z (equations (1) to (6) of ladder.cpp) differs from the chord between its values
+// at the ends of an interval of length H by
 //
 //     (1)  |y(u) - chord(u)| <= H^2 / 8 max |y''|
 //
@@ -8,17 +8,17 @@
 //
 //     (2)  max |y''| <= sum of G_j |(M^2 z)_j|,   G_j >= |q exp(M u)|_j for all u in [0, H]
 //
-// M^2 z rather than z: where the drive is in balance with a constant acceleration it vanishes, however
-// large z is, so that the bound is as tight as the motion is smooth. With H = m h and |M| entry by entry,
+// M^2 z is used rather than z. It vanishes where the drive is in balance with a constant acceleration, however
+// large z is, so the bound is as tight as the motion is smooth. With H = m h and |M| entry by entry,
 //
 //     (3)  G = max over i < m of |q exp(M h)^i| exp(|M| h)
 //
-// since |exp(M v)| <= exp(|M| v) <= exp(|M| h) entry by entry. What (1) leaves open is divided; a stretch no longer
-// than h, where the norm of M h is at most 1/2, is the polynomial
+// since |exp(M v)| <= exp(|M| v) <= exp(|M| h) entry by entry. An interval for which (1) does not decide is
+// divided. An interval no longer than h, where the norm of M h is at most 1/2, is the polynomial
 //
 //     (4)  y(u) = sum of q (M H)^k z / k! (u / H)^k,  k = 0 ... 11,  but for 0.5^12 / 12! = 5e-13
 //
-// whose extrema and zeros are isolated as those of any segment. Nothing is sampled.
+// whose extrema and zeros are isolated like those of any segment. Nothing is sampled.
 
 #include "validate/src/exact/enclosure.hpp"
 
@@ -27,7 +27,8 @@
 namespace jounce::detail {
 namespace {
 
-constexpr std::size_t doublings = 3;  // of h: bounds over a norm of 2 to 4 are still of use
+constexpr std::size_t doublings =
+    3;  // in units of h: bounds over a norm of 2 to 4 are still useful
 
 }  // namespace
 
@@ -53,7 +54,7 @@ void Enclosure::bend(const Eigen::VectorXd& z, double* found) {
 }
 
 Enclosure::Halves Enclosure::halves(const Stretch& s) {
-  std::size_t rung = 0;  // the longest that leaves something
+  std::size_t rung = 0;  // the longest one with a useful bound
   while (std::ldexp(ladder_->shortest(), static_cast<int>(rung) + 1) < s.length * (1 - 1e-12))
     ++rung;
   const double gone = std::ldexp(ladder_->shortest(), static_cast<int>(rung));

@@ -12,9 +12,9 @@
 
 namespace jounce::detail {
 
-/// Between which magnitudes an output stays.
+/// The bounds of the magnitude of an output.
 struct Bounds {
-  double least = 0;  ///< 0 where it may go through zero
+  double least = 0;  ///< 0 if it may cross zero
   double most = 0;
 };
 
@@ -26,8 +26,8 @@ inline Bounds bounds_of(double begin, double end, double length, double bend) {
           std::max(std::abs(begin), std::abs(end)) + slack};
 }
 
-/// A stretch of the way of a linear system: its state at the beginning, its outputs at both ends, and a
-/// bound of each output's second derivative in between.
+/// An interval of the trajectory of a linear system: its state at the beginning, its outputs at both ends, and
+/// a bound of each output's second derivative in between.
 struct Stretch {
   double time = 0;  ///< time of its beginning
   double length = 0;
@@ -41,22 +41,22 @@ struct Stretch {
   }
 };
 
-/// Where the outputs of a ladder's system go between two instants, certified: no more than a bound says,
-/// and over a short time a polynomial that is exact to rounding. Derivation: enclosure.cpp.
+/// Certified bounds of the outputs of a ladder's system between two instants: by the second derivative, and
+/// over a short time by a polynomial that is exact to rounding. Derivation: enclosure.cpp.
 class Enclosure {
  public:
-  /// Of stretches of `longest()` at most. The ladder must outlive it.
+  /// For intervals up to `longest()`. The ladder must outlive it.
   explicit Enclosure(Ladder& ladder);
 
   [[nodiscard]] double longest() const { return longest_; }
-  /// The rung that goes as far.
+  /// The index of the rung of that length.
   [[nodiscard]] std::size_t level() const { return level_; }
 
-  /// Second derivatives' bounds over `longest()` from z on, one an output.
+  /// Bounds of the second derivatives over `longest()` from z on, one for each output.
   void bend(const Eigen::VectorXd& z, double* found);
 
-  /// Divides a stretch until `open(stretch)` is false for a part, which `done(part)` is told, or the part is
-  /// short enough to be a polynomial: `leaf(part)`. In the order of time.
+  /// Divides an interval in the order of time. A part for which `open(part)` is false is passed to
+  /// `done(part)`. A part that is short enough to be a polynomial is passed to `leaf(part)`.
   template <class Open, class Done, class Leaf>
   void search(const Stretch& s, const Open& open, const Done& done, const Leaf& leaf) {
     if (!open(s)) return done(s);
@@ -66,7 +66,7 @@ class Enclosure {
     search(second, open, done, leaf);
   }
 
-  /// An output over a stretch that search() calls short enough, exact within 1e-12 of its terms.
+  /// An output over an interval that search() passes to `leaf`, exact within 1e-12 of its terms.
   [[nodiscard]] Segment polynomial(const Stretch& s, Eigen::Index row) {
     return ladder_->polynomial(s.z, row, s.length);
   }

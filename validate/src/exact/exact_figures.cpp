@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of a run from its exact solution. Peaks, zeros and excursions are enclosed (enclosure.cpp); work
-// and squared torque are integrals in closed form (ladder.cpp, (7) to (9)); where the power changes its sign,
-// torque and speed are polynomials over a stretch between two of their zeros, and so is their product:
+// The figures of a run from its exact solution. Peaks, zeros and excursions are enclosed (enclosure.cpp). Work
+// and squared torque are integrals in closed form (ladder.cpp, (7) to (9)). Where the power changes its sign,
+// torque and speed are polynomials over an interval between two of their zeros, and so is their product:
 //
 //     (1)  integral of (sum a_i s^i) (sum b_k s^k) over [p, q] = sum of a_i b_k (q^(i+k+1) - p^(i+k+1)) / (i+k+1)
 
@@ -28,8 +28,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double equal = 1e-12;       // relative: of two peaks, or of a power to all work
-constexpr double fades_below = 1e-3;  // of the fastest swing: no longer watched
+constexpr double equal = 1e-12;  // relative difference of two peaks, or of a power to all work
+constexpr double fades_below =
+    1e-3;  // share of the fastest swing below which swings are not watched
 
 /// The zeros of f - level within the segment, as shares of it, with both ends.
 std::vector<double> parts(Segment f, double level) {
@@ -101,7 +102,7 @@ class Figures {
  private:
   [[nodiscard]] double settle() const { return options_.periodic ? 0 : options_.settle; }
 
-  /// Nothing where the torque passes its limit.
+  /// None where the torque exceeds its limit.
   bool follow(std::size_t i, double begin, double end) {
     way_.enter(i, begin);
     ++found_.integration.restarts;
@@ -166,26 +167,26 @@ class Figures {
             s.stretch(i), open, [](const Stretch&) {}, leaf);
   }
 
-  /// Tells `told(from, to, outside)` of all parts whether |output| is over a limit there.
-  template <class Told>
-  void excursions(const Steps& s, Index row, double limit, const Told& told) {
+  /// Calls `visit(from, to, outside)` for all parts, with whether |output| is over a limit there.
+  template <class Visit>
+  void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
     const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
     const auto open = [&](const Stretch& part) { return either(part.bounds(row)); };
     const auto done = [&](const Stretch& part) {
-      told(part.time, part.time + part.length, part.bounds(row).least > limit);
+      visit(part.time, part.time + part.length, part.bounds(row).least > limit);
     };
     const auto leaf = [&](const Stretch& part) {
       const Segment f = way_.enclosure().polynomial(part, row);
       const std::vector<double> ends = merged(parts(f, limit), parts(f, -limit));
       for (std::size_t k = 1; k < ends.size(); ++k)
-        told(part.time + ends[k - 1] * part.length, part.time + ends[k] * part.length,
-             std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
+        visit(part.time + ends[k - 1] * part.length, part.time + ends[k] * part.length,
+              std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
     };
     for (Index i = 0; i < s.count(); ++i)
       if (const Bounds b = s.bounds(i, row); either(b))
         way_.enclosure().search(s.stretch(i), open, done, leaf);
       else
-        told(s.begin(i), s.begin(i + 1), b.least > limit);
+        visit(s.begin(i), s.begin(i + 1), b.least > limit);
   }
 
   void beyond(const Steps& s) {

@@ -7,8 +7,8 @@
 
 namespace jounce::detail {
 
-/// What a linear drive with a continuous controller does along a reference, its figures certified; nothing
-/// where the torque asked for may pass its limit. Neither samples nor report.
+/// The certified figures of a linear drive with a continuous controller along a reference; none where the
+/// demanded torque may exceed its limit. Without samples and report.
 std::optional<DriveResult> exact_figures(const Trajectory& reference, const Drive& drive,
                                          const DriveOptions& options);
 

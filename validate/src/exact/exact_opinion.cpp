@@ -22,7 +22,7 @@ double share(double difference, double of) {
                          : std::abs(difference) / std::max(of, std::numeric_limits<double>::min());
 }
 
-/// Whether the torque steps at t, where a sample is of the one or the other side.
+/// True if the torque steps at t, where a sample may be from either side.
 bool steps(const Trajectory& reference, const Controller& controller, double t) {
   const double near = 1e-9 * reference.length();
   const auto breaks = reference.breaks();
@@ -33,8 +33,8 @@ bool steps(const Trajectory& reference, const Controller& controller, double t) 
   return std::abs(gone - std::nearbyint(gone / controller.cycle) * controller.cycle) <= near;
 }
 
-/// What a difference of torque is a share of: the peak, or what a sampled controller, which differentiates
-/// the angle over a cycle, makes of the stroke.
+/// The scale of differences of torque: the peak, or the torque that a sampled controller, which differentiates
+/// the angle over a cycle, derives from the stroke.
 double torque_size(const DriveResult& run, const Drive& drive, double stroke) {
   const Controller& c = drive.controller;
   const double radians = 2 * std::numbers::pi / drive.position_per_rev;
@@ -42,7 +42,7 @@ double torque_size(const DriveResult& run, const Drive& drive, double stroke) {
   return std::max(std::abs(run.torque.value), sampled);
 }
 
-/// Where two runs differ most, in motor, load and torque.
+/// The greatest difference of two runs, in motor, load and torque.
 Peak worst(const DriveResult& run, const ExactRun& exact, const Trajectory& reference,
            const Drive& drive) {
   const double length = stroke(run.samples);
@@ -84,7 +84,7 @@ std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& d
   finding.margin = (finding.limit - finding.value) / finding.limit;
   finding.broken = !(finding.value <= finding.limit);
   if (finding.broken && unstable_loop(drive))
-    return std::nullopt;  // rounding grows as the motion does
+    return std::nullopt;  // rounding grows with the motion
   if (finding.broken)
     finding.advice =
         "the integration and the exact solution disagree: please report this as a defect";

@@ -17,7 +17,7 @@ std::vector<double> frequencies(const Segment& f) {
   return found;
 }
 
-/// How many of the times from the first on follow one another by `step`, as well as times can say.
+/// The number of times from the first on that follow one another by `step`, to the rounding of times.
 int equally_spaced(std::span<const double> times, double step, double end) {
   const double first = times[0];
   int count = 1;
@@ -100,7 +100,7 @@ ExactPath::Whole ExactPath::along(std::span<const double> times, Eigen::MatrixXd
     const bool rests = i == count;
     if (rests) whole.state = z_.head(system_.states());
     const double end = rests ? std::numeric_limits<double>::infinity() : breaks[i + 1];
-    ProductIntegral square;  // of the first output
+    ProductIntegral square;  // square of the first output
     double u = 0;
     while (next < times.size() && times[next] < end) {
       u += ladder_->advance(z_, times[next] - breaks[i] - u, std::span(&square, rests ? 0 : 1));

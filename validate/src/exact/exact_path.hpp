@@ -14,46 +14,49 @@
 
 namespace jounce::detail {
 
-/// How a way begins: the state before the reference's first step, to its own position and from this velocity.
+/// The start of a path: the state before the reference's first step, to its own position and from this
+/// velocity.
 struct PathStart {
   Eigen::VectorXd state;
   double velocity = 0;
 };
 
-/// The way of a linear system along a curve that holds after its end. The system and the curve must outlive it.
+/// The trajectory of a linear system along a curve that holds after its end. The system and the curve must
+/// outlive it.
 class ExactPath {
  public:
-  /// `step` > 0: the spacing at which the outputs will mostly be asked for.
+  /// `step` > 0: the most frequent spacing of the outputs.
   ExactPath(const LinearSystem& system, const Trajectory& reference, double step, PathStart start);
 
   /// The reference as a whole.
   struct Whole {
     double square = 0;       ///< integral of the first output, squared
-    Eigen::VectorXd output;  ///< at the end, as the reference leaves it
-    Eigen::VectorXd state;   ///< there, met by the standstill that follows
+    Eigen::VectorXd output;  ///< at the end of the reference
+    Eigen::VectorXd state;   ///< there, at the beginning of the standstill that follows
   };
   Whole whole();
-  /// The same, and the outputs at ascending times, none before the reference's start, one column a time; below
-  /// them the reference's position.
+  /// The same, and the outputs at ascending times, none before the reference's start, one column for each time;
+  /// below them the position of the reference.
   Whole along(std::span<const double> times, Eigen::MatrixXd& found);
 
-  // Step by step: begin(), then enter(i), move state() with ladder(), leave() for each segment, and enter() with their
-  // number for the standstill after the last.
+  // Step by step: begin(). Then for each segment enter(i), move state() with ladder(), and leave(); enter()
+  // with the number of segments for the standstill after the last.
 
   void begin();
   /// Takes the system into segment i, with the steps of the reference.
   const Segment& enter(std::size_t i);
-  /// What the reference is at the segment's end, for the next to step from.
+  /// The values of the reference at the end of the segment, from which the next one steps.
   void leave();
-  /// True if it was the standstill that was entered last.
+  /// True if the standstill was entered last.
   [[nodiscard]] bool rests() const { return segment_ == &standstill_; }
   [[nodiscard]] Ladder& ladder() { return *ladder_; }
   /// The system's state where the last segment ended, before any step that follows; after along() or whole().
   [[nodiscard]] const Eigen::VectorXd& reached() const { return reached_; }
-  [[nodiscard]] Eigen::VectorXd& state() { return z_; }  ///< with the reference's part
+  [[nodiscard]] Eigen::VectorXd& state() { return z_; }  ///< includes the part of the reference
 
  private:
-  /// The columns of `found` for times equally spaced, from z_ on, the first at u of the segment that begins there.
+  /// The columns of `found` for equally spaced times, from z_ on, the first at u of the segment that begins
+  /// there.
   void read(std::span<const double> times, double begin, double u, double* found);
   Ladder& ladder_for(const Segment& f);
   [[nodiscard]] const Segment& segment(std::size_t i) const;

@@ -11,7 +11,7 @@ namespace jounce::detail {
 namespace {
 
 constexpr Eigen::Index block = 256;
-constexpr double none = 1e-12;  // of a step: no step
+constexpr double none = 1e-12;  // number of a segment that does not step
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void ExactSteps::enter(std::size_t i, double begin) {
   Ladder& ladder = path_->ladder();
   enclosure_ = &enclosures_.try_emplace(&ladder, ladder).first->second;
   const std::size_t level = enclosure_->level();
-  static_cast<void>(ladder.rung(level));  // made now, so that what is pointed to stays
+  static_cast<void>(ladder.rung(level));  // made now, so that pointers into it stay valid
   whole_ = {nullptr, &ladder.integral(level, torque_row, torque_row),
             &ladder.integral(level, torque_row, velocity_row)};
   whole_.step = &ladder.rung(level);

@@ -11,15 +11,15 @@
 
 namespace jounce::detail {
 
-/// Steps one behind another within a segment, with what the outputs are and may be in each.
+/// Successive steps within a segment, with the outputs and their bounds in each.
 struct Steps {
   std::vector<double> time;     ///< time of the ends, one more than steps
   Eigen::MatrixXd z;            ///< states there, one column an end
-  Eigen::MatrixXd y;            ///< outputs there
-  Eigen::MatrixXd bend;         ///< bounds of their second derivatives, one column a step
-  std::vector<double> squared;  ///< integral of the squared torque over each step
+  Eigen::MatrixXd y;            ///< states at the ends, one column each
+  Eigen::MatrixXd bend;         ///< outputs at the ends
+  std::vector<double> squared;  ///< bounds of their second derivatives, one column for each step
   std::vector<double> work;     ///< the same of the motor's power
-  Eigen::VectorXd rounding;     ///< rounding of the outputs: what is less is none
+  Eigen::VectorXd rounding;     ///< the same for the motor's power
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(squared.size()); }
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
@@ -32,19 +32,19 @@ struct Steps {
   }
 };
 
-/// Goes along a reference of a drive (a system with the rows of DriveRow) in steps.
+/// Follows a reference of a drive (a system with the rows of DriveRow) in steps.
 class ExactSteps {
  public:
-  /// The path must outlive it, and nobody else move it.
+  /// The path must outlive it, and no other code may move it.
   explicit ExactSteps(ExactPath& path) : path_(&path) {}
 
   /// Into segment i, which begins at `begin`; their number: the standstill.
   void enter(std::size_t i, double begin);
-  /// The next steps up to `to` or to where the block is full; nothing if it is there already.
+  /// The next steps up to `to`, or until the block is full; none if `to` is reached.
   const Steps* next(double to);
   void leave() { path_->leave(); }
 
-  /// For the segment that was entered.
+  /// Values of the present segment.
   [[nodiscard]] Enclosure& enclosure() { return *enclosure_; }
 
  private:
@@ -53,7 +53,7 @@ class ExactSteps {
   ExactPath* path_;
   const Segment* segment_ = nullptr;
   Enclosure* enclosure_ = nullptr;
-  /// Over a whole step: what is done thousands of times is looked up once.
+  /// Matrices over a whole step, computed once because they are used thousands of times.
   struct Whole {
     const Eigen::MatrixXd* step;
     const Eigen::MatrixXd* squared;

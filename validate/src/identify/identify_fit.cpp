@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weighted least squares over everything recorded. With x_j = log p_j, q_k(t_i; x) the model's
-// quantity k at sample i and d_ki what was recorded,
+// Weighted least squares over all recorded outputs. With x_j = log p_j, q_k(t_i; x) the quantity k of the model
+// at sample i and d_ki the recorded value,
 //
 //     (1)  r_ki = (q_k(t_i; x) - d_ki) / sigma_k,        J = dr/dx from forward sensitivities
-//     (2)  minimise |r|^2                                Levenberg and Marquardt
+//     (2)  minimize |r|^2                                Levenberg and Marquardt
 //     (3)  sigma_k^2 = sum_i (q_k - d_k)^2 / (m_k - n m_k / m)
 //
-// (2) and (3) in turn until no sigma_k changes by 1 %: together they are the greatest likelihood for
-// Gaussian noise of unknown size on each quantity. Then (J^T J)^-1 is the covariance of x, and
+// (2) and (3) alternate until no sigma_k changes by 1 %: together they are the maximum likelihood for Gaussian
+// noise of unknown size on each quantity. Then (J^T J)^-1 is the covariance of x, and
 //
 //     (4)  log p_j in x_j +- t_95(m - n) sqrt((J^T J)^-1_jj)
 //
@@ -30,12 +30,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int weightings = 8;     // (2), (3) at most as often
-constexpr double settled = 0.01;  // of a sigma
-constexpr double flat = 1e-3;     // of |r|^2: a step of some hundredths of a standard deviation
+constexpr int weightings = 8;     // greatest number of repetitions of (2) and (3)
+constexpr double settled = 0.01;  // relative change of a sigma
+constexpr double flat =
+    1e-3;  // relative gain of |r|^2: a step of some hundredths of a standard deviation
 
-/// A sampled controller does not depend smoothly on anything: a count more or less steps. Fitted is
-/// with a continuous one that is as late: hold and difference quotient cost half a cycle each.
+/// A sampled controller does not depend smoothly on its numbers: its counts step. The fit uses a continuous
+/// controller with the same delay: hold and difference quotient cost half a cycle each.
 Drive continuous(Drive drive) {
   Controller& c = drive.controller;
   c.delay += c.cycle;
@@ -43,8 +44,8 @@ Drive continuous(Drive drive) {
   return drive;
 }
 
-/// Logarithms, but straight in the numbers themselves, p (1 + step): what only a sum of two numbers
-/// decides (friction of motor and load) is a straight valley then.
+/// Logarithms, but linear in the numbers themselves, p (1 + step): if only a sum of two numbers is determined
+/// (friction of motor and load), its valley is then straight.
 VectorXd advanced(const VectorXd& x, const VectorXd& step) {
   return x.array() + step.array().log1p();
 }
@@ -82,7 +83,7 @@ class Fit {
     return all;
   }
 
-  /// What was answered less what was recorded.
+  /// The response of the model minus the recorded values.
   [[nodiscard]] Linearised compared(const DriveResponse& r) const {
     const auto m = static_cast<Index>(recording_.time.size());
     const auto n = static_cast<Index>(first_.size());
@@ -103,7 +104,7 @@ class Fit {
   /// (1) without the weights.
   std::optional<Linearised> deviations(const VectorXd& x) {
     const std::vector<double> now = values(x);
-    try {  // two numbers may not fit together, each right in itself
+    try {  // two valid numbers may contradict each other
       jounce::require_valid(with_numbers(base_, spec_.fit, now));
     } catch (const InputError& error) {
       fit_.failure = error.what();
@@ -116,7 +117,7 @@ class Fit {
       return std::nullopt;
     }
     Linearised all = compared(r);
-    // A model that runs away, every number of it finite, would weigh as noise beyond all bounds.
+    // A model that diverges with finite numbers would count as noise of any size.
     if (!std::isfinite(all.residual.squaredNorm() + all.jacobian.squaredNorm())) {
       fit_.failure = "its response overflows";
       return std::nullopt;
@@ -126,8 +127,8 @@ class Fit {
 
   [[nodiscard]] Index blocks() const { return static_cast<Index>(fit_.used.size()); }
 
-  /// (3), but not below what the integrator leaves.
-  [[nodiscard]] VectorXd noise(const VectorXd& r) const {
+  /// (3), but not below the accuracy of the integrator.
+  [[nodiscard]] VectorXd deviations(const VectorXd& r) const {
     VectorXd sigma(blocks());
     const double free =
         std::max(1 - static_cast<double>(first_.size()) / static_cast<double>(r.size()), 0.1);
@@ -147,7 +148,7 @@ class Fit {
     }
   }
 
-  /// Weighted for the solver, which stops where the caller said so.
+  /// Weighted residuals for the solver, which stops when the caller cancels.
   std::optional<Linearised> weighted(const VectorXd& x) {
     if (fit_.cancelled) return std::nullopt;
     auto r = deviations(x);
@@ -164,7 +165,7 @@ class Fit {
     const auto first = deviations(x);
     if (!first) return;
     fit_.before = first->residual;
-    fit_.sigma = noise(fit_.before);
+    fit_.sigma = deviations(fit_.before);
     double damping = 1e-3;
     for (int weighting = 0; weighting < weightings; ++weighting) {
       const int left = spec_.max_iterations - fit_.iterations;
@@ -182,12 +183,12 @@ class Fit {
     }
   }
 
-  /// Brings what was found to the newest weights, for the covariance; whether they are the old ones.
+  /// Converts the result to the newest weights, for the covariance. Returns true if the weights are unchanged.
   bool weigh_anew() {
     VectorXd unweighted = fit_.found.at.residual;
     for (Index b = 0; b < blocks(); ++b)
       unweighted.segment(b * fit_.samples(), fit_.samples()) *= fit_.sigma[b];
-    const VectorXd sigma = noise(unweighted);
+    const VectorXd sigma = deviations(unweighted);
     const bool same = ((sigma - fit_.sigma).array().abs() <= settled * sigma.array()).all();
     weigh(fit_.found.at, (sigma.array() / fit_.sigma.array()).matrix());
     fit_.sigma = sigma;

@@ -13,16 +13,16 @@
 
 namespace jounce::detail {
 
-/// Where a fit ended. Residuals are the model's less what was recorded, one quantity behind the other.
+/// The end of a fit. Residuals are model minus recording, one quantity after the other.
 struct Fitted {
   LeastSquares found;             ///< weighted with 1 / sigma; x: logarithms of value / start
   std::vector<double> values;     ///< values of the numbers
-  std::vector<std::size_t> used;  ///< the outputs that were recorded
+  std::vector<std::size_t> used;  ///< the recorded outputs
   Eigen::VectorXd before;         ///< residuals of the start, not weighted
-  Eigen::VectorXd sigma;          ///< one an output used
+  Eigen::VectorXd sigma;          ///< one for each output
   int iterations = 0;
   bool cancelled = false;
-  std::string failure;  ///< failure of the last integration that came to nothing
+  std::string failure;  ///< failure of the last integration without a result
 
   [[nodiscard]] Eigen::Index samples() const {
     return before.size() / static_cast<Eigen::Index>(used.size());
@@ -38,7 +38,7 @@ double rms(const Eigen::VectorXd& r);
 Fitted fitted(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
               const IdentifyProgress& keep_going);
 
-/// What comes of it: intervals, notes, status and reason.
+/// The report of a fit: intervals, notes, status and reason.
 Identification told(const Recording& recording, const IdentifySpec& spec, const Fitted& fit);
 
 }  // namespace jounce::detail

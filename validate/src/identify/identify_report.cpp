@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit tells: intervals, what cannot be told apart, what the residuals show. (4) is that of
-// identify_fit.cpp.
+// The report of a fit: intervals, numbers that the recording cannot separate, properties of the residuals. (4)
+// is that of identify_fit.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Status = Identification::Status;
 
-constexpr double known = 1.0;      // a 95 % interval wider than a factor e either way: not known
+constexpr double known = 1.0;  // a 95 % interval wider than a factor e either way: not determined
 constexpr double together = 0.95;  // correlation from which two numbers are named
 
 double autocorrelation(const VectorXd& r) {
@@ -36,7 +36,7 @@ double inertia(const Drive& drive) {
   return all;
 }
 
-/// (4), and which numbers it leaves unknown.
+/// (4), and the numbers that it does not determine.
 std::string add_numbers(const IdentifySpec& spec, const Fitted& fit, const Covariance& c,
                         Identification& answer) {
   const double t = student_95(static_cast<double>(fit.found.at.residual.size()) -
@@ -67,7 +67,7 @@ void entangle(const Covariance& c, Identification& answer) {
             });
 }
 
-/// Below this residuals are the integrator's.
+/// Residuals below this are errors of the integrator.
 double significant(const std::vector<double>& d, double tolerance) {
   const auto [low, high] = std::minmax_element(d.begin(), d.end());
   return 1e3 * tolerance * (*high - *low);
@@ -80,7 +80,7 @@ void test_residuals(const VectorXd& before, const VectorXd& after, Explained& e)
   e.worsening = worsening({before.data(), r.size()}, r);
 }
 
-/// What the tests say against the model.
+/// The objections of the tests to the model.
 std::vector<std::string> doubts(const Explained& e) {
   std::vector<std::string> all;
   const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
@@ -113,7 +113,7 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
   }
 }
 
-/// What was done to the controller.
+/// A note on the change of the controller.
 void note(const IdentifySpec& spec, Identification& answer) {
   if (spec.drive.controller.cycle > 0)
     answer.notes.push_back(
@@ -127,11 +127,11 @@ void note(const IdentifySpec& spec, Identification& answer) {
                     after, before, before == 0 ? 0 : inertia(spec.drive)));
 }
 
-std::string not_told(const std::string& unknown, const Identification& answer) {
+std::string not_determined(const std::string& unknown, const Identification& answer) {
   if (answer.entangled.empty()) return "this recording does not determine " + unknown;
   const Entangled& e = answer.entangled.front();
   return fmt::format(
-      "this recording does not determine {}; {} and {} cannot be told apart "
+      "this recording does not determine {}; {} and {} cannot be distinguished "
       "(correlation {:.4f})",
       unknown, e.first, e.second, e.correlation);
 }
@@ -144,7 +144,7 @@ void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& un
   };
   if (fit.cancelled)
     return end(Status::cancelled, "stopped on request; the numbers are the best so far");
-  if (!unknown.empty()) return end(Status::not_identifiable, not_told(unknown, answer));
+  if (!unknown.empty()) return end(Status::not_identifiable, not_determined(unknown, answer));
   if (fit.found.status != LeastSquares::Status::converged)
     return end(
         Status::stalled,

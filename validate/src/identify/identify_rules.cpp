@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What identify() refuses.
+// The rules of identify().
 
 #include "validate/src/identify/identify_rules.hpp"
 

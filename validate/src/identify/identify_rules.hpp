@@ -15,13 +15,13 @@ namespace jounce::detail {
 inline constexpr std::array<const char*, outputs> quantities{"position", "velocity", "torque",
                                                              "load"};
 
-/// What was recorded of an output; empty: nothing.
+/// The recorded values of an output; empty: none.
 const std::vector<double>& recorded(const Recording& recording, std::size_t output);
 
 /// A number to fit, as the start has it. Throws InputError with all there are.
 DriveNumber numbered(Drive& drive, const std::string& key);
 
-/// Throw InputError as identify() and commanded_motion() say.
+/// Throw InputError as identify() and commanded_motion() describe.
 void require_times(const Recording& recording);
 void require_valid(const Recording& recording);
 void require_valid(const IdentifySpec& spec);

@@ -3,10 +3,10 @@
 //
 //     (1)  min |r + J dx|^2 + mu D^2 |dx|^2,     D = the norm of the greatest column of J so far
 //
-// as one linear least-squares problem by QR: J^T J would square a condition number that is large
-// already where two numbers can hardly be told apart. mu begins small, falls tenfold with each gain and
-// rises tenfold with each loss (D. W. Marquardt, J. SIAM 11, 1963); so it does as long as the
-// step is longer than is allowed. One D for all: the variables are of one kind.
+// as one linear least-squares problem by QR: J^T J would square a condition number that is large where two
+// numbers can hardly be separated. mu begins small, is divided by ten with each gain and multiplied by ten with
+// each loss (D. W. Marquardt, J. SIAM 11, 1963), also as long as the step is longer than the limit. All
+// variables have the same D because they are of one kind.
 
 #include "validate/src/identify/least_squares.hpp"
 
@@ -45,8 +45,8 @@ VectorXd damped_step(const Linearised& at, double damping) {
   return PivotedQr(a).solve(b);  // (1)
 }
 
-/// Damped as much as it takes to be no longer than that: what hardly acts must not run away, nor hold
-/// back what does. Nothing where the numbers overflow: no damping makes a step of what is not finite.
+/// Increases the damping until the step is no longer than the limit: a number with little effect must not
+/// diverge, nor slow the others. None where the numbers overflow, which no damping can prevent.
 std::optional<VectorXd> step_within(const Linearised& at, double scale, double longest,
                                     double& mu) {
   for (double damping = mu; std::isfinite(damping); damping *= 10) {
@@ -93,7 +93,7 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
       small = condensed(best.at);
       mu = std::max(mu / 10, 1e-15);
     } else {
-      if (promised <= 1e-9 * cost) {  // as flat as the accuracy of the residuals can tell
+      if (promised <= 1e-9 * cost) {  // flat within the accuracy of the residuals
         best.status = LeastSquares::Status::converged;
         break;
       }
@@ -105,7 +105,7 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
 
 Covariance covariance(const MatrixXd& jacobian) {
   const Index n = jacobian.cols();
-  // Columns to equal length first, so that units do not decide what counts as unknown.
+  // Scales the columns to equal length first, so that units do not decide which numbers count as unknown.
   VectorXd length = jacobian.colwise().norm();
   const double longest = length.maxCoeff();
   for (double& l : length) l = std::max(l, 1e-10 * (longest > 0 ? longest : 1));

@@ -9,25 +9,25 @@
 
 namespace jounce::detail {
 
-/// Residuals and their derivatives at one place.
+/// Residuals and their derivatives at one point.
 struct Linearised {
   Eigen::VectorXd residual;  ///< m
   Eigen::MatrixXd jacobian;  ///< m x n
 };
 
-/// Nothing where the residuals cannot be computed: the step there is not taken.
+/// None where the residuals cannot be computed: the step to that point is not taken.
 using ResidualFunction = std::function<std::optional<Linearised>(const Eigen::VectorXd& x)>;
 
 struct LeastSquaresOptions {
   int max_iterations = 50;
   double damping = 1e-3;    ///< mu to begin with
   double longest_step = 1;  ///< in any entry of x
-  /// Where a step leads; left out: x + step. Must agree with that to first order.
+  /// The point after a step; left out: x + step. Must agree with that to first order.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& step)> advance =
       {};
   double tolerance =
       1e-8;         ///< tolerance of x: a step shorter than this in every entry ends the search
-  double flat = 0;  ///< so does one that promises no more than this of |residual|^2
+  double flat = 0;  ///< or a predicted gain of no more than this share of |residual|^2
 };
 
 struct LeastSquares {
@@ -36,17 +36,17 @@ struct LeastSquares {
   Eigen::VectorXd x;
   Linearised at;  ///< there
   int iterations = 0;
-  double damping = 0;  ///< mu of the last step: where a search like this one may begin
+  double damping = 0;  ///< mu of the last step: a start for a similar search
 };
 
-/// Minimises |residual(x)|^2 (Levenberg, Marquardt), from x on.
-/// `not_computable`: the residuals cannot be computed at the start. `stalled` is also a place from which
-/// no step is finite: residuals or derivatives that overflow.
+/// Minimizes |residual(x)|^2 from x on (Levenberg, Marquardt). `not_computable`: the residuals cannot be
+/// computed at the start. `stalled` includes a point without a finite step: residuals or derivatives that
+/// overflow.
 LeastSquares least_squares(const ResidualFunction& f, const Eigen::VectorXd& x,
                            const LeastSquaresOptions& options = {});
 
-/// Standard deviations and correlations of x, for residuals of standard deviation 1. Directions that
-/// the residuals say nothing about are given 1e-10 of what they say about the best known direction.
+/// Standard deviations and correlations of x, for residuals of standard deviation 1. Directions without effect
+/// on the residuals count as if they had 1e-10 of the effect of the best known direction.
 struct Covariance {
   Eigen::VectorXd deviation;    ///< n
   Eigen::MatrixXd correlation;  ///< n x n, 1 on the diagonal

@@ -4,7 +4,7 @@
 //     (1)  Q = n (n + 2) sum_{k=1}^{m} rho_k^2 / (n - k),   rho_k = sum r_i r_(i+k) / sum r_i^2
 //          chi-square with m degrees of freedom, if the r are white
 //          G. M. Ljung, G. E. P. Box, On a measure of lack of fit in time series models, Biometrika 65 (1978);
-//          of few samples it is beyond the quantile more often: measured 0.5 % of 60, 0.3 % of 101, 0.17 % of 300,
+//          with few samples it exceeds the quantile more often: measured 0.5 % of 60, 0.3 % of 101, 0.17 % of 300,
 //          0.14 % of 1000 (40 000 recordings of Gaussian noise each); with m = 20 up to 0.6 %
 //     (2)  F = sum of the last third's r^2 / sum of the first third's r^2
 //          Fisher's F with a third of n, twice, if the r are Gaussian and do not grow
@@ -55,7 +55,7 @@ double f_beyond(double f, std::size_t k) {
   return sum;
 }
 
-/// Where a falling probability comes to the level, from 1 on.
+/// The value at which a decreasing probability reaches the level, from 1 on.
 double quantile(const std::function<double(double)>& beyond) {
   double low = 1, high = 2;
   while (beyond(high) > level) high *= 2;
@@ -66,7 +66,7 @@ double quantile(const std::function<double(double)>& beyond) {
   return high;
 }
 
-/// Of two sums of squares of 2k residuals each.
+/// The F quantile for two sums of squares of 2k residuals each.
 ResidualTest ratio(double after, double before, std::size_t k) {
   ResidualTest test;
   test.value = after == 0    ? 0
@@ -112,7 +112,7 @@ double resolution(std::span<const double> recorded) {
   double least = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double step = sorted[i] - sorted[i - 1];
-    // what is less than this is the rounding of the numbers themselves
+    // smaller differences are rounding of the numbers
     if (step > 1e-12 * std::abs(sorted[i]) && (least == 0 || step < least)) least = step;
   }
   return least;

@@ -18,7 +18,8 @@ ResidualTest growth(std::span<const double> residuals);
 /// The same F of residuals after a fit over those before it.
 ResidualTest worsening(std::span<const double> before, std::span<const double> after);
 
-/// The least step between two values that were recorded: counts of an encoder, or the last digit written. 0 for a constant.
+/// The least step between two recorded values: counts of an encoder, or the last written digit. 0 for a
+/// constant.
 double resolution(std::span<const double> recorded);
 
 }  // namespace jounce::detail

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drive in deviations from its reference, with the torque T_d that its controller asks for and the
-// torque T_l that the motor gives (equations (1) to (8) of drive_system.cpp, (4) and (5) of
-// drive_model.cpp):
+// The drive in deviations from its reference, with T_d the torque that its controller demands and T_l the
+// torque of the motor (equations (1) to (8) of drive_system.cpp, (4) and (5) of drive_model.cpp):
 //
 //     (1)  x' = A x + B w + g (T_l - T_d),   w = (1, r', r''),   T_d = c x + d w
 //     (2)  T_l = T_d within the limits, else the limit that it is beyond: L, or where the speed w_0 leaves
@@ -13,15 +12,15 @@
 //     (3)  x' = (A - g c) x + (B - g d) w + g L
 //     (4)  x' = (A - g (c + k c_w)) x + (B - g (d + k d_w)) w + g L_0,   w_0 = c_w x + d_w w
 //
-// and T_l is continuous where one takes over from another: which of them holds is a function of
-// the state alone. With the quintic between two setpoints, whose derivatives w_5 = (1, r', ..., r^(5))
-// obey w_5' = N w_5, each has its exponential over a length of time h,
+// and T_l is continuous at the changes between them: the state alone determines which of them holds. With the
+// quintic between two setpoints, whose derivatives w_5 = (1, r', ..., r^(5)) obey w_5' = N w_5, each has its
+// exponential over a length of time h,
 //
 //     (5)  x(t + h) = P_h x(t) + Q_h (w_5(t), L)
 //
-// exact but for rounding, as long as one system holds. A period is made of `first` steps; one at whose
-// ends the systems differ is halved, `levels` times at most. What is missed is an instant of taking over by
-// period / (first 2^levels), where the two differ by what T_d moved in it.
+// exact except for rounding, as long as one system holds. A period consists of `first` steps. A step with
+// different systems at its ends is halved, at most `levels` times. The remaining error is in the instant of the
+// change: period / (first 2^levels), during which the two systems differ by the change of T_d.
 
 #include "validate/src/linear/continuous_stepper.hpp"
 
@@ -104,7 +103,7 @@ ContinuousStepper::ContinuousStepper(const Drive& drive, double period)
 }
 
 void ContinuousStepper::rest() {
-  x_ = rest_;  // of one size: nothing is allocated
+  x_ = rest_;  // always this size, so that nothing is allocated
   reference_ = {};
   velocity_ = end_ = 0;
 }
@@ -151,7 +150,7 @@ ContinuousStepper::Hold ContinuousStepper::hold(const std::vector<double>& x,
   return {weakened, sign * torque_slope(m) * m.max_velocity};
 }
 
-/// The limit that the torque is beyond.
+/// The limit that the torque exceeds.
 double ContinuousStepper::held(const std::vector<double>& x, const Inputs& w) const {
   return limits_.limit(demand(x, w) > 0 ? 1 : -1, row(outputs_, velocity_row, x, w));
 }

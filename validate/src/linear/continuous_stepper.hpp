@@ -12,9 +12,8 @@
 
 namespace jounce::detail {
 
-/// A linear drive under a continuous controller, its torque within the motor's limit, over periods
-/// of one length. The equations stand at the head of continuous_stepper.cpp. Only the constructor
-/// allocates.
+/// A linear drive under a continuous controller, its torque within the motor's limit, over periods of one
+/// length. The equations are at the head of continuous_stepper.cpp. Only the constructor allocates.
 class ContinuousStepper {
  public:
   ContinuousStepper(const Drive& drive, double period);
@@ -26,10 +25,10 @@ class ContinuousStepper {
 
  private:
   static constexpr std::size_t rate_count = SteppedReference::derivatives;
-  /// 1, r', ..., r^(5), and the torque that the motor is held to.
+  /// 1, r', ..., r^(5), and the torque at the limit.
   using Inputs = std::array<double, rate_count + 2>;
   enum System : std::size_t { free, limited, weakened, systems };
-  /// Which system holds, and L or L_0 in it.
+  /// The present system, and its L or L_0.
   struct Hold {
     System system = free;
     double torque = 0;

@@ -8,8 +8,8 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double rounding = 1e-12;  // a step of position or velocity below this is none
-constexpr double smooth = 1e-4;     // a step of acceleration below this is left to error control
+constexpr double rounding = 1e-12;  // a smaller step of position or velocity does not count
+constexpr double smooth = 1e-4;     // error control handles a smaller step of acceleration
 
 }  // namespace
 
@@ -23,7 +23,7 @@ double shortest_time(double from, double to) {
 }
 
 bool steps(const Jet& before, const Jet& after, const Scales& size) {
-  const auto by = [&](std::size_t k, double scale, double share) {  // true of NaN
+  const auto by = [&](std::size_t k, double scale, double share) {  // true for NaN
     return !(std::abs(after[k] - before[k]) <= share * scale);
   };
   return by(0, size.range, rounding) || by(1, size.peak[1], rounding) ||

@@ -10,9 +10,9 @@
 
 namespace jounce::detail {
 
-// What every run along a reference shares.
+// Functions that every run along a reference shares.
 
-/// For an interval; no law has its zeros at these multiples.
+/// Places in an interval; no law has its zeros at these multiples.
 inline constexpr double longest_step = 0.3;
 
 /// A reference after its end.
@@ -29,11 +29,11 @@ struct Standstill {
 /// The scale, or 1 where there is none.
 double usable(double scale);
 
-/// The length of time that is none on an axis from `from` to `to`: rounding.
+/// The rounding of times on an axis from `from` to `to`.
 double shortest_time(double from, double to);
 
-/// True if position, velocity or acceleration step from one piece to the next, by more than rounding
-/// or, of the acceleration, than error control takes: the solver then begins anew.
+/// True if position, velocity or acceleration step from one piece to the next by more than rounding, or an
+/// acceleration by more than error control handles. The solver then restarts.
 bool steps(const Jet& before, const Jet& after, const Scales& size);
 
 }  // namespace jounce::detail

@@ -22,7 +22,7 @@ AnyStepper stepper_of(const Drive& drive, double period) {
   require_valid(drive);
   require_positive("period", period);
   const auto key = nonlinearity(drive);
-  // An encoder is read at instants: between them the drive is linear all the same.
+  // An encoder is read at instants. Between them the drive is linear.
   if (key && !(drive.controller.cycle > 0 && *key == "controller.encoder_counts"))
     throw InputError(*key, "not 0",
                      "makes the drive nonlinear: it cannot be simulated in an axis's cycle");
@@ -77,7 +77,7 @@ const DriveSample& DriveStepper::step(const Jet& to, int periods) noexcept {
   const detail::SteppedReference reference(reference_, to, periods * period_);
   periods_ += periods;
   reference_ = to;
-  double behind = 0;  // of the motor's and the load's own zero, u
+  double behind = 0;  // zeros of the motor and of the load, u
   if (auto* sampled = std::get_if<SampledStepper>(&model_->stepper)) {
     sampled->step(reference, periods);
     now_ = sampled->sample(unit_);

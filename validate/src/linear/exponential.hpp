@@ -12,7 +12,7 @@ constexpr int exponential_terms = 16;  // 0.5^16 / 16! = 7e-19
 /// exp(M) by Taylor's series, for a norm within exponential_reach.
 Eigen::MatrixXd exponential_series(const Eigen::MatrixXd& m);
 
-/// exp(M): of M halved until the series is exact, and squared as often.
+/// exp(M): M is halved until the series is exact, and the result is squared as often.
 Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
 
 }  // namespace jounce::detail

@@ -13,20 +13,21 @@
 //     (4)  z = (x, w),  z' = M z,  M = [A, B G; 0, N],  y = [C, D G] z
 //     (5)  z(t) = exp(M t) z(0)
 //
-// N is nilpotent or turns, A may be anything: nothing is inverted or diagonalised, hence repeated
-// eigenvalues and resonance need no case of their own. With h such that A and every o_i times h
-// stay below 1/2 in norm, the Taylor series of exp(M h) is exact to rounding in 16 terms, and
+// N is nilpotent or rotates, and A may be any matrix. Nothing is inverted or diagonalized, so repeated
+// eigenvalues and resonance are no special cases. If A and every o_i times h are below 1/2 in norm, the Taylor
+// series of exp(M h) is exact to rounding in 16 terms, and
 //
 //     (6)  exp(M 2 h) = exp(M h)^2
 //
-// The integral of two outputs' product, p and q being rows of [C, D G], goes the same way (Van Loan, eq. 1.4):
+// The integral of the product of two outputs, with p and q rows of [C, D G], doubles in the same way (Van Loan,
+// eq. 1.4):
 //
 //     (7)  integral of (p z) (q z) over t = z(0)' W(t) z(0)
 //     (8)  W(2 t) = W(t) + exp(M t)' W(t) exp(M t)
 //     (9)  q exp(M u) z = sum of v_k (u / h)^k,  v_k = q (M h)^k z / k!,
 //          whose product with another integrates to  u sum of v_i w_j (u / h)^(i+j) / (i + j + 1)
 //
-// Outputs at equal steps s = h 2^j come of one product for all of a block, which doubles as well:
+// Outputs at equal steps s = h 2^j are one product for a whole block, which doubles as well:
 //
 //     (10) O_1 = [C, D G],  O_2m = (O_m; O_m exp(M m s)),  (y(t), y(t + s), ..., y(t + (m - 1) s)) = O_m z(t)
 
@@ -84,7 +85,7 @@ double dot(const Eigen::MatrixXd& rows, Eigen::Index row, const Eigen::VectorXd&
   return sum;
 }
 
-/// How many terms of the series of exp(M t) count, where the norm of M t is at most `size`.
+/// The number of relevant terms of the series of exp(M t), where the norm of M t is at most `size`.
 int terms_of(double size) {
   double term = 1;
   for (int k = 1; k < terms; ++k)
@@ -198,7 +199,7 @@ void Ladder::read_ahead(const Eigen::VectorXd& z, int count, double* y) {
   multiply(ahead(), z.data(), count * outputs_.rows(), y);
 }
 
-/// M z: of its lower part only what (2) has there.
+/// M z, with only those entries of the lower part that (2) has.
 void Ladder::derivative(const Eigen::VectorXd& z, Eigen::VectorXd& by_time) const {
   multiply(m_, z.data(), states_, by_time.data());
   const Eigen::Index sines = states_ + degree_ + 1;
@@ -264,7 +265,7 @@ double Ladder::advance(Eigen::VectorXd& z, double time, std::span<ProductIntegra
   for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
     if ((digits & 1U) == 0) continue;
     for (ProductIntegral& p : products) p.sum += form(integral(j, p.a, p.b), z);  // (7)
-    const bool last = exactly && digits == 1;  // the reference need not follow
+    const bool last = exactly && digits == 1;  // the reference need not be advanced
     multiply(rung(j), z.data(), last ? states_ : z.size(), term_.data());
     if (last)
       z.head(states_) = term_.head(states_);

@@ -21,16 +21,15 @@ struct ProductIntegral {
   double sum = 0;
 };
 
-/// A linear system together with all references of one kind: polynomials up to a degree, and sines
-/// of given angular frequencies. Such a reference is itself the output of an autonomous linear
-/// system, so that both together are z' = M z, and every response is an exponential. The derivation
-/// stands at the head of ladder.cpp.
+/// A linear system together with all references of one kind: polynomials up to a degree, and sines of given
+/// angular frequencies. Such a reference is itself the output of an autonomous linear system. Both together are
+/// z' = M z, and every response is an exponential. The derivation is at the head of ladder.cpp.
 ///
-/// The ladder holds exp(M h 2^j), each rung the square of the one below. Any length of time is a
-/// whole number of h, whose binary digits say which rungs, and a rest that a short series takes.
+/// The ladder holds exp(M h 2^j), each rung the square of the one below. Any length of time is a whole number
+/// of h, whose binary digits select the rungs, and a rest for a short series.
 class Ladder {
  public:
-  /// `step` > 0: a length that will be asked for often, made to be one rung.
+  /// `step` > 0: a frequent length, which becomes a rung.
   Ladder(const LinearSystem& system, int degree, std::vector<double> frequencies, double step);
 
   /// True if the segment is of this kind: its degree and its sines' frequencies.
@@ -55,19 +54,19 @@ class Ladder {
   /// Puts the segment's reference at u (0 to its length) into the lower part of z.
   void place(const Segment& f, double u, Eigen::VectorXd& z) const;
 
-  /// The system's part of z after a time; the reference's part must be placed anew. Returns the time
-  /// really gone, which differs from what was asked by rounding at most. Integrals over that time of
-  /// products of outputs, two at most, are added to their sums.
+  /// The system's part of z after a time; the reference's part must be set again. Returns the exact time of the
+  /// step, which differs from the given one by rounding at most. Adds the integrals of products of outputs over
+  /// that time, at most two, to their sums.
   double advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products = {});
 
   [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z
   /// The same, into as many numbers as there are outputs.
   void read(const Eigen::VectorXd& z, double* y) const;
 
-  /// How many instants are read ahead at most.
+  /// The greatest number of instants that are computed in advance.
   static constexpr int block = 32;
-  /// The outputs at z and at the next instants, `step` apart, `count` in all (1 to block): so many times
-  /// as many numbers as there are outputs, one instant behind the other.
+  /// The outputs at z and at the next instants, `step` apart, `count` in all (1 to block). Writes all outputs
+  /// of one instant after those of the instant before.
   void read_ahead(const Eigen::VectorXd& z, int count, double* y);
 
  private:

@@ -39,7 +39,7 @@ void require_times(std::span<const double> times, double start) {
   }
 }
 
-/// The spacing of times that are equally spaced; of others, their mean.
+/// The spacing of equally spaced times, otherwise their mean.
 double spacing(std::span<const double> times, double otherwise) {
   const double length = times.size() > 1 ? times.back() - times.front() : 0;
   return length > 0 ? length / static_cast<double>(times.size() - 1) : otherwise;
@@ -49,7 +49,7 @@ double radians_per_unit(const Drive& drive) {
   return 2 * std::numbers::pi / drive.position_per_rev;
 }
 
-/// Of a column of ExactPath::along().
+/// Converts a column of ExactPath::along().
 DriveSample sample(double t, double unit, const double* y) {
   const double r = y[detail::drive_rows];
   return {t,
@@ -88,12 +88,12 @@ DriveMode mode_of(std::complex<double> eigenvalue) {
   return mode;
 }
 
-/// x(t) = sum of v_k (V^-1 x)_k exp(l_k t): a pair of conjugates swings with twice the size of one.
+/// x(t) = sum of v_k (V^-1 x)_k exp(l_k t): a pair of conjugates oscillates with twice the amplitude of one.
 std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorXd& state,
                                 double unit) {
   const auto [values, vectors] = detail::eigenpairs(system.a);
   const auto [share, rcond] = detail::solve_full(vectors, state.cast<std::complex<double>>());
-  // Vectors nearly alike: what is left of each is a difference of large numbers.
+  // Nearly parallel vectors: the rest of each is a difference of large numbers.
   const bool apart = rcond > 1e-6;
   std::vector<DriveMode> found;
   for (Index k = 0; k < values.size(); ++k) {

@@ -18,7 +18,7 @@ void scale_state(LinearSystem& s, Eigen::Index i, int power) {
   s.scale(i) *= f;
 }
 
-/// Which power makes row and column of a state equal; one that is zero leaves the other to become 1.
+/// The power that makes row and column of a state equal; if one is zero, the other becomes 1.
 int power_for(double row, double column) {
   if (row == 0 && column == 0) return 0;
   if (row == 0) return static_cast<int>(std::lround(-std::log2(column)));
@@ -29,7 +29,7 @@ int power_for(double row, double column) {
 }  // namespace
 
 LinearSystem balanced(LinearSystem s) {
-  constexpr int rounds = 20;  // each halves what is left; four are usual
+  constexpr int rounds = 20;  // each round halves the rest; four are usual
   bool changed = true;
   for (int round = 0; changed && round < rounds; ++round) {
     changed = false;

@@ -9,9 +9,9 @@ namespace jounce::detail {
 ///
 ///     x' = A x + B w,   y = C x + D w,   w = (1, r', r'')
 ///
-/// Units are whatever the maker chose, in seconds. Where the reference steps by p in position and v
-/// in velocity, x does not move in space, so that the deviation becomes
-/// x - p * follows_position - v * follows_velocity.
+/// The units are those of the maker, with time in seconds. Where the reference steps by p in position and v in
+/// velocity, x does not move in space, so the deviation becomes x - p * follows_position - v *
+/// follows_velocity.
 struct LinearSystem {
   enum Input { one, velocity, acceleration, inputs };
 
@@ -21,7 +21,7 @@ struct LinearSystem {
   Eigen::MatrixXd d;  ///< inputs columns
   Eigen::VectorXd follows_position;
   Eigen::VectorXd follows_velocity;
-  Eigen::VectorXd scale;  ///< x in its maker's units is scale times x, one by one
+  Eigen::VectorXd scale;  ///< x in the maker's units is scale times x, entry by entry
 
   [[nodiscard]] Eigen::Index states() const { return a.rows(); }
   [[nodiscard]] Eigen::Index outputs() const { return c.rows(); }
@@ -32,7 +32,7 @@ struct LinearSystem {
 /// many squarings. The outputs are unchanged, to the last bit.
 LinearSystem balanced(LinearSystem system);
 
-/// max row sum of |A|: a bound of every rate in it.
+/// max row sum of |A|: a bound of every rate.
 double rate(const LinearSystem& system);
 
 }  // namespace jounce::detail

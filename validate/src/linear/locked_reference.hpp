@@ -10,22 +10,23 @@
 
 namespace jounce::detail {
 
-/// The reference as a solver sees it whose zero is the reference's start: locked to one piece at a time.
+/// The reference for a solver whose zero is the reference's start, locked to one piece at a time.
 class LockedReference {
  public:
-  /// `before`: what the axis did until the first piece.
+  /// `before`: the motion of the axis until the first piece.
   LockedReference(double origin, const SignalPiece& first, const Jet& before)
       : origin_(origin), piece_(first), before_(before) {}
 
-  /// The last answer is kept, since right-hand side, Jacobian and events ask for the same instants.
+  /// Keeps the last result, because right-hand side, Jacobian and events use the same instants.
   const Jet& at(double t) {
     if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
     return jet_;
   }
 
-  /// Locks it to the piece, and tells solver and switches. True where the solver must begin anew, at the start,
-  /// at a step of the reference, where its own step has become too long, and where the friction fed
-  /// forward changes its sign; then the deviations have stepped as the reference does, since the axis moves on as it is.
+  /// Locks it to the piece, and notifies solver and switches. Returns true where the solver must restart: at
+  /// the start, at a step of the reference, where its own step has become too long, and where the friction
+  /// feed-forward changes its sign. The deviations have then stepped with the reference, because the axis moves
+  /// on.
   bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
              OdeSolver& solver);
   void leave() { before_ = piece_.at(piece_.end); }

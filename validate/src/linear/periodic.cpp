@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A reference of period T, for ever. Over a period the state of x' = A x + B w becomes
+// An endless reference of period T. Over a period the state of x' = A x + B w becomes
 //
 //     (1)  x(T) = P x(0) + c,   P = exp(A T)
 //
-// with c where a run from x(0) = 0 ends. At the wrap the reference steps in velocity by v = r'(0) - r'(T), if at all, and
-// the deviation with it (a step of position is the advance of a rotary slave, its new name: no step). So
+// where c is the end of a run from x(0) = 0. At the wrap the reference may step in velocity by v = r'(0) -
+// r'(T), and the deviation with it. (A step of position is the advance of a rotary slave: it only renames the
+// position.) So
 //
 //     (2)  x(0) = (I - P)^-1 (c - v follows_velocity)
 //
-// the one solution where every mode of A decays: then no eigenvalue of P is 1. Its error is the rounding of P; one
-// round of (2) with what is left after a period instead of c takes that away, too.
+// the unique solution if every mode of A decays: then no eigenvalue of P is 1. Its error is the rounding of P.
+// A second round of (2), with the remaining difference after a period instead of c, removes it.
 
 #include "validate/src/linear/periodic.hpp"
 
@@ -42,7 +43,7 @@ void require_calm(const Drive& drive) {
                          " Hz: there is no periodic steady state");
 }
 
-/// What a period makes of a state, the wrap included.
+/// The state after a period, the wrap included.
 VectorXd after_a_period(const LinearSystem& system, const Trajectory& period, const VectorXd& x) {
   ExactPath path(system, period, period.length(), {x, first_velocity(period)});
   path.whole();

@@ -12,17 +12,18 @@
 
 namespace jounce::detail {
 
-/// Where a linear drive, as that balanced system, begins each period of a reference that repeats for ever: the state
-/// right after the step from the period's end to its start. Throws InputError for loops that do not calm down.
+/// The state of a linear drive, as that balanced system, at the beginning of each period of an endless
+/// reference: right after the step from the period's end to its start. Throws InputError for loops that do not
+/// decay.
 Eigen::VectorXd periodic_start(const LinearSystem& system, const Trajectory& period,
                                const Drive& drive);
 
-/// How the way of a run begins: at rest on its start, or as periodic_start() says.
+/// The state at the start of a run: at rest, or that of periodic_start().
 PathStart path_start(const LinearSystem& system, const Trajectory& reference, const Drive& drive,
                      bool periodic);
 
-/// Throws InputError, with what is in the way, for a drive whose steady state is not known: one that is not
-/// linear, or whose controller has a cycle.
+/// Throws InputError with the reason for a drive without a known steady state: one that is not linear, or whose
+/// controller has a cycle.
 void require_steady(const Drive& drive);
 
 /// A result without a run where the loop is unstable: it has no steady state. Its report has the finding

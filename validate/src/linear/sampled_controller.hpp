@@ -8,14 +8,16 @@
 
 namespace jounce::detail {
 
-/// The controller at its sample instants, as struct Controller says: reads, computes, gives out later.
+/// The controller at its sample instants, as struct Controller describes: it reads, computes, and sets its
+/// torque later.
 class SampledController {
  public:
   explicit SampledController(DriveModel& model);
 
   /// The next instant at which it reads or its torque changes, in s from the start of the run.
   [[nodiscard]] double next() const;
-  /// Does what is due at `t`: the state's integral part and the torque that the model holds.
+  /// Performs the actions that are due at `t`: sets the state's integral part and the torque that the model
+  /// holds.
   /// `slack`: instants no farther apart are one.
   void act(double t, double slack, const Jet& r, std::span<double> y);
 
@@ -23,7 +25,7 @@ class SampledController {
   struct Output {
     double time;
     double torque;
-    int limited;  ///< the side on which the limit was met, or 0
+    int limited;  ///< side on which the limit was met, or 0
   };
 
   void read(const Jet& r, std::span<double> y);

@@ -25,7 +25,7 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double same_instant = 1e-9;  // of a cycle
+constexpr double same_instant = 1e-9;  // share of a cycle
 
 class SampledRun {
  public:
@@ -80,7 +80,7 @@ class SampledRun {
     return given_ < readings_ ? instant(given_) + k_.delay : forever;
   }
 
-  /// Times are told apart from the start, so that nothing accumulates.
+  /// Times are relative to the start, so that errors do not accumulate.
   void go_to(double t, bool within) {
     const double step = t - reference_.start() - gone_;
     if (step <= 0) return;

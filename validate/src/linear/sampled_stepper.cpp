@@ -22,8 +22,8 @@
 namespace jounce::detail {
 namespace {
 
-constexpr double same = 1e-9;        // of a cycle
-constexpr double most_cycles = 1e3;  // of delay, and in a period
+constexpr double same = 1e-9;        // share of a cycle
+constexpr double most_cycles = 1e3;  // greatest number in a delay and in a period
 
 std::vector<double> flat(const Eigen::MatrixXd& m) {
   return {m.data(), m.data() + m.size()};

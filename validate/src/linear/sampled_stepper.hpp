@@ -11,20 +11,20 @@
 
 namespace jounce::detail {
 
-/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its
-/// cycles: between the instants at which the torque changes, an exponential; at its reading, the
-/// controller with its encoder, its limit and its delay. Only the constructor allocates.
+/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its cycles.
+/// Between the instants at which the torque changes, the step is an exponential. At each reading the controller
+/// acts with its encoder, its limit and its delay. Only the constructor allocates.
 class SampledStepper {
  public:
   /// Throws InputError where the period is no whole number of cycles.
   SampledStepper(const Drive& drive, double period);
 
-  /// `position` in u is where the encoder's own zero is told from.
+  /// `position` in u is measured from the encoder's own zero.
   void rest(double position);
   void step(const SteppedReference& reference, int periods);
   /// Motor and load relative to the place of rest, N m, rad/s.
   [[nodiscard]] DriveSample sample(double unit) const;
-  /// What the reference moved since rest(), u.
+  /// The motion of the reference since rest(), u.
   [[nodiscard]] double moved() const { return moved_; }
 
  private:
@@ -55,7 +55,7 @@ class SampledStepper {
   std::size_t read_ = 0;     // readings made
   double zero_ = 0;          // rad, of the encoder at the place of rest
   double moved_ = 0;         // u
-  double angle_ = 0;         // as read last
+  double angle_ = 0;         // last reading
   double integral_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave behind a master at a constant velocity is the cam itself, stretched: between two breaks it is
-// one segment of the cam, or a part of it, run forwards or back.
+// A slave behind a master at a constant velocity follows the cam itself, scaled in time: between two breaks it
+// is one segment of the cam, or a part of it, forwards or backwards.
 
 #include <cmath>
 #include <vector>
@@ -16,10 +16,10 @@ bool straight(const Segment& f) {
   return f.sines == 0;
 }
 
-/// The cam's segment that holds x, and how many advances and periods lie between.
+/// The segment of the cam that contains x, and the number of advances and periods between.
 struct Place {
   const Segment* segment;
-  double begin;  ///< of the segment, on the cam's own axis
+  double begin;  ///< position in the segment, on the cam's own axis
   double x;      ///< the same place there
 };
 
@@ -34,7 +34,7 @@ Place place(const Cam& cam, double x) {
   return {&cam.segments()[i], breaks[i], x};
 }
 
-/// The stretch of the cam from x0 to x1, passed within `time`, moved to begin where the slave does.
+/// The interval of the cam from x0 to x1, passed within `time`, moved to begin where the slave does.
 Segment stretch(const Cam& cam, double x0, double x1, double time, double value) {
   const Place middle = place(cam, (x0 + x1) / 2);
   const Segment& f = *middle.segment;

@@ -21,7 +21,7 @@ using detail::OpenLoop;
 
 constexpr double tau = 2 * std::numbers::pi;
 constexpr int per_decade = 200;
-constexpr double rounding = 1e-10;  // of eigenvalues, relative to the greatest
+constexpr double rounding = 1e-10;  // relative rounding of eigenvalues, to the greatest
 constexpr double most_cycles = 100;
 
 bool too_late(const Controller& c) {
@@ -50,7 +50,7 @@ std::vector<LoopPole> sorted(const std::vector<Complex>& poles) {
   return found;
 }
 
-// ---- where margins are looked for ---------------------------------------------------------------
+// ---- frequencies of the search for margins ------------------------------------------------------
 
 /// Frequencies about a pole, spaced by its own width.
 void refine_about(Complex pole, std::vector<double>& grid) {
@@ -90,7 +90,7 @@ std::vector<LoopPoint> response(const OpenLoop& loop) {
   return points;
 }
 
-/// Where `of` changes its sign between two frequencies, to rounding.
+/// The frequency between two others where `of` changes its sign, to rounding.
 LoopPoint crossing(const OpenLoop& loop, double a, double b,
                    const std::function<double(Complex)>& of) {
   const bool rising = of(loop.at(a)) < 0;
@@ -210,7 +210,7 @@ std::optional<Finding> unstable_loop(const Drive& drive) {
   finding.where = loop.poles.front().frequency;
   finding.where_unit = "Hz";
   finding.value = loop.poles.front().growth;
-  finding.margin = -1e6;  // before every limit that is broken: these follow from it
+  finding.margin = -1e6;  // before every broken limit, because these follow from it
   finding.broken = true;
   finding.has_limit = false;
   finding.advice = advice(loop, drive);

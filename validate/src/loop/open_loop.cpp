@@ -6,7 +6,8 @@
 //     (2)  D(s) = (12 - 6 s D + (s D)^2) / (12 + 6 s D + (s D)^2)      Pade's approximant, as drive_system.cpp has it
 //
 // (the current loop, tau, is in the plant here). A controller with the cycle h sees the plant at its instants. The
-// delay is n cycles and d, 0 <= d < h; x' = A x + b T over a cycle, the torque T_(k-n-1) until d and T_(k-n) from then on, is
+// delay is n cycles and d, 0 <= d < h. x' = A x + b T over a cycle, with the torque T_(k-n-1) until d and
+// T_(k-n) after it, is
 //
 //     (3)  z = exp(s h)
 //     (4)  x_(k+1) = Phi x_k + G_0 T_(k-n) + G_1 T_(k-n-1)
@@ -80,7 +81,7 @@ OpenLoop::OpenLoop(const Drive& drive) : drive_(linear_part(drive)) {
 void OpenLoop::sample_plant() {
   const Controller& c = drive_.controller;
   const Index n = plant_.rows();
-  constexpr double same = 1e-9;  // of a cycle
+  constexpr double same = 1e-9;  // share of a cycle
   late_ = static_cast<int>(std::floor(c.delay / c.cycle + same));
   const double rest = std::max(0.0, c.delay - late_ * c.cycle);
   Eigen::MatrixXd with_torque = Eigen::MatrixXd::Zero(n + 1, n + 1);

@@ -10,16 +10,17 @@
 
 namespace jounce::detail {
 
-/// The drive without what makes it nonlinear: no dry friction, joints that touch, gears without loss, no arm.
+/// The drive without its nonlinear parts: no dry friction, closed joints, gears without loss, no arm.
 Drive linear_part(Drive drive);
 
-/// The loop of a linear drive, cut where the torque enters the motor. The equations stand at the head of open_loop.cpp.
+/// The loop of a linear drive, opened where the torque enters the motor. The equations are at the head of
+/// open_loop.cpp.
 class OpenLoop {
  public:
   explicit OpenLoop(const Drive& drive);
 
-  /// L at a frequency in Hz, > 0 and, of a sampled controller, at most half its rate: the closed loop has
-  /// its poles where L = -1.
+  /// L at a frequency in Hz, > 0 and, for a sampled controller, at most half its rate. The closed loop has its
+  /// poles where L = -1.
   [[nodiscard]] std::complex<double> at(double frequency) const;
 
   /// The poles of the closed loop in 1/s, those of a sampled controller by (3), with the velocity gain
@@ -29,7 +30,7 @@ class OpenLoop {
   /// The poles of motor and masses alone, in 1/s.
   [[nodiscard]] std::vector<std::complex<double>> plant_poles() const;
 
-  /// The greatest frequency that the loop has, in Hz; infinite where the controller is continuous.
+  /// The greatest frequency of the loop, in Hz; infinite for a continuous controller.
   [[nodiscard]] double highest() const;
 
  private:

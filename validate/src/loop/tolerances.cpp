@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t all_corners_up_to = 10;  // numbers: 1024 cases
 
-/// splitmix64 (Steele, Lea, Flood 2014): the same cases everywhere.
+/// splitmix64 (Steele, Lea, Flood 2014): the same cases on every machine.
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : state_(seed) {}
@@ -51,7 +51,7 @@ double& number_of(Drive& drive, const std::string& key) {
   throw InputError("tolerances.key", key, "is not a number of this drive");
 }
 
-/// What varies: middle and half width of each number.
+/// The varied numbers: middle and half width of each.
 struct Band {
   std::string key;
   double middle;
@@ -145,7 +145,7 @@ Rows rows_of(const std::vector<Band>& bands, const ToleranceSpec& spec) {
 
 // ---- figures ------------------------------------------------------------------------------------
 
-/// What is kept of a run, in the order of `figures` below.
+/// The recorded figures of a run, in the order of `figures` below.
 struct FigureOf {
   const char* name;
   const char* unit;
@@ -176,12 +176,12 @@ constexpr std::array figures{
 struct Kept {
   std::array<double, figures.size()> values{};
   bool saturated = false;
-  bool unsettled = false;  // within the standstill that was watched
+  bool unsettled = false;  // within the watched standstill
   bool failed = false;
   bool unstable = false;
 };
 
-/// A figure of a run; a settling that was not seen to end took the whole standstill at least.
+/// A figure of a run. A settling that did not end within the standstill counts as the whole standstill.
 double value_of(const FigureOf& figure, const DriveResult& run, const DriveOptions& options) {
   if (!run.integration.ok()) return std::numeric_limits<double>::quiet_NaN();
   if (figure.limit == &DriveLimits::settling_time && !run.settling_time) return options.settle;
@@ -308,7 +308,7 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
   require_valid(spec);
   DriveOptions quick = options;
   quick.samples = 0;
-  // what has an exact solution need not be integrated
+  // a drive with an exact solution is not integrated
   const std::optional<Trajectory> segments = reference.trajectory();
   const auto through = [&](const Drive& of) {
     if (auto exact = segments ? exact_through(*segments, of, quick) : std::nullopt) return *exact;

@@ -32,7 +32,7 @@ Finding at_most(const char* rule, const char* quantity, const char* unit, const 
   return finding;
 }
 
-/// The margin is in shares of the greatest force: of a limit of 0 there are none.
+/// The margin is a share of the greatest force: a limit of 0 has none.
 Finding contact_of(const FollowerResult& result, double limit) {
   Finding finding;
   finding.rule = "follower/contact";

@@ -8,8 +8,8 @@
 //     (4)  in the air:   N = 0, so that the tip creeps: d' = -(k_l / c_l) d,  d = s - x
 //          (c_l = 0: d = 0), while s > y
 //
-// The tip has no mass, so that nothing flights but N, by c_l (y' - s'), when it lands. What is integrated
-// is the compression e = y - x, small where the follower follows:
+// The tip has no mass, so only N jumps when it lands, by c_l (y' - s'). The integrated variable is the
+// compression e = y - x, which is small while the follower follows:
 //
 //     (5)  e'' = y'' + (k_s (y - e) + c_s (y' - e') + F_0 - N) / m
 //     (6)  gap = s - y = d - e
@@ -190,8 +190,8 @@ class Run {
     solver_.restart(solver_.time());
   }
 
-  /// Takes the follower off the cam or puts it back; what an event cannot see (a start on zero) tells
-  /// the sign itself.
+  /// Lifts the follower off the cam or sets it down. The sign itself decides cases that an event cannot detect
+  /// (a start on zero).
   bool switched(Step step) {
     const double* s = solver_.state().data();
     const bool event = step == Step::event;
@@ -233,7 +233,7 @@ class Run {
     raise(result_.greatest_force, force, where);
   }
 
-  /// Looks at the step just made.
+  /// Evaluates the step just made.
   void watch() {
     const double h = (solver_.time() - solver_.before()) / 2;
     if (h == 0) return;

@@ -11,7 +11,7 @@
 
 namespace jounce::detail {
 
-/// The handles of SUNDIALS, freed by what they are.
+/// The handles of SUNDIALS, each freed by its own function.
 struct Destroy {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }

@@ -7,15 +7,15 @@
 
 namespace jounce::detail {
 
-/// One interval of a signal between two breaks, locked: every query is answered from inside it, so
-/// that an integrator that looks past a break does not see the other side.
+/// One interval of a signal between two breaks, locked: every query is answered from inside it, so an
+/// integrator that evaluates beyond a break does not see the other side.
 struct SignalPiece {
   const SignalView* signal;
   double begin;
   double end;
 
   [[nodiscard]] double length() const { return end - begin; }
-  /// x is held within [begin, end]; near either end the limit from inside is asked for.
+  /// x is held within [begin, end]; near either end the limit from inside is used.
   [[nodiscard]] Jet at(double x) const;
 };
 

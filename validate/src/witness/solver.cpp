@@ -26,8 +26,8 @@ Handle made(Handle handle) {
   return handle;
 }
 
-// CVODES' own vector operations look for special factors before they begin, which for a handful of
-// numbers costs more than the operation; a step makes some sixty of them.
+// CVODES' own vector operations search for special factors before they begin. For a few numbers that costs more
+// than the operation, and a step makes about sixty of them.
 
 void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) {
   const double* u = NV_DATA_S(x);
@@ -122,7 +122,7 @@ OdeSolver::OdeSolver(Ode ode, SolverOptions options, double t0, std::span<const 
   set_up(CVodeSetErrHandlerFn(cvode, &OdeSolver::message, this));
   set_up(CVodeInit(cvode, &OdeSolver::rhs, t0, y_.get()));
   set_up(CVodeSetUserData(cvode, this));
-  set_up(CVodeSetMaxErrTestFails(cvode, 20));  // enough to find its way over a small step of rhs
+  set_up(CVodeSetMaxErrTestFails(cvode, 20));  // enough to pass a small step of rhs
   set_up(CVodeWFtolerances(cvode, &OdeSolver::weights));
   set_up(CVodeSetLinearSolver(cvode, linear_.get(), matrix_.get()));
   set_up(CVodeSetJacFn(cvode, &OdeSolver::jacobian));
@@ -234,14 +234,14 @@ void OdeSolver::set_up_sensitivities() {
 void OdeSolver::interpolate_sensitivities(double t, std::span<double> sensitivities) const {
   assert(sensitivities.size() == size_ * ode_.parameters.size());
   if (sensitivities.empty()) return;
-  // CVODES takes an array it may write to; the vectors are ours alone.
+  // CVODES takes an array that it may write to; the vectors belong to this class.
   auto& between = const_cast<std::vector<N_Vector>&>(sensitivities_between_.at);
   set_up(CVodeGetSensDky(cvode_.get(), t, 0, between.data()));
   for (std::size_t j = 0; j < between.size(); ++j)
     std::copy_n(N_VGetArrayPointer(between[j]), size_, sensitivities.data() + j * size_);
 }
 
-/// No exception may pass through C. What was thrown is kept, and the solver told to stop.
+/// No exception may pass through C: it is kept, and the solver is stopped.
 template <class Call>
 int OdeSolver::guarded(Call call) noexcept {
   try {

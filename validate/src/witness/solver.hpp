@@ -27,13 +27,13 @@ struct Ode {
   std::function<void(double t, const double* y, double* dy)> rhs;
   /// df/dy, column by column: jacobian[column * size + row], handed over filled with zeros
   std::function<void(double t, const double* y, double* jacobian)> jacobian;
-  /// as many functions as `events`; a change of sign of any ends a step there
+  /// the values of `events` functions; a step ends where one of them changes its sign
   std::function<void(double t, const double* y, double* g)> event;
   int events = 0;
   /// df/dp, one parameter after another: dfdp[j * size + row], handed over filled with zeros
   std::function<void(double t, const double* y, double* dfdp)> by_parameter = {};
-  /// One a parameter, > 0: by how much it has to change for the state to change by its own size. None:
-  /// no sensitivities are integrated.
+  /// One for each parameter, > 0: the change of the parameter that changes the state by its own size. None: no
+  /// sensitivities are integrated.
   std::vector<double> parameters = {};
 };
 
@@ -49,21 +49,21 @@ struct SolverOptions {
 
 enum class Step { inside, stop, event, failed };
 
-/// CVODES with a dense Newton solver, one step at a time. What it adds is what CVODES leaves to the
+/// CVODES with a dense Newton solver, one step at a time, with the following rules, which CVODES leaves to its
 /// caller (all measured on version 6.4.1):
 ///
-/// - every step has a stop time, and none stays pending: step() sets it anew each time, never
-///   within rounding of the present (which is refused with -22);
-/// - messages go into Integration::reason, not to stderr;
-/// - exceptions thrown by the functions of the Ode are carried across the C code and rethrown;
+/// - every step has a stop time, and none stays pending: step() sets it again each time, never within
+///   rounding of the present time (which CVODES rejects with -22);
+/// - messages are written to Integration::reason, not to stderr;
+/// - exceptions of the functions of the Ode are carried across the C code and rethrown;
 /// - a right-hand side that is not finite ends the integration as `not_finite`.
 ///
-/// Where the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated beside the state, to
-/// the same tolerance (forward, staggered corrector, under error control):
+/// If the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated with the state, to the same
+/// tolerance (forward, staggered corrector, under error control):
 ///
 ///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
 ///
-/// At a jump of the state whoever changes state() changes sensitivity() too, before restart().
+/// At a jump of the state, a caller that changes state() must change sensitivity() too, before restart().
 class OdeSolver {
  public:
   OdeSolver(Ode ode, SolverOptions options, double t0, std::span<const double> y0);
@@ -81,34 +81,34 @@ class OdeSolver {
     return {N_VGetArrayPointer(sensitivities_.at[j]), size_};
   }
 
-  /// Other tolerances, before a restart.
+  /// Sets other tolerances; call it before a restart.
   void tolerate(double relative, std::span<const double> absolute);
-  /// Begins anew at t from state(), which may have been changed: after every jump and event.
+  /// Restarts at t from state(), which may have been changed: after every jump and event.
   void restart(double t);
 
-  /// No step is longer than this from the next but one on.
+  /// Greatest length of a step, from the next but one on.
   void limit_step(double longest);
-  /// How far the solver would go next; after a restart 0, as it then looks for itself.
+  /// The length of the next step of the solver; 0 after a restart, when it searches for one.
   [[nodiscard]] double next_step() const;
 
   /// One step, not beyond `stop`.
   Step step(double stop);
-  /// Which way the event function went through zero: -1, 0 (not at all) or 1.
+  /// The direction in which the event function crossed zero: -1, 0 (no crossing) or 1.
   [[nodiscard]] int crossing(std::size_t event) const { return crossings_[event]; }
   [[nodiscard]] std::span<const int> crossings() const { return crossings_; }
 
-  /// Where the step just made began.
+  /// The start of the last step.
   [[nodiscard]] double before() const { return before_; }
-  /// The state at t between before() and time(); `state` holds as many numbers as state() does.
+  /// Writes the state at t between before() and time() to `state`, which has as many numbers as state().
   void interpolate(double t, std::span<double> state) const;
   /// The same of the sensitivities, one parameter after another.
   void interpolate_sensitivities(double t, std::span<double> sensitivities) const;
 
-  /// Counts and outcome so far.
+  /// Counts and result so far.
   [[nodiscard]] const Integration& integration() const { return integration_; }
 
  private:
-  /// As many vectors as there are parameters, the way CVODES takes them.
+  /// The vectors of all parameters, as CVODES takes them.
   struct Vectors {
     std::vector<N_Vector> at;
     explicit Vectors(std::size_t count, N_Vector like);

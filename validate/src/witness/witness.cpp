@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mathematics of the witness. Over an interval of length L that begins at b, with
-// s = (x - b) / L and J the size of the jerk j there, what the jerk adds to the parabola that the
-// carried state (p, v, a) describes is q:
+// The mathematics of the witness. For an interval of length L that begins at b, with s = (x - b) / L and J the
+// size of the jerk j there, q is the difference that the jerk adds to the parabola of the carried state (p, v,
+// a):
 //
 //     (1)  q1' = q2,   q2' = q3,   q3' = j(b + L s) / J,      q(0) = 0
 //     (2)  p(x) = p + v u + a u^2 / 2 + J L^3 q1(s)           u = L s
 //          v(x) = v + a u             + J L^2 q2(s)
 //          a(x) = a                   + J L   q3(s)
 //
-// This is y = (p, v, a), y' = (v, a, j) in other variables: the solver's tolerance then holds for
-// what the interval adds, not for the size of the position, and no unit enters the solver.
+// This is y = (p, v, a), y' = (v, a, j) in other variables. The solver's tolerance then applies to the
+// difference that the interval adds, not to the size of the position, and no unit enters the solver.
 //
-// The signal rounds its values by eps, and its breaks, of size X, by eps X. What such errors may
-// have grown to since the start is carried along beside the state:
+// The signal rounds its values by eps, and its breaks, of size X, by eps X. The growth of such errors since the
+// start is carried along with the state:
 //
 //     (3)  at a break       d_p += eps (|p| + X |v|),  d_v += eps (|v| + X |a|),
 //                           d_a += eps (|a| + X |j|)
 //     (4)  over an interval d_p += L d_v + L^2 d_a / 2,  d_v += L d_a
 //
-// For the same reason s is known to eps X / L only, and the solver is not asked for more.
+// For the same reason s is accurate to eps X / L only, and the solver gets no smaller tolerance.
 
 #include "jounce/validate/witness.hpp"
 
@@ -40,8 +40,8 @@ namespace {
 using detail::OdeSolver;
 using detail::SignalPiece;
 
-/// Chebyshev points: stops that force the solver to look into every interval, at places that are
-/// not all zeros of any sine of whole periods.
+/// Chebyshev points: stops that force the solver to evaluate every interval, at places that are not all zeros
+/// of any sine of whole periods.
 constexpr std::array stops{0.0954915028125263, 0.3454915028125263, 0.6545084971874737,
                            0.9045084971874737, 1.0};
 
@@ -61,7 +61,7 @@ void require_valid(const WitnessOptions& options) {
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");
 }
 
-/// The largest jerk seen in an interval: only a scale, so that a few places are enough.
+/// The largest jerk seen in an interval: only a scale, for which a few places are enough.
 double jerk_size(const SignalPiece& piece) {
   double size = std::abs(piece.at(piece.begin)[3]);
   for (const double s : stops)
@@ -78,7 +78,7 @@ class JerkIntegral {
         solver_(ode(), {detail::Method::adams, 1e-3, {1, 1, 1}, 0, options.max_steps}, 0,
                 std::array{0.0, 0.0, 0.0}) {}
 
-  /// `x` is the size of the piece's breaks, known to eps x.
+  /// `x` is the size of the piece's breaks, which are accurate to eps x.
   void enter(const SignalPiece& piece, double jerk, double x) {
     piece_ = piece;
     size_ = jerk > 0 ? jerk : 1;
@@ -95,7 +95,7 @@ class JerkIntegral {
     return step == detail::Step::stop;
   }
 
-  /// (2) where the integration stands, from the state at the interval's begin.
+  /// (2) at the present place of the integration, from the state at the interval's begin.
   State carried(const State& y) {
     const double length = piece_.length();
     const double u = solver_.time() * length;
@@ -105,7 +105,7 @@ class JerkIntegral {
             y.v + u * y.a + add * length * q[1], y.a + add * q[2]};
   }
 
-  /// The place where the integration stands.
+  /// The present place of the integration.
   [[nodiscard]] double reached() const {
     const double s = solver_.time();
     return s == 1 ? piece_.end : piece_.begin + s * piece_.length();
@@ -133,7 +133,7 @@ class JerkIntegral {
   OdeSolver solver_;
 };
 
-/// Keeps whatever is worst for its own limit; a difference that is not finite is.
+/// Keeps the worst value, relative to its own limit; a difference that is not finite is the worst.
 void compare(Disagreement& worst, double integrated, double signal, double where, double limit,
              double drift) {
   const double difference = std::abs(integrated - signal);
@@ -143,7 +143,7 @@ void compare(Disagreement& worst, double integrated, double signal, double where
     worst = {relative, where, integrated, signal, worst.scale, allowed};
 }
 
-/// The witness on its way along the signal.
+/// The witness, which follows the signal.
 class Walk {
  public:
   Walk(const std::vector<SignalPiece>& pieces, const WitnessOptions& options, Witness& witness)
@@ -152,7 +152,7 @@ class Walk {
     y_ = {before_[0], before_[1], before_[2]};
   }
 
-  /// Over one interval and the break it begins with; false if the solver gave up.
+  /// Advances over one interval and its first break; false if the solver gave up.
   bool cross(const SignalPiece& piece) {
     const double x = std::max(std::abs(piece.begin), std::abs(piece.end));
     const double jerk = jerk_size(piece);

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "jounce/cam/design/design.hpp"
@@ -59,10 +57,7 @@ struct CamShapeProblem {
   std::vector<Ceiling> ceilings = {};  ///< ceilings of each run
   std::vector<std::vector<WeightedFigure>> minimize = {};  ///< most important first
   bool refine = false;
-  std::uint64_t seed = 1;
-  int max_evaluations = 2000;
-  std::optional<double> seconds = {};  ///< for everything
-  double tolerance = 1e-6;             ///< tolerance of one solution, relative
+  OptimizeOptions options = {};  ///< those of every run; the time is for all of them
   double concession = 1e-3;
 };
 
@@ -73,36 +68,19 @@ void require_valid(const CamShapeProblem& problem);
 /// Outcome of one run.
 struct CamRunOutcome {
   std::vector<std::size_t> segments;  ///< segments of the spec, in the order of the master
-  ShapeOutcome shape;                 ///< shape of the last entry of `minimize`
-  /// For every entry of `minimize`, then for the ceilings: `reached` is that of the finished shape.
-  std::vector<FigureResult> figures;
+  /// Shape of the last entry of `minimize`. Its figures are those of all entries, then of the ceilings.
+  ShapeOutcome shape;
 };
 
-struct CamShapeOutcome {
-  Outcome::Status status = Outcome::Status::infeasible;  ///< the least good one of the runs
-  std::string reason;                                    ///< one sentence, of that run
-  /// The cam with laws `hermite` in place of the free ones.
-  CamSpec best = {};
+/// The cam `best` has laws `hermite` in place of the free ones. Status and reason are those of the worst run;
+/// figures, active constraints and counts are those of all runs in turn. `limits` is check(best, limits),
+/// with segments of the spec counted from 0.
+struct CamShapeOutcome : Outcome<CamSpec> {
   std::vector<CamRunOutcome> runs = {};
-  Report limits = {};  ///< check(best, limits), as designed; segments of the spec, counted from 0
-
-  [[nodiscard]] bool usable() const;
 };
-
-struct CamShapeProgress {
-  std::size_t run = 0;
-  std::size_t runs = 0;
-  std::size_t stage = 0;  ///< stage of `minimize`
-  std::size_t stages = 0;
-  int round = 0;
-  double value = 0;
-};
-
-/// Return false to stop; the best so far is still returned, and usable if marked so.
-using CamShapeKeepGoing = std::function<bool(const CamShapeProgress&)>;
 
 /// Throws InputError as require_valid() does.
 CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
-                                    const CamShapeKeepGoing& keep_going = {});
+                                    const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "jounce/cam/design/design.hpp"
+#include "jounce/optimize/outcome.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
@@ -40,18 +40,29 @@ std::optional<Objective> objective_named(std::string_view name);
 /// The objective's value for a cam: exact extrema, respectively a quadrature exact to rounding.
 double value_of(Objective objective, const Cam& cam);
 
+/// The slave's limits behind a master that also accelerates. With ramp = a / w^2, a the master's greatest
+/// acceleration and w its speed,
+///
+///     |f''| + ramp |f'| <= limits.acceleration,   |f'''| + 3 ramp |f''| <= limits.jerk
+///
+/// hold over the whole cam, as greatest_master_velocity() has them (jounce/cam/coupling/master_limits.hpp).
+struct RampedLimits {
+  double ramp = 0;     ///< 1/m, >= 0; 0: no limits of this kind
+  Limits limits = {};  ///< per master unit: acceleration and jerk alone are used
+};
+
 /// A cam with some freedom left, and what to use it for.
 ///
 ///     CamProblem problem{.cam = cam};
 ///     problem.free = {{.knot = 3, .master = Bound{205, 355}, .geo_velocity = Bound{-3, 3}}};
 ///     problem.limits = {.velocity = 3, .acceleration = 0.15};
 ///     problem.minimize = {Objective::peak_acceleration, Objective::peak_jerk};
-///     Outcome outcome = optimize(problem);
+///     const Outcome<CamSpec> outcome = optimize(problem);
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
 /// **Order.** The first objective is minimised; then the second among the cams whose first is
-/// within `tolerance` (relative) of what was reached; and so on. A larger tolerance is a licence to
-/// trade.
+/// within `tolerance` (relative) of what was reached; and so on. A larger tolerance gives the later
+/// objectives more slack.
 ///
 /// **Periodic cams.** Start and last knot are one: whichever of the two is named, both change by
 /// the same amount. The masters of the two ends are never free.
@@ -64,11 +75,9 @@ struct CamProblem {
   std::vector<FreeKnot> free;
   Limits limits;                    ///< per master unit; hold over the whole cam
   std::vector<Objective> minimize;  ///< most important first; no duplicates
-  std::uint64_t seed = 1;           ///< seed of the starts; the same problem gives the same outcome
-  int starts = 8;                   ///< >= 1; the given cam is the first
-  int max_evaluations = 50000;      ///< >= 1, of the whole problem
-  double tolerance = 1e-6;          ///< relative, in [1e-9, 1]
-  std::optional<double> seconds = {};  ///< > 0; what is found by then depends on the machine
+  RampedLimits ramped = {};         ///< hold as well
+  /// 8 starts, of which the given cam is the first, and 50000 evaluations unless stated.
+  OptimizeOptions options = {};
 };
 
 /// Throws InputError (keys like `segment[3].free.master`, `start.free.slave`, `tolerance`) unless

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "jounce/optimize/optimize.hpp"
+#include "jounce/optimize/outcome.hpp"
 
 namespace jounce {
 
@@ -31,39 +30,19 @@ struct SearchAnswer {
 
 using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>;
 
-struct SearchOptions {
-  std::uint64_t seed = 1;
-  bool global = true;                  ///< several basins: look everywhere first
-  int max_evaluations = 5000;          ///< in [1, 1000000]
-  std::optional<double> seconds = {};  ///< > 0; what is found by then depends on the machine
-  double tolerance = 1e-6;  ///< tolerance of the objective and of each range, in [1e-9, 0.01]
-};
-
-struct SearchProgress {
-  int evaluations = 0;
-  std::optional<double> best;  ///< objective of the best choice that meets its constraints
-};
-
-struct SearchOutcome {
-  Outcome::Status status =
-      Outcome::Status::infeasible;  ///< never `optimal`: a search proves nothing
-  std::string reason = {};          ///< one sentence
-  std::vector<double> best = {};    ///< the best that meets its constraints, or the least violated
-  SearchAnswer answer = {};         ///< there
-  bool feasible = false;            ///< `best` meets every constraint: asked once more at the end
+/// The result of a search: `best` are the numbers. `status` is never `optimal`: a search proves nothing.
+/// `feasible` follows from one more evaluation at the end. `limits` has one finding "constraint/N" for each
+/// constraint, `active` those that are met to 1e-4 of their usual size, and "bound/NAME" of the variables at
+/// a bound.
+struct SearchOutcome : Outcome<std::vector<double>> {
+  SearchAnswer answer = {};  ///< answer of the function at `best`
   std::vector<std::size_t> at_bound =
-      {};                                ///< variables that stand at a bound (not those that stay)
-  std::vector<std::size_t> active = {};  ///< constraints met to 1e-4 of their usual size
+      {};                             ///< variables that are at a bound, except those that stay
+  std::vector<std::size_t> met = {};  ///< constraints met to 1e-4 of their usual size
   std::string beyond = {};  ///< why choices within 1e-3 of the ranges from `best` are not possible
-  int evaluations = 0;
-  int searches = 0;  ///< local ones, of the global phase
-  int agreeing = 0;  ///< agreeing of these, that led to where `best` was found
-
-  /// True if `best` can be used.
-  [[nodiscard]] bool usable() const { return feasible; }
 };
 
-/// Minimises a function that is expensive and has no derivatives: the numbers of a spec, through
+/// Minimizes a function that is expensive and has no derivatives: the numbers of a spec, through
 /// everything that is computed from them.
 ///
 ///     const auto f = [](const std::vector<double>& x) -> SearchAnswer {
@@ -82,15 +61,17 @@ struct SearchOutcome {
 /// range is bisected to 1e-3 of the tolerance, each dip narrowed down to the tolerance. The search needs
 /// neither monotonicity nor convexity; it can miss an island narrower than a 256th of the range.
 ///
+/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the objective and
+/// of each range; `starts`: the most local searches of the global phase, and 1 leaves that phase out.
+///
 /// **Several variables** with a bound that is feasible only within a hair's breadth, or a best in a
 /// narrow curved valley, may end early: the status is `stalled` if that was detected.
 ///
 /// Deterministic for a seed and a number of evaluations, unless `seconds` or keep_going end it. f is
 /// called from this thread only, with numbers within their bounds. An exception thrown by f comes out
-/// as it is. keep_going is asked after each evaluation; false ends the search with the best so far.
+/// as it is. keep_going is called after each evaluation.
 /// Throws InputError (keys `variable[1].lower`, `seconds`, ...) for variables or options out of range.
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-                     const SearchOptions& options = {},
-                     const std::function<bool(const SearchProgress&)>& keep_going = {});
+                     const OptimizeOptions& options = {}, const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -3,14 +3,13 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "jounce/optimize/optimize.hpp"
+#include "jounce/optimize/outcome.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -41,8 +40,8 @@ struct RmsOf {
   LinearQuantity quantity;
 };
 
-/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end, the worst
-/// over a band: frequencies in cycles per unit of x, damping ratios.
+/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end,
+/// the worst over a band: frequencies in cycles per unit of x, damping ratios.
 struct ResidualOf {
   double low = 0;
   double high = 0;  ///< low == high: one frequency
@@ -172,48 +171,24 @@ struct ShapeProblem {
   std::vector<WeightedFigure> minimize = {};
   std::vector<Corridor> corridors = {};
   std::vector<Ceiling> ceilings = {};
-  std::uint64_t seed = 1;
-  int max_evaluations = 2000;          ///< max evaluations of the not convex part
-  std::optional<double> seconds = {};  ///< time budget
-  double tolerance = 1e-6;             ///< relative
+  /// A figure that is not convex has 3 starts and 2000 evaluations unless stated.
+  OptimizeOptions options = {};
 };
 
-struct FigureResult {
-  std::string name;
-  double given = 0;
-  double reached =
-      0;  ///< exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), at its places (ResponseOf)
-  /// Proven: no function at all within the constraints is below, where such a bound is known (cf.
-  /// jounce/optimize/bound.hpp); otherwise left out.
-  std::optional<double> bound = {};
-};
+/// Result of optimize_shape(): `best` is the shape, from `begin` on.
+///
+/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its places
+/// (ResponseOf). `value` is the weighted sum. `bound` follows by weak duality, for convex problems: no spline
+/// over these knots, of up to 1000 times the size of this one in every derivative, has a weighted sum below.
+/// (One beyond, k times as far, could be better by k times what `value` is above the bound, and no more.)
+///
+/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also "fixed/..."
+/// and "joint/..." where it misses what is fixed at an end, or a joint.
+using ShapeOutcome = Outcome<std::vector<Segment>>;
 
-struct ShapeOutcome {
-  Outcome::Status status = Outcome::Status::infeasible;
-  std::string reason;             ///< one sentence
-  std::vector<Segment> segments;  ///< the best shape, from `begin` on
-  double value = 0;               ///< the weighted sum reached
-  /// By weak duality, for convex problems: no spline over these knots, of up to 1000 times the size of this
-  /// one in every derivative, has a weighted sum below. (One beyond, k times as far, could be better by k
-  /// times what `value` is above the bound, and no more.)
-  std::optional<double> spline_bound = {};
-  std::vector<FigureResult> figures;  ///< figures of `minimize`, then of `ceilings`
-  /// Corridors and ceilings checked on the result, independently and exactly; also "fixed/..." and
-  /// "joint/..." where it misses what is fixed at an end, or a joint.
-  Report limits;
-  std::vector<Finding> active;  ///< active constraints, as in Outcome
-  int rounds = 0;               ///< rounds of the exchange
-  int evaluations = 0;
-
-  [[nodiscard]] bool usable() const { return limits.ok() && !segments.empty(); }
-};
-
-/// Between two rounds and, with the same number, many times within one; false stops, the best so far is
-/// still answered.
-using ShapeKeepGoing = std::function<bool(int round, double value)>;
-
-/// Throws InputError as require_valid() does.
-ShapeOutcome optimize_shape(const ShapeProblem& problem, const ShapeKeepGoing& keep_going = {});
+/// Throws InputError as require_valid() does. The progress comes between two rounds and, with the same
+/// number, many times within one.
+ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going = {});
 
 void require_valid(const ShapeProblem& problem);
 

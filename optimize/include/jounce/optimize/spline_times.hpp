@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
+#include "jounce/optimize/outcome.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -23,7 +22,7 @@ enum class TimeObjective {
 ///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};          // one entry a joint
 ///     spec.limits = {{.velocity = 100, .acceleration = 45, .jerk = 60},
 ///                    {.velocity = 95, .acceleration = 40, .jerk = 60}};
-///     SplineTimes best = spline_times(spec);
+///     const SplineTimes best = spline_times(spec).best;
 ///     Trajectory joint1 = best.joints[0];                                // best.duration seconds
 ///
 /// **Vocabulary.** Each joint is a C2 cubic spline over the same knots: the points, and two *virtual*
@@ -41,36 +40,28 @@ struct SplineTimesSpec {
   std::vector<std::vector<double>> points;  ///< u; at least two, one position a joint each
   std::vector<Limits> limits = {};          ///< one a joint; for `shortest`, and checked for all
   TimeObjective objective = TimeObjective::shortest;
-  double duration = 0;     ///< s: of the other two objectives
-  std::uint64_t seed = 1;  ///< seed of the starts: the same spec gives the same times
-  int starts = 24;         ///< >= 1
+  double duration = 0;           ///< s: of the other two objectives
+  OptimizeOptions options = {};  ///< 24 starts unless stated; no budget
 };
 
-/// Result of spline_times().
+/// The times of a spline, and its joints.
 struct SplineTimes {
-  enum class Status {
-    converged,  ///< several starts agree on the best to 1e-6: the search is local, no proof
-    stalled,    ///< the best was reached by one start alone: more starts may find better
-  };
-  Status status = Status::stalled;
-  std::string reason;              ///< one sentence
   double duration = 0;             ///< s
-  double value = 0;                ///< value of the objective: s, u/s^3 or u^2/s^5
   std::vector<double> intervals;   ///< s, between knots
   std::vector<Trajectory> joints;  ///< exact; each holds outside
-  Report limits;                   ///< all joints against their limits, by exact extrema
-  /// Limits met to 1e-6 and peaks of the objective, in words: "joint 2 acceleration -40 at 3.07 s".
-  std::vector<std::string> active;
-  int agreeing = 0;     ///< starts that reached the value to a relative 1e-6
-  double spread = 0;    ///< relative difference of the best two starts
-  int evaluations = 0;  ///< evaluations of the splines with all derivatives
 };
 
-const char* name(SplineTimes::Status status);
+/// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves nothing: it is
+/// `converged` where several starts agree on the best to 1e-6, and `stalled` where one start alone reached
+/// it. `limits` checks all joints by exact extrema. `active`: limits met to 1e-6 and peaks of the objective.
+struct SplineTimesOutcome : Outcome<SplineTimes> {
+  double spread = 0;  ///< relative difference of the best two starts
+};
 
-/// The best times found from `starts` starts. Uniform scaling of time is exact (velocity 1/s,
+/// The best times found from several starts. Uniform scaling of time is exact (velocity 1/s,
 /// acceleration 1/s^2, jerk 1/s^3), so the result of `shortest` keeps every limit, and one is met.
-SplineTimes spline_times(const SplineTimesSpec& spec);
+/// keep_going is called after each start.
+SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going = {});
 
 /// The joints as C2 cubic splines with the given intervals (points + 1 of them, > 0 s): what
 /// spline_times() varies.

@@ -31,7 +31,7 @@ struct ParametersSpec {
   std::string figure = {};  ///< the key figure that it is all for
   bool maximize = false;
   std::vector<FigureBound> require = {};
-  SearchOptions options = {};
+  OptimizeOptions options = {};
 };
 
 }  // namespace jounce

@@ -20,11 +20,11 @@ enum class Design {
 ///     const SampleDesign design(Design::sobol, 1, {"drive.mass[1].inertia", "move.velocity"}, 256);
 ///     design.at(0, 17);                        // of the first parameter in the eighteenth sample
 ///
-/// Latin hypercube: a permutation for each parameter, and a place within the N-th, both from the parameter's own
-/// random stream (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21, 1979). Sobol: each coordinate XORed with
-/// random bits of its parameter, a random digital shift, which keeps the sequence as even as it is (P. L'Ecuyer, C.
-/// Lemieux, Recent advances in randomized quasi-Monte Carlo methods, 2002). The coordinates go to the parameters in the
-/// order of the names.
+/// Latin hypercube: a permutation for each parameter, and a place within the N-th, both from the parameter's
+/// own random stream (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21, 1979). Sobol: each
+/// coordinate XORed with random bits of its parameter, a random digital shift, which keeps the sequence as
+/// even as it is (P. L'Ecuyer, C. Lemieux, Recent advances in randomized quasi-Monte Carlo methods, 2002).
+/// The coordinates go to the parameters in the order of the names.
 class SampleDesign {
  public:
   SampleDesign() = default;  ///< random

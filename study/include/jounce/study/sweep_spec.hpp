@@ -107,8 +107,8 @@ struct SweepSpec {
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 
-/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws
-/// InputError as read_spec() does, for a spec that makes nothing, and for a key, figure or unit that it does not have.
+/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws InputError as
+/// read_spec() does, for a spec that makes nothing, and for a key, figure or unit that it does not have.
 SweepSpec read_sweep(const std::string& path);
 
 }  // namespace jounce

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,7 +55,6 @@ struct TuneOutcome {
 /// Where the generator refuses a choice, its reason is kept: it limits the best choice beside it. Throws
 /// InputError, placed in the document, where the spec has no [[optimize.parameter]], for a figure that it
 /// does not have, for a bound that is no quantity of the figure's unit, for a number outside its range.
-TuneOutcome tune(const Spec& spec,
-                 const std::function<bool(const SearchProgress&)>& keep_going = {});
+TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -57,7 +57,8 @@ Range range_of(const Wave& wave, double tolerance);
 /// kink wherever T changes its sign, to about 1e-6.
 double value_of(const Pointwise& figure, const std::vector<Segment>& shape, double begin);
 
-/// Places where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the others.
+/// Places where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the
+/// others.
 std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segment>& shape,
                                 double begin, double level);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/optimize/outcome.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+void require_valid(const OptimizeOptions& options, double greatest_tolerance) {
+  if (!(options.tolerance >= 1e-9 && options.tolerance <= greatest_tolerance))
+    throw InputError("tolerance", options.tolerance,
+                     "must be between 1e-9 and " + number(greatest_tolerance));
+  if (options.starts && *options.starts < 1)
+    throw InputError("starts", *options.starts, "must be at least 1");
+  if (const auto most = options.budget.evaluations; most && *most < 1)
+    throw InputError("max_evaluations", *most, "must be at least 1");
+  if (options.budget.seconds) require_positive("seconds", *options.budget.seconds);
+}
+
+const char* name(OptimizeStatus status) {
+  switch (status) {
+    case OptimizeStatus::optimal:
+      return "optimal";
+    case OptimizeStatus::converged:
+      return "converged";
+    case OptimizeStatus::stalled:
+      return "stalled";
+    case OptimizeStatus::cancelled:
+      return "cancelled";
+    case OptimizeStatus::infeasible:
+      break;
+  }
+  return "infeasible";
+}
+
+std::optional<double> FigureResult::gap() const {
+  if (!bound) return std::nullopt;
+  return reached > *bound ? (reached - *bound) / reached : 0;
+}
+
+}  // namespace jounce
