@@ -128,7 +128,7 @@ class Fit {
   [[nodiscard]] Index blocks() const { return static_cast<Index>(fit_.used.size()); }
 
   /// (3), but not below the accuracy of the integrator.
-  [[nodiscard]] VectorXd deviations(const VectorXd& r) const {
+  [[nodiscard]] VectorXd standard_deviations(const VectorXd& r) const {
     VectorXd sigma(blocks());
     const double free =
         std::max(1 - static_cast<double>(first_.size()) / static_cast<double>(r.size()), 0.1);
@@ -165,7 +165,7 @@ class Fit {
     const auto first = deviations(x);
     if (!first) return;
     fit_.before = first->residual;
-    fit_.sigma = deviations(fit_.before);
+    fit_.sigma = standard_deviations(fit_.before);
     double damping = 1e-3;
     for (int weighting = 0; weighting < weightings; ++weighting) {
       const int left = spec_.max_iterations - fit_.iterations;
@@ -188,7 +188,7 @@ class Fit {
     VectorXd unweighted = fit_.found.at.residual;
     for (Index b = 0; b < blocks(); ++b)
       unweighted.segment(b * fit_.samples(), fit_.samples()) *= fit_.sigma[b];
-    const VectorXd sigma = deviations(unweighted);
+    const VectorXd sigma = standard_deviations(unweighted);
     const bool same = ((sigma - fit_.sigma).array().abs() <= settled * sigma.array()).all();
     weigh(fit_.found.at, (sigma.array() / fit_.sigma.array()).matrix());
     fit_.sigma = sigma;
