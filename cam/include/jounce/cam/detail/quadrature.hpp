@@ -21,12 +21,12 @@ struct QuadratureNode {
 };
 
 /// Six points: exact for polynomials to degree 11.
-constexpr std::array gauss_6{QuadratureNode{0.033765242898423975, 0.085662246189585178},
-                             QuadratureNode{0.16939530676686776, 0.18038078652406930},
-                             QuadratureNode{0.38069040695840156, 0.23395696728634552},
-                             QuadratureNode{0.61930959304159844, 0.23395696728634552},
-                             QuadratureNode{0.83060469323313224, 0.18038078652406930},
-                             QuadratureNode{0.96623475710157603, 0.085662246189585178}};
+inline constexpr std::array gauss_6{QuadratureNode{0.033765242898423975, 0.085662246189585178},
+                                    QuadratureNode{0.16939530676686776, 0.18038078652406930},
+                                    QuadratureNode{0.38069040695840156, 0.23395696728634552},
+                                    QuadratureNode{0.61930959304159844, 0.23395696728634552},
+                                    QuadratureNode{0.83060469323313224, 0.18038078652406930},
+                                    QuadratureNode{0.96623475710157603, 0.085662246189585178}};
 
 /// Any number of points, by Newton's method on Legendre's polynomial: exact to degree 2 points - 1.
 inline std::vector<QuadratureNode> gauss(int points) {
