@@ -8,10 +8,10 @@ namespace jounce::optimizer {
 
 /// Chebyshev's nodes of an interval, and Lagrange's polynomials there (barycentric: Berrut, Trefethen, SIAM
 /// Review 46, 2004), for a function that grows like exp(size |x|) off the real axis.
-class Nodes {
+class ChebyshevNodes {
  public:
   /// Uses enough nodes for an error at rounding, by (e rho / 2 n)^n with rho = size (high - low) / 2.
-  Nodes(double low, double high, double size);
+  ChebyshevNodes(double low, double high, double size);
 
   [[nodiscard]] const std::vector<double>& at() const { return at_; }
   /// True if that needs more nodes than the maximum.

@@ -6,7 +6,7 @@
 #include "optimize/src/figures/figure_rows.hpp"
 
 /// Numbers that are affine in the coordinates of a spline, with unknowns of their own. The derivation is at the
-/// head of lifted.cpp.
+/// head of auxiliary_variables.cpp.
 namespace jounce::optimizer {
 
 /// y = constant + factor x, where x begins at unknown `first`.
@@ -23,9 +23,9 @@ struct Affine {
 /// Removes from rows over the coordinates the part that the joints cancel.
 Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space);
 
-/// Writes y in the figure's own unknowns, in which the target of the figure has about size one. The equations
-/// between the unknowns and the coordinates become part of the rows. Needs the value, the natural size and the
+/// Writes y in auxiliary variables, in which the target of the figure has about size one. The equations
+/// between these and the coordinates become part of the rows. Needs the value, the natural size and the
 /// rounding of the rows.
-Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows);
+Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows);
 
 }  // namespace jounce::optimizer

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/knots/improve.hpp"
+#include "optimize/src/knots/exchange_method.hpp"
 
 #include <algorithm>
 
-#include "optimize/src/knots/exchange.hpp"
+#include "optimize/src/knots/exchange_rows.hpp"
 #include "optimize/src/solvers/solve.hpp"
 
 namespace jounce::optimizer {
@@ -16,24 +16,24 @@ constexpr double slow =
 /// One attempt, round by round.
 class Run {
  public:
-  Run(const Stage& stage, const Point& start, int max_evaluations,
+  Run(const Subproblem& subproblem, const Point& start, int max_evaluations,
       const std::function<bool()>& go_on)
-      : stage_(stage),
+      : subproblem_(subproblem),
         go_on_(go_on),
-        exchange_(stage, start),
+        exchange_(subproblem, start),
         z_(start),
-        now_(optimizer::standing(stage, start)),
+        now_(optimizer::merit(subproblem, start)),
         best_{start, now_, false, 0},
         max_evaluations_(max_evaluations),
-        held_(!stage.space.convex()) {
-    least_t_ = floor_of(stage) / exchange_.reference();
+        held_(!subproblem.space.convex()) {
+    least_t_ = floor_of(subproblem) / exchange_.reference();
   }
 
-  [[nodiscard]] const Attempt& best() const { return best_; }
+  [[nodiscard]] const LocalSolution& best() const { return best_; }
 
   /// One solution and its consequences. Returns false when there is nothing more to do.
   bool step() {
-    if (!stage_.objective && best_.standing.excess <= rounding) {
+    if (!subproblem_.objective && best_.merit.excess <= rounding_tolerance) {
       best_.converged = true;
       return false;
     }
@@ -43,10 +43,10 @@ class Run {
     const Solved solved = solve(program(), z_, t(), std::min(left, patience()), go_on_);
     best_.evaluations += solved.evaluations;
     if (!solved.finite) return false;
-    const Shape shape(stage_.space, solved.z);
-    move_to(solved.z, standing(stage_, shape));
+    const Shape shape(subproblem_.space, solved.z);
+    move_to(solved.z, merit(subproblem_, shape));
     if (exchange_.exchange(shape, z_, solved.t) > 0) return true;
-    const bool outside = stage_.objective && now_.excess > rounding;
+    const bool outside = subproblem_.objective && now_.excess > rounding_tolerance;
     const double gain = (before - now_.value) / exchange_.reference();
     if (gain > slow && !outside) return true;
     if (held_ && (gain <= exchange_.precision() || outside)) {
@@ -62,18 +62,18 @@ class Run {
 
  private:
   [[nodiscard]] Program program() const {
-    return {stage_.space, exchange_.rows(), least_t_, held_};
+    return {subproblem_.space, exchange_.rows(), least_t_, held_};
   }
   /// Evaluations for one solution: a longer run makes no progress.
   [[nodiscard]] int patience() const { return 50 + 10 * static_cast<int>(z_.size()); }
   [[nodiscard]] double t() const { return now_.value / exchange_.reference(); }
 
-  void move_to(const Point& z, const Standing& standing) {
+  void move_to(const Point& z, const Merit& merit) {
     z_ = z;
-    now_ = standing;
-    if (stands_before(now_, best_.standing)) {
+    now_ = merit;
+    if (is_better(now_, best_.merit)) {
       best_.z = z_;
-      best_.standing = now_;
+      best_.merit = now_;
     }
   }
 
@@ -87,9 +87,10 @@ class Run {
       best_.evaluations += solved.evaluations;
       const double hoped = t() - solved.t;
       if (!solved.finite || hoped <= exchange_.precision()) return false;
-      const Standing there = optimizer::standing(stage_, solved.z);
+      const Merit there = optimizer::merit(subproblem_, solved.z);
       const double gain = t() - there.value / exchange_.reference();
-      const double harm = stage_.objective ? std::max(0.0, there.excess - rounding) : 0;
+      const double harm =
+          subproblem_.objective ? std::max(0.0, there.excess - rounding_tolerance) : 0;
       if (gain - 10 * harm > hoped / 10) {
         move_to(solved.z, there);
         return true;
@@ -98,12 +99,12 @@ class Run {
     return false;
   }
 
-  const Stage& stage_;
+  const Subproblem& subproblem_;
   const std::function<bool()>& go_on_;
-  Exchange exchange_;
+  ExchangeRows exchange_;
   Point z_;
-  Standing now_;
-  Attempt best_;
+  Merit now_;
+  LocalSolution best_;
   int max_evaluations_;
   int round_ = 0;
   double least_t_ = 0;
@@ -112,9 +113,9 @@ class Run {
 
 }  // namespace
 
-Attempt improve(const Stage& stage, const Point& start, int max_evaluations,
-                const std::function<bool()>& go_on) {
-  Run run(stage, start, max_evaluations, go_on);
+LocalSolution exchange_method(const Subproblem& subproblem, const Point& start, int max_evaluations,
+                              const std::function<bool()>& go_on) {
+  Run run(subproblem, start, max_evaluations, go_on);
   while (run.step()) {
   }
   return run.best();

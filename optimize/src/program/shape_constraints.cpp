@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/program/shape_walls.hpp"
+#include "optimize/src/program/shape_constraints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,14 +84,14 @@ bool is_exact(const Corridor& c) {
          c.lower->at_to == c.upper->at_to;
 }
 
-Wall wall_of(const SplineSpace& space, const Corridor& c, double offset) {
-  Wall wall{"limit/" + c.quantity.name, scale_of(space, c, offset)};
+ShapeConstraint constraint_of(const SplineSpace& space, const Corridor& c, double offset) {
+  ShapeConstraint constraint{"limit/" + c.quantity.name, scale_of(space, c, offset)};
   const auto sides = sides_of(c);
   if (c.from == c.to) {
     for (const Flank& side : sides)
-      wall.start.push_back(scaled(at_one_place(space, c, side.edge), side.sign));
-    wall.beyond = [](const auto&, double) { return std::vector<Form>{}; };
-    return wall;
+      constraint.start.push_back(scaled(at_one_place(space, c, side.edge), side.sign));
+    constraint.beyond = [](const auto&, double) { return std::vector<Form>{}; };
+    return constraint;
   }
   const bool bends = space.degree() - order_of(c.quantity) >= 2;
   for (std::size_t i = 0; i < space.pieces(); ++i) {
@@ -100,10 +100,10 @@ Wall wall_of(const SplineSpace& space, const Corridor& c, double offset) {
       for (const double s : {0.0, 0.5, 1.0})
         if ((s != 0.5 || bends) && (s != 1 || order_of(c.quantity) == space.degree() ||
                                     i + 1 == space.pieces() || !is_within(space, c, i + 1)))
-          wall.start.push_back(scaled(point_form(space, c, side.edge, i, s), side.sign));
+          constraint.start.push_back(scaled(point_form(space, c, side.edge, i, s), side.sign));
   }
-  wall.beyond = [&space, c, sides, scale = wall.scale](const std::vector<Segment>& shape,
-                                                       double slack) {
+  constraint.beyond = [&space, c, sides, scale = constraint.scale](
+                          const std::vector<Segment>& shape, double slack) {
     std::vector<Form> broken;
     for (std::size_t i = 0; i < shape.size(); ++i) {
       if (!is_within(space, c, i)) continue;
@@ -121,7 +121,7 @@ Wall wall_of(const SplineSpace& space, const Corridor& c, double offset) {
     }
     return broken;
   };
-  return wall;
+  return constraint;
 }
 
 /// q == edge: all derivatives of q - edge vanish where the first piece begins, and on the other pieces those
@@ -148,19 +148,20 @@ void add_exact(const SplineSpace& space, const Corridor& c, std::vector<Form>& e
   }
 }
 
-Wall wall_of(FigureRows rows, double at_most) {
-  Wall wall{"limit/" + rows.name, at_most > 0 ? at_most : rows.natural};
-  wall.off = planes_off;
+ShapeConstraint constraint_of(FigureRows rows, double at_most) {
+  ShapeConstraint constraint{"limit/" + rows.name, at_most > 0 ? at_most : rows.natural};
+  constraint.off = planes_off;
   if (rows.accuracy > 0)
-    wall.off = std::clamp(rows.accuracy * rows.natural / wall.scale, planes_off, most_off);
-  for (const Form& f : rows.start) wall.start.push_back(minus(f, at_most));
-  wall.beyond = [rows = std::move(rows), at_most, scale = wall.scale](
-                    const std::vector<Segment>& shape, double slack) {
+    constraint.off =
+        std::clamp(rows.accuracy * rows.natural / constraint.scale, planes_off, most_off);
+  for (const Form& f : rows.start) constraint.start.push_back(minus(f, at_most));
+  constraint.beyond = [rows = std::move(rows), at_most, scale = constraint.scale](
+                          const std::vector<Segment>& shape, double slack) {
     std::vector<Form> broken = rows.cuts(shape, at_most + slack * scale);
     for (Form& f : broken) f.constant -= at_most;
     return broken;
   };
-  return wall;
+  return constraint;
 }
 
 }  // namespace jounce::optimizer

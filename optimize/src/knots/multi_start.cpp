@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/search/attempts.hpp"
+#include "optimize/src/knots/multi_start.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -15,12 +15,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class Attempts {
+class MultiStart {
  public:
-  Attempts(const Stage& stage, const std::vector<Point>& starts, const AttemptsOptions& options)
-      : stage_(stage), starts_(starts), options_(options), results_(starts.size()) {}
+  MultiStart(const Subproblem& subproblem, const std::vector<Point>& starts,
+             const MultiStartOptions& options)
+      : subproblem_(subproblem), starts_(starts), options_(options), results_(starts.size()) {}
 
-  std::vector<Attempt> run() {
+  std::vector<LocalSolution> run() {
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     {
       std::vector<std::jthread> threads;
@@ -34,7 +35,7 @@ class Attempts {
       }
     }
     if (trouble_) std::rethrow_exception(trouble_);
-    std::vector<Attempt> all;
+    std::vector<LocalSolution> all;
     for (std::size_t i = 0; i < starts_.size() && i <= last_; ++i)
       all.push_back(std::move(*results_[i]));
     return all;
@@ -45,18 +46,18 @@ class Attempts {
   void work() {
     for (std::size_t i = next_++; i < starts_.size(); i = next_++) {
       if (i > last_) continue;
-      std::optional<Attempt> result;
+      std::optional<LocalSolution> result;
       std::exception_ptr trouble;
       try {
-        result = improve(stage_, starts_[i], options_.evaluations,
-                         [this, i] { return !stopped_ && i <= last_; });
+        result = exchange_method(subproblem_, starts_[i], options_.evaluations,
+                                 [this, i] { return !stopped_ && i <= last_; });
       } catch (...) {
         trouble = std::current_exception();
       }
       const std::lock_guard lock(mutex_);
       if (trouble) trouble_ = trouble;
       if (trouble) stopped_ = true;
-      if (result && (!best_ || stands_before(result->standing, *best_))) best_ = result->standing;
+      if (result && (!best_ || is_better(result->merit, *best_))) best_ = result->merit;
       if (result && options_.enough && options_.enough(*result)) last_ = std::min(last_.load(), i);
       results_[i] = std::move(result);
       ++done_;
@@ -73,24 +74,24 @@ class Attempts {
     while (ended_ < threads || reported < done_) {
       changed_.wait_for(lock, 20ms, [&] { return ended_ == threads || reported < done_; });
       reported = done_;
-      const std::optional<Standing> best = best_;
+      const std::optional<Merit> best = best_;
       lock.unlock();
       if (!options_.go_on(reported, best)) stopped_ = true;
       lock.lock();
     }
   }
 
-  const Stage& stage_;
+  const Subproblem& subproblem_;
   const std::vector<Point>& starts_;
-  const AttemptsOptions& options_;
-  std::vector<std::optional<Attempt>> results_;
+  const MultiStartOptions& options_;
+  std::vector<std::optional<LocalSolution>> results_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<std::size_t> last_ =
       static_cast<std::size_t>(-1);  ///< number of the start whose result is enough
   std::atomic<bool> stopped_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<Standing> best_;
+  std::optional<Merit> best_;
   std::size_t done_ = 0;
   std::size_t ended_ = 0;
   std::exception_ptr trouble_;
@@ -98,9 +99,10 @@ class Attempts {
 
 }  // namespace
 
-std::vector<Attempt> attempts(const Stage& stage, const std::vector<Point>& starts,
-                              const AttemptsOptions& options) {
-  return Attempts(stage, starts, options).run();
+std::vector<LocalSolution> multi_start(const Subproblem& subproblem,
+                                       const std::vector<Point>& starts,
+                                       const MultiStartOptions& options) {
+  return MultiStart(subproblem, starts, options).run();
 }
 
 }  // namespace jounce::optimizer

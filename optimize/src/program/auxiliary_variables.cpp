@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/program/lifted.hpp"
+#include "optimize/src/program/auxiliary_variables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,9 @@ constexpr double rounding_tolerance = 1e-13;
 constexpr double steepest = 1e7;  ///< greatest slope of (2) in v
 
 /// A figure of almost nothing is measured in its natural size.
-double unit_of(const Lift& lift, const FigureRows& rows) {
-  const double unit = lift.at_most ? *lift.at_most : std::abs(rows.value(lift.given));
+double unit_of(const Auxiliary& auxiliary, const FigureRows& rows) {
+  const double unit =
+      auxiliary.at_most ? *auxiliary.at_most : std::abs(rows.value(auxiliary.given));
   return unit > rows.nothing * rows.natural ? unit : rows.natural;
 }
 
@@ -68,15 +69,15 @@ MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
   const Eigen::SparseMatrix<double> square = e * e.transpose();
   SparseFactor solver(SparseFactor::Method::cholesky);
   solver.find_pattern(square);
-  solver.factorise(square);
+  solver.factorize(square);
   MatrixXd left = rows.transpose();
   for (int round = 0; round < 2; ++round) left -= e.transpose() * solver.solve(MatrixXd(e * left));
   return left.transpose();
 }
 
 /// (2).
-Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows) {
-  const double unit = unit_of(lift, rows);
+Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows) {
+  const double unit = unit_of(auxiliary, rows);
   const jounce::detail::PivotedQr qr(y.factor, rounding_tolerance);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(rank);
@@ -84,13 +85,13 @@ Affine lifted(const Affine& y, const Lift& lift, FigureRows& rows) {
   const VectorXd c = q.transpose() * y.constant;
   for (Index k = 0; k < rank; ++k) {
     const double size = std::max(t.row(k).lpNorm<Eigen::Infinity>() / steepest, unit);
-    Form form{c[k] / size, {{lift.first + static_cast<std::size_t>(k), -unit / size}}};
+    Form form{c[k] / size, {{auxiliary.first + static_cast<std::size_t>(k), -unit / size}}};
     for (Index j = 0; j < t.cols(); ++j)
       form.terms.push_back({static_cast<std::size_t>(j), t(k, j) / size});
-    rows.own.push_back(std::move(form));
+    rows.definitions.push_back(std::move(form));
   }
-  rows.own_share = std::sqrt(static_cast<double>(q.rows())) / unit;
-  return {y.constant - q * c, unit * q, lift.first, y.natural};
+  rows.auxiliary_share = std::sqrt(static_cast<double>(q.rows())) / unit;
+  return {y.constant - q * c, unit * q, auxiliary.first, y.natural};
 }
 
 }  // namespace jounce::optimizer

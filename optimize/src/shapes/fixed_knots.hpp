@@ -92,7 +92,7 @@ class FixedKnots {
                                    double sign) const;
 
   /// Adds a row for a constraint, unless nothing can change it.
-  void add_wall(const Form& form, double scale);
+  void add_constraint(const Form& form, double scale);
 
   void add_peak(const SearchedFigure& part, std::size_t t, std::size_t piece, double s, double sign,
                 double direction);

@@ -15,25 +15,25 @@ namespace jounce::optimizer {
 using Choice = std::vector<double>;
 
 /// One choice and its answer.
-struct Trial {
+struct Evaluation {
   Choice z;
   SearchAnswer answer;
   double violation = 0;  ///< the largest constraint, in its usual size; 0: all are met
 };
 
-/// Thrown out of Trials::at(), through the running phase: the budget is spent or the caller stops the search.
+/// Thrown out of Evaluations::at(), through the running phase: the budget is spent or the caller stops the search.
 struct Stop {};
 
 /// All evaluations of the function of a search: counts them, keeps the best and ends in time.
-class Trials {
+class Evaluations {
  public:
   enum class Ended { no, evaluations, seconds, cancelled };
 
-  Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-         const OptimizeOptions& options, const KeepGoing& keep_going);
+  Evaluations(const std::vector<SearchVariable>& variables, const SearchFunction& f,
+              const OptimizeOptions& options, const KeepGoing& keep_going);
 
   /// Evaluates a choice, unless it is the last one. Throws Stop.
-  const Trial& at(const Choice& z);
+  const Evaluation& at(const Choice& z);
 
   [[nodiscard]] const Choice& start() const { return start_; }
   [[nodiscard]] std::vector<double> numbers(const Choice& z) const;
@@ -43,8 +43,8 @@ class Trials {
   [[nodiscard]] int max_evaluations() const { return options_.budget.evaluations.value_or(5000); }
   /// True if there is a global phase.
   [[nodiscard]] bool is_global() const { return options_.starts != 1; }
-  [[nodiscard]] const std::deque<Trial>& all() const { return all_; }
-  [[nodiscard]] const Trial& best() const { return all_[best_]; }
+  [[nodiscard]] const std::deque<Evaluation>& all() const { return all_; }
+  [[nodiscard]] const Evaluation& best() const { return all_[best_]; }
   [[nodiscard]] bool any_possible() const { return !all_.empty() && best().answer.possible; }
   [[nodiscard]] int count() const { return static_cast<int>(all_.size()); }
   [[nodiscard]] Ended ended() const { return ended_; }
@@ -56,7 +56,7 @@ class Trials {
   void settle_scales();
   [[nodiscard]] const std::vector<double>& scales() const { return scales_; }
   [[nodiscard]] double spread() const { return spread_; }  ///< spread of the objective
-  [[nodiscard]] const Trial& nearest_possible(const Choice& z) const;
+  [[nodiscard]] const Evaluation& nearest_possible(const Choice& z) const;
 
  private:
   [[nodiscard]] double violation(const SearchAnswer& answer) const;
@@ -71,14 +71,14 @@ class Trials {
   Choice start_;
   std::vector<double> scales_;
   double spread_ = 0;
-  std::deque<Trial> all_;
+  std::deque<Evaluation> all_;
   std::size_t best_ = 0;
   Ended ended_ = Ended::no;
 };
 
 /// True if a is better. Choices that meet their constraints come before the others, then the lower objective or
 /// violation decides. Choices that are not possible come last.
-bool better(const Trial& a, const Trial& b);
+bool better(const Evaluation& a, const Evaluation& b);
 
 /// The largest distance in any variable.
 double distance(const Choice& a, const Choice& b);

@@ -14,7 +14,7 @@ namespace jounce::optimizer {
 constexpr double margin = 1e-9;
 
 /// A constraint at every place of a window: a corridor, or the ceiling of a figure.
-struct Wall {
+struct ShapeConstraint {
   std::string rule;     ///< "limit/geo_velocity"
   double scale = 1;     ///< unit of violations, > 0
   double off = margin;  ///< distance kept where something free changes it, in units of `scale`
@@ -24,9 +24,9 @@ struct Wall {
   std::function<std::vector<Form>(const std::vector<Segment>& shape, double slack)> beyond = {};
 };
 
-/// `space` must outlive the wall and have knots where the corridor begins and ends.
-Wall wall_of(const SplineSpace& space, const Corridor& corridor, double offset);
-Wall wall_of(FigureRows rows, double at_most);
+/// `space` must outlive the constraint and have knots where the corridor begins and ends.
+ShapeConstraint constraint_of(const SplineSpace& space, const Corridor& corridor, double offset);
+ShapeConstraint constraint_of(FigureRows rows, double at_most);
 
 /// A corridor without width, as equalities.
 void add_exact(const SplineSpace& space, const Corridor& corridor, std::vector<Form>& equalities);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/search/trials.hpp"
+#include "optimize/src/search/evaluations.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -31,7 +31,7 @@ void refuse_not_finite(SearchAnswer& answer) {
 
 }  // namespace
 
-bool better(const Trial& a, const Trial& b) {
+bool better(const Evaluation& a, const Evaluation& b) {
   if (a.answer.possible != b.answer.possible) return a.answer.possible;
   if (a.violation != b.violation) return a.violation < b.violation;
   return a.answer.objective < b.answer.objective;
@@ -43,8 +43,8 @@ double distance(const Choice& a, const Choice& b) {
   return largest;
 }
 
-Trials::Trials(const std::vector<SearchVariable>& variables, const SearchFunction& f,
-               const OptimizeOptions& options, const KeepGoing& keep_going)
+Evaluations::Evaluations(const std::vector<SearchVariable>& variables, const SearchFunction& f,
+                         const OptimizeOptions& options, const KeepGoing& keep_going)
     : variables_(variables), f_(f), options_(options), keep_going_(keep_going) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const SearchVariable& v = variables[i];
@@ -54,7 +54,7 @@ Trials::Trials(const std::vector<SearchVariable>& variables, const SearchFunctio
   }
 }
 
-std::vector<double> Trials::numbers(const Choice& z) const {
+std::vector<double> Evaluations::numbers(const Choice& z) const {
   std::vector<double> x;
   for (const SearchVariable& v : variables_) x.push_back(v.start);
   for (std::size_t k = 0; k < free_.size(); ++k) {
@@ -67,7 +67,7 @@ std::vector<double> Trials::numbers(const Choice& z) const {
   return x;
 }
 
-double Trials::used() const {
+double Evaluations::used() const {
   double share = static_cast<double>(count()) / max_evaluations();
   if (options_.budget.seconds) {
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begun_;
@@ -76,21 +76,21 @@ double Trials::used() const {
   return share;
 }
 
-void Trials::require_going() {
+void Evaluations::require_going() {
   if (ended_ == Ended::no && count() >= max_evaluations()) ended_ = Ended::evaluations;
   // There is always one answer.
   if (ended_ == Ended::no && !all_.empty() && used() >= 1) ended_ = Ended::seconds;
   if (ended_ != Ended::no) throw Stop{};
 }
 
-double Trials::violation(const SearchAnswer& answer) const {
+double Evaluations::violation(const SearchAnswer& answer) const {
   double largest = 0;
   for (std::size_t i = 0; i < answer.constraints.size(); ++i)
     largest = std::max(largest, answer.constraints[i] / (i < scales_.size() ? scales_[i] : 1));
   return answer.possible ? largest : HUGE_VAL;
 }
 
-const Trial& Trials::at(const Choice& z) {
+const Evaluation& Evaluations::at(const Choice& z) {
   if (!all_.empty() && all_.back().z == z) return all_.back();
   require_going();
   SearchAnswer answer = f_(numbers(z));
@@ -108,14 +108,14 @@ const Trial& Trials::at(const Choice& z) {
   return all_.back();
 }
 
-void Trials::settle_scales() {
+void Evaluations::settle_scales() {
   std::vector<double> objectives;
   std::vector<std::vector<double>> sizes(any_possible() ? best().answer.constraints.size() : 0);
-  for (const Trial& trial : all_) {
-    if (!trial.answer.possible) continue;
-    objectives.push_back(trial.answer.objective);
+  for (const Evaluation& evaluation : all_) {
+    if (!evaluation.answer.possible) continue;
+    objectives.push_back(evaluation.answer.objective);
     for (std::size_t i = 0; i < sizes.size(); ++i)
-      sizes[i].push_back(std::abs(trial.answer.constraints[i]));
+      sizes[i].push_back(std::abs(evaluation.answer.constraints[i]));
   }
   scales_.clear();
   for (const auto& size : sizes) {
@@ -126,16 +126,18 @@ void Trials::settle_scales() {
   const double middle = median(objectives);
   for (double& value : objectives) value = std::abs(value - middle);
   spread_ = median(std::move(objectives));
-  for (Trial& trial : all_) trial.violation = violation(trial.answer);
-  const auto first = std::min_element(all_.begin(), all_.end(),
-                                      [](const Trial& a, const Trial& b) { return better(a, b); });
+  for (Evaluation& evaluation : all_) evaluation.violation = violation(evaluation.answer);
+  const auto first =
+      std::min_element(all_.begin(), all_.end(),
+                       [](const Evaluation& a, const Evaluation& b) { return better(a, b); });
   best_ = static_cast<std::size_t>(first - all_.begin());
 }
 
-const Trial& Trials::nearest_possible(const Choice& z) const {
-  const Trial* nearest = &best();
-  for (const Trial& trial : all_)
-    if (trial.answer.possible && distance(trial.z, z) < distance(nearest->z, z)) nearest = &trial;
+const Evaluation& Evaluations::nearest_possible(const Choice& z) const {
+  const Evaluation* nearest = &best();
+  for (const Evaluation& evaluation : all_)
+    if (evaluation.answer.possible && distance(evaluation.z, z) < distance(nearest->z, z))
+      nearest = &evaluation;
   return *nearest;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/knots/stage.hpp"
+#include "optimize/src/knots/subproblem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,36 +66,36 @@ std::optional<std::size_t> peak_order(const std::optional<Objective>& objective)
   return std::nullopt;
 }
 
-Standing standing(const Stage& stage, const Shape& shape) {
+Merit merit(const Subproblem& subproblem, const Shape& shape) {
   double excess = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
-    for (const DerivativeBound& ceiling : stage.ceilings)
-      if (stage.space.moves[stage.space.pieces[i].segment])
+    for (const DerivativeBound& ceiling : subproblem.ceilings)
+      if (subproblem.space.moves[subproblem.space.pieces[i].segment])
         excess = std::max(excess, excess_of(ceiling, shape.range(i, ceiling)));
-  if (stage.rms_ceiling)
-    excess =
-        std::max(excess, value_of(Objective::rms_acceleration, shape.cam) / *stage.rms_ceiling - 1);
-  return {stage.objective ? value_of(*stage.objective, shape.cam) : excess, excess};
+  if (subproblem.rms_ceiling)
+    excess = std::max(
+        excess, value_of(Objective::rms_acceleration, shape.cam) / *subproblem.rms_ceiling - 1);
+  return {subproblem.objective ? value_of(*subproblem.objective, shape.cam) : excess, excess};
 }
 
-Standing standing(const Stage& stage, const Point& z) {
-  return standing(stage, Shape(stage.space, z));
+Merit merit(const Subproblem& subproblem, const Point& z) {
+  return merit(subproblem, Shape(subproblem.space, z));
 }
 
-bool stands_before(const Standing& a, const Standing& b) {
-  const bool a_holds = a.excess <= rounding;
-  const bool b_holds = b.excess <= rounding;
+bool is_better(const Merit& a, const Merit& b) {
+  const bool a_holds = a.excess <= rounding_tolerance;
+  const bool b_holds = b.excess <= rounding_tolerance;
   if (a_holds != b_holds) return a_holds;
   return a_holds ? a.value < b.value : a.excess < b.excess;
 }
 
-double floor_of(const Stage& stage) {
+double floor_of(const Subproblem& subproblem) {
   double floor = 0;
-  const auto order = peak_order(stage.objective);
+  const auto order = peak_order(subproblem.objective);
   if (!order) return floor;
-  const Shape shape(stage.space, Point(stage.space.variables.size(), 0.0));
+  const Shape shape(subproblem.space, Point(subproblem.space.variables.size(), 0.0));
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
-    if (!stage.space.moves[stage.space.pieces[i].segment])
+    if (!subproblem.space.moves[subproblem.space.pieces[i].segment])
       floor = std::max(floor, std::abs(shape.ranges[i][*order].peak().value));
   return floor;
 }

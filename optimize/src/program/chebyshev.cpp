@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimize/src/program/nodes.hpp"
+#include "optimize/src/program/chebyshev.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@ double left_by(std::size_t n, double rho) {
 
 }  // namespace
 
-Nodes::Nodes(double low, double high, double size) {
+ChebyshevNodes::ChebyshevNodes(double low, double high, double size) {
   std::size_t n = 1;
   if (high > low)
     while (n < most && left_by(n, size * (high - low) / 2) > lost) ++n;
@@ -29,11 +29,11 @@ Nodes::Nodes(double low, double high, double size) {
   }
 }
 
-bool Nodes::too_few() const {
+bool ChebyshevNodes::too_few() const {
   return at_.size() >= most;
 }
 
-std::vector<double> Nodes::shares(double x) const {
+std::vector<double> ChebyshevNodes::shares(double x) const {
   std::vector<double> share(at_.size(), 0);
   for (std::size_t k = 0; k < at_.size(); ++k)
     if (x == at_[k] || at_.size() == 1) {

@@ -8,6 +8,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 
 #include "optimize/src/knots/space.hpp"
+#include "optimize/src/tolerances.hpp"
 
 /// One objective under ceilings that hold everywhere, not only at sampled points.
 namespace jounce::optimizer {
@@ -31,7 +32,7 @@ std::vector<std::vector<DerivativeBound>> ramped_ceilings(const RampedLimits& ra
 /// The exact extrema of the limited expression over one segment of a cam.
 Range range_of(const Cam& cam, std::size_t segment, const DerivativeBound& ceiling);
 
-struct Stage {
+struct Subproblem {
   const Space& space;
   std::vector<DerivativeBound> ceilings;
   std::optional<double> rms_ceiling;
@@ -41,13 +42,10 @@ struct Stage {
 };
 
 /// The exact value and violation of a point.
-struct Standing {
+struct Merit {
   double value = 0;   ///< value of the objective; without one, the violation
   double excess = 0;  ///< worst violation of a ceiling where the cam can change, relative
 };
-
-/// The violation that counts as rounding: the same as in `check`.
-constexpr double rounding = 1e-12;
 
 /// The cam at z with the exact extrema of every piece.
 struct Shape {
@@ -74,13 +72,13 @@ double excess_of(const DerivativeBound& ceiling, const Range& range);
 /// 2 or 3 for a peak, none for the others.
 std::optional<std::size_t> peak_order(const std::optional<Objective>& objective);
 
-Standing standing(const Stage& stage, const Shape& shape);
-Standing standing(const Stage& stage, const Point& z);
+Merit merit(const Subproblem& subproblem, const Shape& shape);
+Merit merit(const Subproblem& subproblem, const Point& z);
 
 /// True if a is better: without violation before with violation, then by value or by violation.
-bool stands_before(const Standing& a, const Standing& b);
+bool is_better(const Merit& a, const Merit& b);
 
 /// The peak of the segments that no free quantity changes: the objective cannot be below.
-double floor_of(const Stage& stage);
+double floor_of(const Subproblem& subproblem);
 
 }  // namespace jounce::optimizer

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optimize/src/search/trials.hpp"
+#include "optimize/src/search/evaluations.hpp"
 
 namespace jounce::optimizer {
 
@@ -14,15 +14,16 @@ namespace jounce::optimizer {
 ///     (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
 ///
 /// so nothing is gained outside the possible choices, and r_0 leads back. No row is NaN.
-struct Shown {
+struct SolverValues {
   double objective = 0;  ///< in units of its spread
   std::vector<double> rows;
 };
 
-/// Throws Stop, as Trials::at() does.
-Shown shown(Trials& trials, const Choice& z, double hair);
+/// Throws Stop, as Evaluations::at() does.
+SolverValues solver_values(Evaluations& evaluations, const Choice& z, double margin);
 
 /// Slopes of objective and rows in each variable by central differences, shorter at a bound.
-std::vector<Shown> slopes(Trials& trials, const Choice& z, double hair, double difference);
+std::vector<SolverValues> slopes(Evaluations& evaluations, const Choice& z, double margin,
+                                 double difference);
 
 }  // namespace jounce::optimizer

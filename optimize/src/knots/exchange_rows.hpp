@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "optimize/src/knots/stage.hpp"
+#include "optimize/src/knots/subproblem.hpp"
 #include "optimize/src/solvers/program.hpp"
 
 namespace jounce::optimizer {
 
-/// The rows that represent a stage: its ceilings and the epigraph of its objective, first at a few Chebyshev
+/// The rows that represent a subproblem: its ceilings and the epigraph of its objective, first at a few Chebyshev
 /// points of every piece, then also where the exact extrema of a solution break them.
-class Exchange {
+class ExchangeRows {
  public:
-  Exchange(const Stage& stage, const Point& start);
+  ExchangeRows(const Subproblem& subproblem, const Point& start);
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   /// The value of the objective for which t = 1.
@@ -37,7 +37,7 @@ class Exchange {
   [[nodiscard]] double largest_slope(const Row& row, const Point& z) const;
   [[nodiscard]] Row* find(const Row& row);
 
-  const Stage& stage_;
+  const Subproblem& subproblem_;
   double reference_;
   double margin_;  ///< relative distance kept from the ceilings: SLSQP leaves as much rounding
   int sharpened_ = 0;

@@ -4,7 +4,7 @@
 // converged after eight rounds without a gain and without a change of sign, or after one such round that also
 // adds no row. The exact value of the shape counts, not the value of the rows.
 
-#include "optimize/src/knots/fixed_knots.hpp"
+#include "optimize/src/shapes/fixed_knots.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -12,8 +12,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "optimize/src/search/drawn.hpp"
+#include "jounce/profiles/detail/random.hpp"
+
 #include "optimize/src/shapes/optimized_from.hpp"
+#include "optimize/src/tolerances.hpp"
 
 namespace jounce::optimizer {
 namespace {
@@ -88,7 +90,7 @@ VectorXd FixedKnots::beside(int start) const {
   VectorXd y = VectorXd::Zero(reduced_.size());
   std::uint64_t state = problem_.options.seed * 1000003U + static_cast<std::uint64_t>(start);
   const double width = start == 0 ? 0 : 0.5 / std::sqrt(static_cast<double>(y.size()));
-  for (double& each : y) each = width * (2 * drawn(state) - 1);
+  for (double& each : y) each = width * (2 * jounce::detail::uniform(state) - 1);
   return y;
 }
 
@@ -144,12 +146,13 @@ FoundShape FixedKnots::standing(const VectorXd& y) const {
   for (const RoundCeiling& c : model_.round)
     now.violation =
         std::max(now.violation, beyond(c.rows.value(now.shape), c.at_most, scale_of(c)));
-  for (const Wall& wall : model_.walls) {
-    for (const Form& form : wall.beyond(now.shape, 1e-12))
+  for (const ShapeConstraint& constraint : model_.constraints) {
+    for (const Form& form : constraint.beyond(now.shape, rounding_tolerance))
       if (model_.freedom(form) > 0)
-        now.violation = std::max(now.violation, reduced_.row(form).at(y) / wall.scale);
-    for (const Form& form : wall.start)
-      now.violation = std::max(now.violation, beyond(reduced_.row(form).at(y) / wall.scale, 0, 1));
+        now.violation = std::max(now.violation, reduced_.row(form).at(y) / constraint.scale);
+    for (const Form& form : constraint.start)
+      now.violation =
+          std::max(now.violation, beyond(reduced_.row(form).at(y) / constraint.scale, 0, 1));
   }
   return now;
 }
@@ -166,8 +169,8 @@ double FixedKnots::beyond(double value, double limit, double scale) {
 int FixedKnots::exchange(const std::vector<Segment>& shape, const VectorXd& t) {
   int added = 0;
   const std::size_t before = rows_.size();
-  for (const Wall& wall : model_.walls)
-    for (const Form& form : wall.beyond(shape, 1e-10)) add_wall(form, wall.scale);
+  for (const ShapeConstraint& constraint : model_.constraints)
+    for (const Form& form : constraint.beyond(shape, 1e-10)) add_constraint(form, constraint.scale);
   std::size_t k = 0;
   for (const Term& term : model_.terms) {
     if (term.rows.by_squares()) continue;

@@ -5,24 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "optimize/src/knots/fixed_knots.hpp"
+#include "jounce/cam/detail/quadrature.hpp"
+
+#include "optimize/src/shapes/fixed_knots.hpp"
 
 namespace jounce::optimizer {
 namespace {
 
 constexpr double kept_by = 1e-9;  ///< distance kept from limits: SLSQP leaves as much rounding
-
-/// Gauss's nodes and weights over a piece, for the mean in the search. value_of() determines the mean of the
-/// result.
-struct Node {
-  double s, weight;
-};
-constexpr std::array quadrature{Node{0.033765242898423975, 0.085662246189585178},
-                                Node{0.16939530676686776, 0.18038078652406930},
-                                Node{0.38069040695840156, 0.23395696728634552},
-                                Node{0.61930959304159844, 0.23395696728634552},
-                                Node{0.83060469323313224, 0.18038078652406930},
-                                Node{0.96623475710157603, 0.085662246189585178}};
 
 }  // namespace
 
@@ -34,7 +24,7 @@ PlaceRow FixedKnots::place_row(const Pointwise& figure, std::size_t piece, doubl
   return row;
 }
 
-void FixedKnots::add_wall(const Form& form, double scale) {
+void FixedKnots::add_constraint(const Form& form, double scale) {
   DescentRow row{.linear = reduced_.row(form), .factor = 1 / scale};
   const double slope = row.linear.slope.lpNorm<Eigen::Infinity>() / scale;
   if (slope < 1e-9) return;
@@ -53,8 +43,8 @@ void FixedKnots::add_peak(const SearchedFigure& part, std::size_t t, std::size_t
 }
 
 void FixedKnots::list_rows() {
-  for (const Wall& wall : model_.walls)
-    for (const Form& form : wall.start) add_wall(form, wall.scale);
+  for (const ShapeConstraint& constraint : model_.constraints)
+    for (const Form& form : constraint.start) add_constraint(form, constraint.scale);
   std::size_t t = 0;
   for (const Term& term : model_.terms) {
     if (term.rows.by_squares()) continue;
@@ -85,7 +75,7 @@ Mean FixedKnots::mean_of(const SearchedFigure& part) const {
   Mean mean{.root = part.figure.over == Pointwise::Over::rms};
   const double length = problem_.end - problem_.begin;
   for (std::size_t i = 0; i < model_.space.pieces(); ++i)
-    for (const auto& [s, weight] : quadrature) {
+    for (const auto& [s, weight] : jounce::detail::gauss_6) {
       mean.places.push_back(place_row(part.figure, i, s, sign_at(part, i, s)));
       mean.weight.push_back(weight * model_.space.length(i) / (mean.root ? length : 1));
     }
