@@ -104,7 +104,7 @@ const char* words(FieldRange range) {
     case FieldRange::given:
       return "or NaN";
     case FieldRange::positive:
-      return "> 0 or NaN";
+      return "> 0";
     case FieldRange::flag:
       return "0 or 1";
     case FieldRange::direction:

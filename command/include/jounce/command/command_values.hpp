@@ -25,7 +25,7 @@ ClientCommand command_of(CommandKind kind, const CommandValues& values);
 /// The command with the defaults of its fields. Throws InputError for a kind that no client sends.
 ClientCommand command_of(CommandKind kind);
 
-/// The range of a field in words, as documentation: "> 0, or NaN: as configured"; empty: any number.
+/// The range of a field in words, as documentation: "0 or 1"; empty: any finite number.
 const char* words(FieldRange range);
 
 }  // namespace jounce
