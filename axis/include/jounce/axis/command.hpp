@@ -61,12 +61,9 @@ struct Release {
 namespace jounce {
 
 /// The commands that an axis executes.
-using AxisCommand = std::variant<
-    command::None, command::Enable, command::Disable, command::Arm, command::Disarm, command::Start,
-    command::Stop, command::Abort, command::Reset, command::SetPosition, command::Home,
-    command::Hold, command::Resume, command::Override, command::Finish, command::MoveAbsolute,
-    command::MoveRelative, command::MoveAdditive, command::MoveSuperimposed, command::MoveVelocity,
-    command::Halt, command::Couple, command::GearOut, command::CamOut, command::Release>;
+using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command::Disarm,
+                             command::Start, command::Stop, command::Abort, command::Finish,
+                             command::Couple, command::Release>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
 /// The movement of an arm or of a coupling; null: none.

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "jounce/command/cause.hpp"
-#include "jounce/command/command_fields.hpp"
 #include "jounce/command/commands.hpp"
+#include "jounce/command/field.hpp"
 #include "jounce/command/state.hpp"
 
 namespace jounce {

@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "jounce/command/command_fields.hpp"
 #include "jounce/command/commands.hpp"
+#include "jounce/command/field.hpp"
 
 namespace jounce {
 

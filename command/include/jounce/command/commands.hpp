@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/command/field.hpp"
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
@@ -95,6 +97,36 @@ inline constexpr std::size_t command_kinds = 30;
 /// The commands that a client sends. Units: u is the unit of the axis, m that of its master.
 namespace jounce::command {
 
+/// C is T, or const T.
+template <class C, class T>
+concept Of = std::same_as<std::remove_const_t<C>, T>;
+
+template <Of<RampDynamics> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(acceleration, c.acceleration);
+  f(deceleration, c.deceleration);
+  f(jerk, c.jerk);
+}
+
+template <Of<StopDynamics> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(deceleration, c.deceleration);
+  f(jerk, c.jerk);
+}
+
+template <Of<MoveDynamics> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(velocity, c.velocity);
+  f(acceleration, c.acceleration);
+  f(deceleration, c.deceleration);
+  f(jerk, c.jerk);
+}
+
+/// A command without fields.
+template <class C, class F>
+requires std::is_empty_v<C>
+constexpr void each_field(C& /*c*/, F /*f*/) {}
+
 struct Enable {
   static constexpr auto kind = CommandKind::enable;
 };
@@ -112,6 +144,13 @@ struct SetPosition {
   double position = 0;    ///< u
   bool relative = false;  ///< adds it to the present position
 };
+template <Of<SetPosition> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"position", Quantity::position, FieldRange::finite, "VALUE"}, c.position);
+  f(Field{"relative", Quantity::none, FieldRange::flag, "relative",
+          "set-position: the value is an offset"},
+    c.relative);
+}
 
 /// Searches for the home position. NaN, and method 0: as configured (HomingSpec).
 struct Home {
@@ -124,6 +163,28 @@ struct Home {
   double timeout = as_configured;          ///< s, > 0
   double distance = as_configured;         ///< u, > 0
 };
+template <Of<Home> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"offset", Quantity::position, FieldRange::given, "offset",
+          "home: the position value of the home position; default: [homing] of the spec of the "
+          "axis. The same holds for the next options"},
+    c.offset);
+  f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
+    c.method);
+  f(Field{"search velocity", Quantity::velocity, FieldRange::positive, "search-velocity",
+          "home: velocity of the search for a switch"},
+    c.search_velocity);
+  f(Field{"index velocity", Quantity::velocity, FieldRange::positive, "index-velocity",
+          "home: velocity of the search for the edge of the switch and the index"},
+    c.index_velocity);
+  f(acceleration, c.acceleration);
+  f(Field{"timeout", Quantity::time, FieldRange::positive, "timeout",
+          "home: fault after this time"},
+    c.timeout);
+  f(Field{"distance", Quantity::position, FieldRange::positive, "distance",
+          "home: fault if one search is longer than this"},
+    c.distance);
+}
 
 /// Brings a path or a planned move to rest; it waits there.
 struct Hold {
@@ -138,6 +199,10 @@ struct Override {
   static constexpr auto kind = CommandKind::override_;
   double factor = 1;  ///< 0 to 2
 };
+template <Of<Override> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"factor", Quantity::none, FieldRange::factor, "VALUE"}, c.factor);
+}
 
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
@@ -146,6 +211,17 @@ struct MoveAbsolute {
   Direction direction = Direction::shortest;  ///< for a modulo axis
   BufferMode buffer = BufferMode::aborting;   ///< start relative to the previous motion
 };
+template <Of<MoveAbsolute> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"position", Quantity::position, FieldRange::finite, "to", "Move to this position"},
+    c.position);
+  each_field(c.dynamics, f);
+  f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
+          "Direction of a rotary axis with --to: shortest, positive, negative"},
+    c.direction);
+  f(buffer_mode, c.buffer);
+}
+
 /// By a distance from the present setpoint.
 struct MoveRelative {
   static constexpr auto kind = CommandKind::move_relative;
@@ -153,18 +229,47 @@ struct MoveRelative {
   MoveDynamics dynamics = {};
   BufferMode buffer = BufferMode::aborting;
 };
+template <Of<MoveRelative> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"distance", Quantity::position, FieldRange::finite, "by",
+          "Move by this distance from the commanded position"},
+    c.distance);
+  each_field(c.dynamics, f);
+  f(buffer_mode, c.buffer);
+}
+
 /// By a distance from the target of the present move.
 struct MoveAdditive {
   static constexpr auto kind = CommandKind::move_additive;
   double distance = 0;  ///< u
   MoveDynamics dynamics = {};
 };
+template <Of<MoveAdditive> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"distance", Quantity::position, FieldRange::finite, "add",
+          "Move by this distance from the end position of the present motion"},
+    c.distance);
+  each_field(c.dynamics, f);
+}
+
 /// By a distance on top of the motion.
 struct MoveSuperimposed {
   static constexpr auto kind = CommandKind::move_superimposed;
   double distance = 0;         ///< u
   MoveDynamics dynamics = {};  ///< its velocity is added to that of the motion
 };
+template <Of<MoveSuperimposed> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"distance", Quantity::position, FieldRange::finite, "on-top",
+          "Move by this distance on top of the present motion"},
+    c.distance);
+  f(Field{"velocity difference", velocity.quantity, velocity.range, velocity.option, velocity.help},
+    c.dynamics.velocity);
+  f(acceleration, c.dynamics.acceleration);
+  f(deceleration, c.dynamics.deceleration);
+  f(jerk, c.dynamics.jerk);
+}
+
 /// At a velocity, until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
@@ -173,11 +278,26 @@ struct MoveVelocity {
   BufferMode buffer = BufferMode::aborting;
   bool hold_to_run = false;  ///< the motion stops unless its session sends heartbeats
 };
+template <Of<MoveVelocity> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"velocity", Quantity::velocity, FieldRange::finite, "VALUE"}, c.velocity);
+  each_field(c.dynamics, f);
+  f(buffer_mode, c.buffer);
+  f(Field{"hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
+          "jog only while this command runs: the axis stops when it ends, or sends no heartbeat "
+          "for 0.2 s"},
+    c.hold_to_run);
+}
+
 /// To rest. Any command may follow at once.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
   StopDynamics dynamics = {};
 };
+template <Of<Halt> C, class F>
+constexpr void each_field(C& c, F f) {
+  each_field(c.dynamics, f);
+}
 
 /// Couples the axis to its live master by a ratio, now, during any motion.
 struct GearIn {
@@ -186,6 +306,13 @@ struct GearIn {
   std::int32_t denominator = 0;
   RampDynamics dynamics = {};
 };
+template <Of<GearIn> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(numerator, c.numerator);
+  f(denominator, c.denominator);
+  each_field(c.dynamics, f);
+}
+
 /// The same with a position at which both run in step.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
@@ -196,6 +323,24 @@ struct GearInPos {
   double master_start_distance = 0;  ///< m
   bool avoid_reversal = false;
 };
+template <Of<GearInPos> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(numerator, c.numerator);
+  f(denominator, c.denominator);
+  f(Field{"master sync position", Quantity::master, FieldRange::finite, "master-sync",
+          "gear-in-pos: master position from which both run in step"},
+    c.master_sync_position);
+  f(Field{"slave sync position", Quantity::position, FieldRange::finite, "slave-sync",
+          "gear-in-pos: position of the axis there"},
+    c.slave_sync_position);
+  f(Field{"master start distance", Quantity::master, FieldRange::finite, "start-distance",
+          "gear-in-pos: master distance before it, in which the axis engages"},
+    c.master_start_distance);
+  f(Field{"avoid reversal", Quantity::none, FieldRange::flag, "avoid-reversal",
+          "gear-in-pos: reject a motion against the direction of the gear"},
+    c.avoid_reversal);
+}
+
 /// Leaves the gear; the velocity stays.
 struct GearOut {
   static constexpr auto kind = CommandKind::gear_out;
@@ -211,6 +356,12 @@ struct QueueSwitch {
   std::uint32_t queue = 0;
   std::uint8_t bank = 0;
 };
+template <Of<QueueSwitch> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(queue, c.queue);
+  f(bank, c.bank);
+}
+
 /// Empties a bank that does not play.
 struct QueueClear {
   static constexpr auto kind = CommandKind::queue_clear;
@@ -218,11 +369,23 @@ struct QueueClear {
   std::uint8_t bank = 0;
   std::uint32_t seq = 0;  ///< number from which its messages count again
 };
+template <Of<QueueClear> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(queue, c.queue);
+  f(bank, c.bank);
+  f(Field{"seq", Quantity::none, FieldRange::count}, c.seq);
+}
+
 /// No more rows follow: the last one ends the stream.
 struct QueueEnd {
   static constexpr auto kind = CommandKind::queue_end;
   std::uint32_t queue = 0;
 };
+template <Of<QueueEnd> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(queue, c.queue);
+}
+
 /// Plays the table of the axis (a virtual master) from its beginning.
 struct StartTable {
   static constexpr auto kind = CommandKind::start_table;
@@ -232,16 +395,30 @@ struct StartTable {
 
 namespace jounce {
 
+/// A variant with further alternatives.
+template <class Variant, class... More>
+struct Extended;
+template <class... Commands, class... More>
+struct Extended<std::variant<Commands...>, More...> {
+  using type = std::variant<Commands..., More...>;
+  /// The same with `More` first.
+  using after = std::variant<More..., Commands...>;
+};
+
+/// The commands that an axis executes as a client sends them.
+using SharedCommand =
+    std::variant<command::Enable, command::Disable, command::Reset, command::SetPosition,
+                 command::Home, command::Hold, command::Resume, command::Override,
+                 command::MoveAbsolute, command::MoveRelative, command::MoveAdditive,
+                 command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearOut,
+                 command::CamOut>;
+
 /// A command that a client sends to an axis.
 ///
 ///     ClientCommand move = command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}};
 using ClientCommand =
-    std::variant<command::Enable, command::Disable, command::Reset, command::SetPosition,
-                 command::Home, command::Hold, command::Resume, command::Override,
-                 command::MoveAbsolute, command::MoveRelative, command::MoveAdditive,
-                 command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearIn,
-                 command::GearInPos, command::GearOut, command::CamOut, command::QueueSwitch,
-                 command::QueueClear, command::QueueEnd, command::StartTable>;
+    Extended<SharedCommand, command::GearIn, command::GearInPos, command::QueueSwitch,
+             command::QueueClear, command::QueueEnd, command::StartTable>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Kind of a command: of a ClientCommand, or of another variant of commands.
@@ -255,9 +432,9 @@ template <class Commands>
 std::optional<Commands> made(CommandKind kind) {
   std::optional<Commands> command;
   const auto make = [&]<std::size_t... I>(std::index_sequence<I...> /*all*/) {
-    (void(std::variant_alternative_t<I, Commands>::kind == kind
-              ? void(command.emplace(std::variant_alternative_t<I, Commands>{}))
-              : void()),
+    ((std::variant_alternative_t<I, Commands>::kind == kind
+          ? void(command = std::variant_alternative_t<I, Commands>{})
+          : void()),
      ...);
   };
   make(std::make_index_sequence<std::variant_size_v<Commands>>{});
@@ -268,6 +445,16 @@ std::optional<Commands> made(CommandKind kind) {
 inline bool holds_to_run(const ClientCommand& command) {
   const auto* const jog = std::get_if<command::MoveVelocity>(&command);
   return jog != nullptr && jog->hold_to_run;
+}
+
+/// The fields of a command, in the order of the wire.
+template <class C>
+constexpr Fields fields_of() {
+  Fields all;
+  C command{};
+  command::each_field(
+      command, [&](const Field& field, const auto& /*member*/) { all.field[all.count++] = field; });
+  return all;
 }
 
 }  // namespace jounce
