@@ -21,7 +21,7 @@ AxisConfig config() {
 
 constexpr Peaks half{.velocity = 100, .acceleration = 500, .jerk = 5e4};
 
-/// What it adds at rest at 0, in this tick.
+/// Offset at rest at 0, in this tick.
 Jet added(SuperimposedMove& move, std::int64_t tick) {
   Setpoint next;
   move.add_to(next, tick);
