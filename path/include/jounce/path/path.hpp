@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "jounce/path/over_length.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/curve/over_length.hpp"
 
 namespace jounce {
 
@@ -45,6 +45,11 @@ class Path {
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] double length() const;
   [[nodiscard]] std::span<const PathPiece> pieces() const { return pieces_; }
+
+  /// The numbers of a piece; their layout is that of path/src/geometry/pieces.hpp.
+  [[nodiscard]] const double* numbers(std::size_t piece) const {
+    return numbers_.data() + pieces_[piece].data;
+  }
 
   /// Value and three derivatives by q of every axis, at s = u / length in [0, 1] of a piece.
   void jets(std::size_t piece, double u, std::span<Jet> out) const;

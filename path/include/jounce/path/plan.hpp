@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,22 @@ struct PlanOptions {
   bool stop_at_corners = false;
 };
 
+/// Outcome of a joint, in short.
+enum class JointNote : std::uint8_t {
+  none,        ///< as asked
+  turns_back,  ///< the path reverses: the plan rests
+  short_sides,  ///< the pieces on both sides are too short for what was asked; a smaller corner is used
+  slower,       ///< rounding takes longer than stopping: the plan rests
+  steps,  ///< tangent, but the curvature steps, and with it the acceleration; a corner mode rounds it
+  no_distance,  ///< the command covers no distance and is left out
+};
+struct JointMark {
+  std::uint32_t piece = 0;  ///< of the path: the corner, or the piece that begins here
+  std::int32_t line = 0;
+  JointNote note = JointNote::none;
+  bool rests = false;
+};
+
 /// What became of the joint at the start of a command.
 struct CornerRecord {
   std::int32_t line = 0;  ///< of the command which begins here
@@ -33,8 +50,9 @@ struct CornerRecord {
   double one_sided = 0;  ///< u, curve to corner's sides: at most
   double curvature = 0;  ///< 1/u, the greatest
   double velocity = 0;   ///< u/s, along q, at the middle
-  /// What did not fit, and what was used instead; empty if all is as asked.
-  std::string note;
+  JointNote note = JointNote::none;
+  /// The note as a sentence, with its numbers; empty if all is as asked.
+  std::string text;
 };
 
 /// A planned program: path and timing law.
@@ -57,15 +75,17 @@ class Plan {
     std::size_t path_axes = 0;
   };
 
-  Plan(Path path, Law law, std::vector<CornerRecord> corners, double stop_duration, Given given);
+  Plan(Path path, Law law, std::vector<JointMark> joints, double stop_duration, Given given);
 
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] double duration() const { return law_.duration(); }
   /// Program time with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
-  /// Every joint that is not tangent, and every one with a note.
-  [[nodiscard]] std::span<const CornerRecord> corners() const { return corners_; }
+  /// Every joint that is not tangent, and every one with a note, in the order of the path.
+  [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
+  /// The same with all that is known of them.
+  [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
 
@@ -75,7 +95,7 @@ class Plan {
  private:
   Path path_;
   Law law_;
-  std::vector<CornerRecord> corners_;
+  std::vector<JointMark> joints_;
   double stop_duration_;
   Given given_;
 };
