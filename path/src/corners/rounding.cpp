@@ -25,7 +25,7 @@ enum class How : std::uint8_t { through, rest, turn, blend };
 
 struct Shape {
   double trim = 0;
-  double share = 0;  ///< of a turn
+  double share = 0;  ///< share of a turn
   double velocity = none;
   How how = How::through;
   JointNote note = JointNote::none;
@@ -108,6 +108,7 @@ class Rounding {
       s.how = How::rest;
       return s;
     }
+    if (route_.joints[k].smooth) return s;
     const Sides both = sides(k);
     const Point change = vec::difference(both.behind, both.before);
     double bend = vec::norm(change, rates_.path_axes);
@@ -135,7 +136,7 @@ class Rounding {
     const double larger =
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
     if (step <= tangent * larger) return {};
-    if (settings(k).corner != Corner::stop && !stop_[k]) return blended(k, room);
+    if (settings(k).corner != Corner::stop) return blended(k, room);
     Shape s;
     s.note = JointNote::steps;
     return s;
@@ -184,7 +185,8 @@ class Rounding {
     s.trim = turn.length / 2;
     s.share = turn.share;
     s.velocity = std::min(turn.velocity, fastest);
-    if (!fits && turn.velocity < fastest) s.note = JointNote::short_sides;
+    if (!fits && (asked.corner == Corner::curvature || turn.velocity < fastest))
+      s.note = JointNote::short_sides;
     return s;
   }
 
@@ -193,7 +195,7 @@ class Rounding {
     const PathSettings& asked = settings(k);
     double trim = room;
     bool fits = true;
-    const auto least = [&](auto enough) {  // the least trim with enough(trim), or the room
+    const auto least = [&](auto enough) {  // the least trim with enough(trim), or all
       if (!(fits = enough(room))) return room;
       double low = 0;
       double high = room;
@@ -298,8 +300,8 @@ class Rounding {
     if (settings(k).corner == Corner::velocity) return;
     const double feed = cap(k);
     if (s.velocity >= 0.3 * feed) return;
-    const Box before = box(k - 1, piece(k - 1).length);
-    const Box behind = box(k, piece(k).length);
+    const Box before = box(k - 1);
+    const Box behind = box(k);
     const double a = std::min(before.deceleration, behind.acceleration);
     const double j = std::min(before.jerk, behind.jerk);
     const double half = std::min(piece(k - 1).length, piece(k).length) / 2;
@@ -316,15 +318,20 @@ class Rounding {
     }
   }
 
-  [[nodiscard]] Box box(std::size_t k, double length) const {
+  [[nodiscard]] Box box(std::size_t k) const {
     if (piece(k).kind == PieceKind::line) {
       Point u{};
       direction(k, u);
       return line_box(rates_, settings(k), u.data());
     }
-    (void)length;
-    return arc_box(rates_, settings(k), route_.path.numbers(k), piece(k).length);
+    if (piece(k).kind == PieceKind::arc)
+      return arc_box(rates_, settings(k), route_.path.numbers(k), piece(k).length);
+    return curve_box(rates_, settings(k), derivatives_of(route_.path, k, rates_.path_axes),
+                     run_length(k));
   }
+
+  /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
+  [[nodiscard]] double run_length(std::size_t k) const { return 20 * piece(k).length; }
 
   void require_ramps(const Box& b, std::size_t k) const {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
@@ -334,28 +341,27 @@ class Rounding {
   }
 
   Rounded assembled() {
-    Rounded out;
+    std::vector<Unit> units;
     const std::size_t count = route_.path.pieces().size();
-    out.pieces.reserve(2 * count);
-    out.numbers.reserve(5 * n_ * count);
-    out.units.reserve(2 * count);
+    pieces_.reserve(2 * count);
+    numbers_.reserve(5 * n_ * count);
+    units.reserve(2 * count);
     double start = 0;
     const auto add_unit = [&](const Box& b, std::size_t joint, double entry, double dwell) {
-      PathPiece& p = out.pieces.back();
+      PathPiece& p = pieces_.back();
       p.start = start;
       start += p.length;
-      out.units.push_back({p.length, b, entry, dwell,
-                           static_cast<std::uint32_t>(out.pieces.size() - 1), 1,
-                           static_cast<std::uint32_t>(joint)});
+      units.push_back({p.length, b, entry, dwell, static_cast<std::uint32_t>(pieces_.size() - 1), 1,
+                       static_cast<std::uint32_t>(joint)});
     };
     for (std::size_t k = 0; k < count; ++k) {
       const Shape& here = shapes_[k];
-      if (k > 0) corner_of(k, here, out, add_unit);
-      const std::size_t before = out.pieces.size();
-      append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, out.pieces,
-                  out.numbers);
-      if (out.pieces.size() == before) continue;
-      const Box b = box(k, piece(k).length);
+      if (k > 0) corner_of(k, here, add_unit);
+      const std::size_t before = pieces_.size();
+      append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, pieces_,
+                  numbers_);
+      if (pieces_.size() == before) continue;
+      const Box b = box(k);
       require_ramps(b, k);
       const bool rests = here.how == How::rest;
       add_unit(b, k,
@@ -365,36 +371,36 @@ class Rounding {
                rests ? route_.joints[k].dwell : 0);
     }
     for (const std::int32_t line : route_.empty_lines)
-      out.joints.push_back({0, line, JointNote::no_distance, false});
-    return out;
+      joints_.push_back({0, line, JointNote::no_distance, false});
+    return {Path(n_, std::move(pieces_), std::move(numbers_)), std::move(units),
+            std::move(joints_)};
   }
 
   template <class AddUnit>
-  void corner_of(std::size_t k, const Shape& s, Rounded& out, AddUnit add_unit) const {
-    const auto piece_index = static_cast<std::uint32_t>(out.pieces.size());
+  void corner_of(std::size_t k, const Shape& s, AddUnit add_unit) {
+    const auto piece_index = static_cast<std::uint32_t>(pieces_.size());
     if (s.how != How::through || s.note != JointNote::none)
-      out.joints.push_back({piece_index, piece(k).line, s.note, s.how == How::rest});
+      joints_.push_back({piece_index, piece(k).line, s.note, s.how == How::rest});
     if (s.how == How::turn) {
       Point u{};
       Point w{};
       direction(k - 1, u);
       direction(k, w);
       const Point from = route_.path.point(k - 1, piece(k - 1).length - s.trim);
-      out.pieces.push_back(
-          {0, 2 * s.trim, out.numbers.size(), piece(k).line, piece(k).settings, PieceKind::turn});
+      pieces_.push_back(
+          {0, 2 * s.trim, numbers_.size(), piece(k).line, piece(k).settings, PieceKind::turn});
       for (const Point& p : {from, u, w})
-        out.numbers.insert(out.numbers.end(), p.begin(),
-                           p.begin() + static_cast<std::ptrdiff_t>(n_));
-      out.numbers.push_back(s.share);
+        numbers_.insert(numbers_.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(n_));
+      numbers_.push_back(s.share);
     } else if (s.how == How::blend) {
       const Blend blend = blend_of(route_.path, k - 1, s.trim);
-      out.pieces.push_back(
-          {0, 2 * s.trim, out.numbers.size(), piece(k).line, piece(k).settings, PieceKind::blend});
-      out.numbers.push_back(5);
+      pieces_.push_back(
+          {0, 2 * s.trim, numbers_.size(), piece(k).line, piece(k).settings, PieceKind::blend});
+      numbers_.push_back(5);
       for (const Segment& f : blend.segments())
-        out.numbers.insert(out.numbers.end(), f.c.begin(), f.c.begin() + 6);
-      out.numbers.push_back(least_distance(blend.segments(), corner(k), rates_.path_axes));
-      out.numbers.push_back(distance_from_sides(route_.path, k - 1, blend, rates_.path_axes));
+        numbers_.insert(numbers_.end(), f.c.begin(), f.c.begin() + 6);
+      numbers_.push_back(least_distance(blend.segments(), corner(k), rates_.path_axes));
+      numbers_.push_back(distance_from_sides(route_.path, k - 1, blend, rates_.path_axes));
     } else {
       return;
     }
@@ -411,6 +417,9 @@ class Rounding {
   std::size_t n_;
   std::vector<Shape> shapes_;
   std::vector<double> wanted_;
+  std::vector<PathPiece> pieces_;  // parts of the result
+  std::vector<double> numbers_;
+  std::vector<JointMark> joints_;
 };
 
 }  // namespace

@@ -12,8 +12,7 @@ namespace jounce {
 
 /// A route with its corners rounded, and what the law may do on it.
 struct Rounded {
-  std::vector<PathPiece> pieces;
-  std::vector<double> numbers;
+  Path path;
   std::vector<Unit> units;
   std::vector<JointMark> joints;
 };

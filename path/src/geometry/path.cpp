@@ -68,7 +68,7 @@ void Path::jets(std::size_t piece, double u, std::span<Jet> out) const {
       return;
     case PieceKind::turn: {
       const TurnNumbers turn(data, axes_);
-      const Jet rise = turn_rise(turn.share(), s);  // of the integral of T
+      const Jet rise = turn_rise(turn.share(), s);  // integral of T
       for (std::size_t i = 0; i < axes_; ++i) {
         const double bend = turn.after(i) - turn.before(i);
         out[i] = {turn.start(i) + p.length * (turn.before(i) * s + bend * rise[0]),

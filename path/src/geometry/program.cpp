@@ -79,6 +79,20 @@ void Program::arc(const Arc& arc, int line) {
   position_ = arc.to;
 }
 
+void Program::curve(const PathCurve& curve, int line) {
+  require_on_axes(curve.to, axes_, line);
+  const double gap = vec::distance(curve.from, position_);
+  if (curve.axes != axes_ || curve.segments.empty() ||
+      !(gap <= 1e-9 * (curve.length + vec::norm(position_))))
+    throw InputError("curve", gap,
+                     "must have the axes of the program and begin at the end of the command before")
+        .at({}, line);
+  commands_.push_back(
+      {curves_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::curve});
+  curves_.push_back(curve);
+  position_ = curve.to;
+}
+
 void Program::dwell(double seconds, int line) {
   if (!(seconds >= 0) || !std::isfinite(seconds))
     throw InputError("dwell", seconds, "must be finite and not negative").at({}, line);

@@ -38,6 +38,33 @@ void append_arc(const Arc& arc, const Point& from, std::size_t axes, std::vector
   numbers.push_back(arc.sweep);
 }
 
+/// True if a line goes on where the last piece, a line under the same settings, points: both are one line.
+bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
+               const std::vector<double>& numbers, std::size_t axes) {
+  if (pieces.empty() || pieces.back().kind != PieceKind::line ||
+      pieces.back().settings != next.settings)
+    return false;
+  const PathPiece& last = pieces.back();
+  double change = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < axes; ++i) {
+    const double u = numbers[last.data + axes + i] / last.length;
+    const double w = numbers[next.data + axes + i] / next.length;
+    change += (w - u) * (w - u);
+    size += u * u;
+  }
+  return change <= 1e-20 * size;
+}
+
+/// The numbers of a curve: all axes have the degree of the highest.
+void append_curve(std::span<const Segment> axes, std::vector<double>& numbers) {
+  int degree = 1;
+  for (const Segment& f : axes) degree = std::max(degree, f.degree);
+  numbers.push_back(degree);
+  for (const Segment& f : axes)
+    numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + degree + 1);
+}
+
 }  // namespace
 
 Route route_of(const Program& program) {
@@ -59,6 +86,23 @@ Route route_of(const Program& program) {
       continue;
     }
     PathPiece piece{length, 0, numbers.size(), command.line, command.settings, PieceKind::line};
+    if (command.kind == Program::Kind::curve) {
+      const PathCurve& curve = program.curves()[command.data];
+      piece.kind = PieceKind::curve;
+      if (program.settings()[command.settings].junction == Junction::buffered)
+        joints.back().rests = true;
+      for (std::size_t k = 0; k < curve.segments.size(); k += n) {
+        piece.start = length;
+        piece.length = curve.segments[k].length;
+        piece.data = numbers.size();
+        append_curve(std::span(curve.segments).subspan(k, n), numbers);
+        length += piece.length;
+        pieces.push_back(piece);
+        joints.push_back({0, false, k + n < curve.segments.size()});
+      }
+      at = curve.to;
+      continue;
+    }
     buffered = program.settings()[command.settings].junction == Junction::buffered;
     if (command.kind == Program::Kind::line) {
       const double* to = program.numbers().data() + command.data;
@@ -70,6 +114,15 @@ Route route_of(const Program& program) {
       numbers.insert(numbers.end(), at.begin(), at.begin() + static_cast<std::ptrdiff_t>(n));
       for (std::size_t i = 0; i < n; ++i) numbers.push_back(to[i] - at[i]);
       std::copy_n(to, n, at.begin());
+      if (!buffered && !joints.back().rests && continues(pieces, piece, numbers, n)) {
+        PathPiece& whole = pieces.back();
+        numbers.resize(piece.data);
+        for (std::size_t i = 0; i < n; ++i)
+          numbers[whole.data + n + i] = to[i] - numbers[whole.data + i];
+        whole.length = measured(numbers.data() + whole.data, to, n, program.path_axes());
+        length = whole.start + whole.length;
+        continue;
+      }
     } else {
       const Arc& arc = program.arcs()[command.data];
       piece.kind = PieceKind::arc;
@@ -104,6 +157,18 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   if (whole.kind == PieceKind::line) {
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[i] + data[n + i] * s0);
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[n + i] * (s1 - s0));
+  } else if (whole.kind == PieceKind::curve) {
+    const int degree = static_cast<int>(data[0]);
+    const auto count = static_cast<std::size_t>(degree) + 1;
+    numbers.push_back(degree);
+    for (std::size_t i = 0; i < n; ++i) {
+      Segment f;
+      f.length = whole.length;
+      f.degree = degree;
+      std::copy_n(data + 1 + i * count, count, f.c.begin());
+      if (u0 > 0 || u1 < whole.length) f = part(f, s0, s1);
+      numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + static_cast<std::ptrdiff_t>(count));
+    }
   } else {
     const ArcNumbers arc(data, n);
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.center(i) + arc.drift(i) * s0);

@@ -39,7 +39,8 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   const std::size_t count = phases(stretch, phase);
   out.clear();
   std::size_t piece = stretch.piece;
-  double begin = 0;  // of the piece within the stretch
+  double begin =
+      path.pieces()[piece].start - stretch.start;  // start of the piece within the stretch
   out.push_back({piece, {}});
   for (std::size_t i = 0; i < count; ++i) {
     Segment rest = segment_of(phase[i]);
@@ -58,8 +59,11 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   }
 }
 
-bool is_constant(const std::vector<Segment>& law) {
-  return law.size() == 1 && law.front().degree <= 1;
+/// One velocity over the whole of a piece.
+bool is_constant(const std::vector<Segment>& law, double length) {
+  return law.size() == 1 && law.front().degree <= 1 &&
+         std::abs(law.front().c[0]) <= 1e-13 * length &&
+         std::abs(value(law.front(), 1) - length) <= 1e-13 * length;
 }
 
 /// One axis over one cut, appended to `out`; widens `error`.
@@ -76,7 +80,7 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, double toleranc
     for (const Segment& f : cut.law) out.push_back(scaled(f, slope, start));
     return;
   }
-  if (is_constant(cut.law)) {
+  if (is_constant(cut.law, length)) {
     const double velocity = cut.law.front().c[1] / cut.law.front().length;
     for (Segment f : pieces) {
       f.length /= velocity;

@@ -11,10 +11,11 @@
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/rounding.hpp"
 #include "path/src/corners/turn.hpp"
+#include "path/src/geometry/average.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/route.hpp"
 #include "path/src/geometry/vector.hpp"
-#include "path/src/timing/stations.hpp"
+#include "path/src/timing/laws.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
@@ -39,14 +40,14 @@ void require_inside(const Program& program, const GroupLimits& limits) {
   for (const Program::Command& c : program.commands())
     for (std::size_t i = 0; c.kind != Program::Kind::dwell && i < program.axes(); ++i)
       check(i,
-            c.kind == Program::Kind::line ? program.numbers()[c.data + i]
-                                          : program.arcs()[c.data].to[i],
+            c.kind == Program::Kind::line  ? program.numbers()[c.data + i]
+            : c.kind == Program::Kind::arc ? program.arcs()[c.data].to[i]
+                                           : program.curves()[c.data].to[i],
             c.line);
 }
 
 /// Marks the joints between the plan's rests where stopping everywhere is faster; false if there are none.
-bool mark_slower(const Stations& plan, const Stations& stopping, const Route& route,
-                 std::vector<bool>& stop) {
+bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop) {
   bool any = false;
   std::size_t s = 0;
   for (std::size_t k = 0; k + 1 < plan.rests.size(); ++k) {
@@ -55,20 +56,13 @@ bool mark_slower(const Stations& plan, const Stations& stopping, const Route& ro
     while (stopping.rests[s].joint < from.joint) ++s;
     const double begin = stopping.rests[s].time;
     while (stopping.rests[s].joint < to.joint) ++s;
-    const double there = stopping.rests[s].time - begin;
-    if (to.time - from.time <= there * (1 + 1e-12)) continue;
+    if (to.time - from.time <= (stopping.rests[s].time - begin) * (1 + 1e-12)) continue;
     for (std::size_t joint = from.joint + 1; joint < to.joint; ++joint) {
       any = any || !stop[joint];
       stop[joint] = true;
     }
   }
-  (void)route;
   return any;
-}
-
-Stations law_of(const Route& route, Rounded& r) {
-  return stations(std::move(r.units), static_cast<std::uint32_t>(route.joints.size() - 1),
-                  route.joints.back().dwell);
 }
 
 }  // namespace
@@ -76,23 +70,28 @@ Stations law_of(const Route& route, Rounded& r) {
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
   const Rates rates = rates_of(limits, program.axes(), program.path_axes());
   require_inside(program, limits);
-  const Route route = route_of(program);
-  const std::vector<bool> all(route.joints.size(), true);
-  Rounded stopping = rounded(route, program, rates, all);
-  Stations stop_law = law_of(route, stopping);
-  const double stop_duration = stop_law.rests.back().time;
-  Rounded result = std::move(stopping);
-  Stations law = stop_law;
+  const Route sharp = route_of(program);
+  const auto law_of = [&](const Rounded& r, const Route& route) {
+    return fastest_law(r, rates, program, route);
+  };
+  Rounded result = rounded(sharp, program, rates, std::vector<bool>(sharp.joints.size(), true));
+  Laws law = law_of(result, sharp);
+  const double stop_duration = law.rests.back().time;
   if (!options.stop_at_corners) {
+    const Route route = with_averages(sharp, program);
     std::vector<bool> stop(route.joints.size(), false);
-    result = rounded(route, program, rates, stop);
-    law = law_of(route, result);
-    if (mark_slower(law, stop_law, route, stop)) {
-      result = rounded(route, program, rates, stop);
-      law = law_of(route, result);
+    Rounded corners = rounded(route, program, rates, stop);
+    Laws fast = law_of(corners, route);
+    if (route.joints.size() == sharp.joints.size() && mark_slower(fast, law, stop)) {
+      corners = rounded(route, program, rates, stop);
+      fast = law_of(corners, route);
+    }
+    if (fast.rests.back().time <= stop_duration) {
+      result = std::move(corners);
+      law = std::move(fast);
     }
   }
-  return {Path(program.axes(), std::move(result.pieces), std::move(result.numbers)),
+  return {std::move(result.path),
           Law(std::move(law.stretches)),
           std::move(result.joints),
           stop_duration,
@@ -112,8 +111,8 @@ void Plan::at(double t, std::span<Motion> out) const {
   const Motion q = motion_in(stretch, t - stretch.time);
   // The piece within the stretch: mostly its only one.
   std::size_t piece = stretch.piece;
-  double u = q.position;
   const auto pieces = path_.pieces();
+  double u = q.position + (stretch.start - pieces[piece].start);
   if (stretch.pieces > 1) {
     const double at = pieces[piece].start + u;
     const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(piece);

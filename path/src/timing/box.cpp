@@ -9,6 +9,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
+#include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/pieces.hpp"
 
 // On an arc an axis is  r = m sin(k q + p) + h q + const  (k the angle per q, m > 0):
@@ -34,7 +35,7 @@ double or_none(const std::optional<double>& limit) {
 /// The greatest x >= 0 with M sqrt((x + c)^2 + b^2) + h x <= L; negative if there is none. M, h >= 0.
 double greatest_rate(double M, double h, double c, double b, double L) {
   if (L == PathSettings::none) return L;
-  const double l = L + h * c;  // of y = x + c: M sqrt(y^2 + b^2) <= l - h y
+  const double l = L + h * c;  // for y = x + c: M sqrt(y^2 + b^2) <= l - h y
   const double rest = l * l - M * M * b * b;
   if (rest < 0) return -1;
   const double spread = h * h * l * l + (M * M - h * h) * rest;
@@ -69,6 +70,17 @@ struct ArcRates {
       j = std::min(
           j, greatest_rate(axis[i].M, axis[i].h, k * k * v * v * v, 3 * k * v * a, rates.jerk[i]));
     return j;
+  }
+  /// The acceleration at which (2) leaves no jerk.
+  [[nodiscard]] double acceleration_of_jerk(double v) const {
+    double a = PathSettings::none;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double most = rates.jerk[i] / axis[i].M;
+      if (!(most < PathSettings::none)) continue;
+      const double normal = k * k * v * v * v;
+      a = std::min(a, std::sqrt(std::max((most - normal) * (most + normal), 0.0)) / (3 * k * v));
+    }
+    return a;
   }
   /// The greatest constant velocity, by axis velocities, (1) and (2) with a = j = 0.
   [[nodiscard]] double velocity() const {
@@ -150,16 +162,123 @@ Box arc_box(const Rates& rates, const PathSettings& settings, const double* numb
   const double fastest = std::min(path.velocity, limits.velocity());
   Box best = path;
   double shortest = PathSettings::none;
-  for (const double share : {1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2})
-    for (const double gentle : {1.0, 0.85, 0.7, 0.5, 0.3, 0.15}) {
+  for (const double share :
+       {1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001})
+    for (const double gentle : {1.0, 0.9, 0.75, 0.6, 0.45, 0.3, 0.15}) {
       const double v = share * fastest;
-      const double room = limits.acceleration(v);
-      const double a = std::min(gentle * room, path.acceleration);
-      const double d = std::min(gentle * room, path.deceleration);
+      const double most = gentle * std::min(limits.acceleration(v), limits.acceleration_of_jerk(v));
+      const double a = std::min(most, path.acceleration);
+      const double d = std::min(most, path.deceleration);
       if (!(a > 0) || !std::isfinite(v)) continue;
       const double j = std::min(limits.jerk(v, std::max(a, d)), path.jerk);
       if (!(j > 0)) continue;
       const double time = length / v + v / a + (a + d) / 2 / j;
+      if (time < shortest) {
+        shortest = time;
+        best = {v, a, d, j};
+      }
+    }
+  return best;
+}
+
+Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes) {
+  Derivatives bounds;
+  const std::size_t n = path.axes();
+  const PathPiece& p = path.pieces()[piece];
+  const double* data = path.numbers(piece);
+  if (p.kind == PieceKind::arc) {
+    const ArcNumbers arc(data, n);
+    const double k = arc.sweep() / p.length;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double m = std::hypot(arc.cosine(i), arc.sine(i)) * k;
+      bounds.first[i] = m + std::abs(arc.drift(i)) / p.length;
+      bounds.second[i] = m * k;
+      bounds.third[i] = m * k * k;
+    }
+    return bounds;
+  }
+  std::vector<Segment> segments;
+  std::array<Segment, max_axes> axes;
+  for (std::size_t i = 0; i < n; ++i) {
+    segments.clear();
+    path.segments(piece, i, segments);
+    axes[i] = segments.front();
+    for (const Segment& f : segments) {
+      if (f.degree > 3) {
+        const Peaks peak = peaks_of(f);
+        bounds.first[i] = std::max(bounds.first[i], peak.direction);
+        bounds.second[i] = std::max(bounds.second[i], peak.curvature);
+        bounds.third[i] = std::max(bounds.third[i], peak.rate);
+        continue;
+      }
+      // The hull of the Bernstein coefficients of the first derivative; the others are linear and constant.
+      const double h = f.length;
+      for (const double b : {f.c[1], f.c[1] + f.c[2], f.c[1] + 2 * f.c[2] + 3 * f.c[3]})
+        bounds.first[i] = std::max(bounds.first[i], std::abs(b) / h);
+      for (const double b : {2 * f.c[2], 2 * f.c[2] + 6 * f.c[3]})
+        bounds.second[i] = std::max(bounds.second[i], std::abs(b) / (h * h));
+      bounds.third[i] = std::max(bounds.third[i], std::abs(6 * f.c[3]) / (h * h * h));
+    }
+  }
+  if (p.kind == PieceKind::curve || p.kind == PieceKind::blend)
+    bounds.speed =
+        std::sqrt(std::max(1.0, hull_of_speed_squared(std::span(axes).first(path_axes)).second));
+  return bounds;
+}
+
+double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
+                     double jerk) {
+  double v = PathSettings::none;
+  double bend = 0;
+  for (std::size_t i = 0; i < rates.axes; ++i) {
+    const double r1 = bounds.first[i];
+    const double r2 = bounds.second[i];
+    const double r3 = bounds.third[i];
+    if (i < rates.path_axes) bend += r2 * r2;
+    if (r1 > 0) v = std::min(v, rates.velocity[i] / r1);
+    const double a = rates.acceleration[i] - r1 * acceleration;
+    if (a < 0) return -1;
+    if (r2 > 0) v = std::min(v, std::sqrt(a / r2));
+    const double j = rates.jerk[i] - r1 * jerk;
+    if (j < 0) return -1;
+    // r3 v^3 + 3 r2 a v = j: convex, Newton from above.
+    const double slope = 3 * r2 * acceleration;
+    const auto used = [&](double x) { return (r3 * x * x + slope) * x; };
+    if (used(v) <= j || (r3 == 0 && slope == 0)) continue;
+    double x = std::min({v, std::cbrt(j / r3), j / slope});
+    for (int step = 0; step < 8; ++step) x -= (used(x) - j) / (3 * r3 * x * x + slope);
+    v = x * (1 - 1e-15);
+  }
+  const double total = rates.path.total_acceleration;
+  const double left = total < PathSettings::none
+                          ? std::sqrt(std::max(total * total - acceleration * acceleration, 0.0))
+                          : total;
+  if (bend > 0)
+    v = std::min(v, std::sqrt(std::min(rates.path.normal_acceleration, left) / std::sqrt(bend)));
+  return v;
+}
+
+Box curve_box(const Rates& rates, const PathSettings& settings, const Derivatives& bounds,
+              double length) {
+  Box path = path_box(rates, settings);
+  path.velocity /= bounds.speed;
+  double most = path.acceleration;
+  double jerk = path.jerk;
+  for (std::size_t i = 0; i < rates.axes; ++i)
+    if (bounds.first[i] > 0) {
+      most = std::min(most, rates.acceleration[i] / bounds.first[i]);
+      jerk = std::min(jerk, rates.jerk[i] / bounds.first[i]);
+    }
+  Box best = path;
+  double shortest = PathSettings::none;
+  for (const double gentle : {1.0, 0.9, 0.7, 0.5, 0.3})
+    for (const double calm : {1.0, 0.9, 0.7, 0.5, 0.3}) {
+      const double a = gentle * most;
+      const double d = std::min(a, path.deceleration);
+      const double j = calm * jerk;
+      const double v = std::min(path.velocity, velocity_with(rates, bounds, a, j));
+      if (!(v > 0) || !std::isfinite(a)) continue;
+      const double time = length / v + v / a + a / j;
       if (time < shortest) {
         shortest = time;
         best = {v, a, d, j};

@@ -38,6 +38,21 @@ Box line_box(const Rates& rates, const PathSettings& settings, const double* dir
 /// An arc or a helix; `length` is how far the law goes on it. A compromise of velocity and acceleration, see box.cpp.
 Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length);
 
+/// Bounds of the derivatives of each axis by q over a piece: |r'|, |r''|, |r'''|.
+struct Derivatives {
+  std::array<double, max_axes> first{}, second{}, third{};
+  double speed = 1;  ///< |r'| over the path axes, at least 1
+};
+Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes);
+
+/// The greatest velocity with any |q''| <= acceleration and |q'''| <= jerk on a piece; negative if there is none.
+double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
+                     double jerk);
+
+/// A piece of a polynomial path, on which the law may do anything within the box.
+Box curve_box(const Rates& rates, const PathSettings& settings, const Derivatives& bounds,
+              double length);
+
 /// Polynomial piece at constant velocity.
 Box blend_box(const Rates& rates, std::span<const Segment> axes);
 

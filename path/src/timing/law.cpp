@@ -55,10 +55,14 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
     builder.add(stretch.duration, 0);
     return builder.count;
   }
+  if (stretch.single_phase) {
+    out[0] = {stretch.duration, 0, stretch.v0, stretch.acceleration, stretch.jerk};
+    return 1;
+  }
   const double down = ramp_distance(stretch.peak, stretch.v1, stretch.deceleration, stretch.jerk);
   builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
   const double cruise = stretch.length - builder.now.position - down;
-  // What is left within rounding is no cruise.
+  // A rest within rounding is no cruise.
   if (cruise > 1e-14 * stretch.length) builder.add(cruise / stretch.peak, 0);
   builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
   // The phases cover the length but for rounding: distances and durations are multiplied, velocities stay.

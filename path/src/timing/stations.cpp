@@ -14,10 +14,10 @@
 //
 //   (1)  backward  v_k = min(c_k, F(v_k+1, L_k)),     forward  v_k+1 = min(v_k+1, F(v_k, L_k)).
 //
-// Every stretch then has room for its ramp. The forward pass lowers v_k+1 only to F(v_k) >= v_k, where the ramp takes
-// all of L_k. Where it does not lower it and v_k+1 >= v_k, the ramp is shorter, since its distance grows with the
-// larger end. Where v_k+1 < v_k, v_k+1 still has its backward value and v_k is at most its own. A stretch at constant
-// velocity has F(v) = v, for which the same holds.
+// Every stretch is then long enough for its ramp. The forward pass lowers v_k+1 only to F(v_k) >= v_k, where the
+// ramp takes all of L_k. Where it does not lower it and v_k+1 >= v_k, the ramp is shorter, since its distance
+// grows with the larger end. Where v_k+1 < v_k, v_k+1 still has its backward value and v_k is at most its own. A
+// stretch at constant velocity has F(v) = v, for which the same holds.
 //
 // F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, not the fastest one; stations are
 // therefore left out where the boxes of both sides agree, and where one ramp over both sides is faster.
@@ -73,16 +73,17 @@ std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
   std::vector<double> v(n + 1);
   v[n] = 0;
-  for (std::size_t k = n; k-- > 0;) {
+  for (std::size_t k = n; k-- > 1;) {
     const Unit& unit = units[k];
     double cap = std::min(unit.entry, unit.box.velocity);
-    if (k > 0) cap = std::min(cap, units[k - 1].box.velocity);
+    cap = std::min(cap, units[k - 1].box.velocity);
     v[k] = unit.box.constant ? std::min(cap, v[k + 1])
            : v[k + 1] >= cap
                ? cap
                : std::min(cap,
                           entry_velocity(unit.length, v[k + 1], down(unit.box)).value_or(v[k + 1]));
   }
+  v[0] = 0;
   for (std::size_t k = 0; k < n; ++k) {
     if (v[k + 1] <= v[k]) continue;
     const Unit& unit = units[k];
@@ -166,51 +167,38 @@ std::vector<Unit> with_longer_ramps(const std::vector<Unit>& units, const std::v
   return out;
 }
 
-Stations timed(const std::vector<Unit>& units, const std::vector<double>& v,
-               std::uint32_t last_joint, double last_dwell) {
-  Stations result;
-  result.stretches.reserve(units.size());
+std::vector<LawStretch> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
+  std::vector<LawStretch> law;
+  law.reserve(units.size());
   double time = 0;
   double start = 0;
-  const auto rest = [&](std::uint32_t joint, double dwell, std::uint32_t piece) {
-    result.rests.push_back({joint, time});
-    if (!(dwell > 0)) return;
-    LawStretch s;
-    s.time = time;
-    s.start = start;
-    s.duration = dwell;
-    s.acceleration = s.deceleration = s.jerk = none;
-    s.piece = piece;
-    result.stretches.push_back(s);
-    time += dwell;
-  };
   for (std::size_t k = 0; k < units.size(); ++k) {
-    if (v[k] == 0) rest(units[k].joint, units[k].dwell, units[k].piece);
     LawStretch s = stretch_of(units[k], v[k], v[k + 1]);
     s.time = time;
     s.start = start;
     time += s.duration;
     start += s.length;
-    result.stretches.push_back(s);
+    law.push_back(s);
   }
-  const Unit& last = units.back();
-  rest(last_joint, last_dwell, last.piece + last.pieces - 1);
-  result.rests.back().time = time;
-  return result;
+  return law;
+}
+
+double end_of(const std::vector<LawStretch>& law) {
+  return law.back().time + law.back().duration;
 }
 
 }  // namespace
 
-Stations stations(std::vector<Unit> units, std::uint32_t last_joint, double last_dwell) {
+std::vector<LawStretch> stations(std::vector<Unit> units) {
   units = without_needless(units);
   std::vector<double> v = velocities(units);
-  Stations best = timed(units, v, last_joint, last_dwell);
+  std::vector<LawStretch> best = timed(units, v);
   for (int round = 0; round < 3; ++round) {
     units = with_longer_ramps(units, v);
     if (units.empty()) break;
     v = velocities(units);
-    Stations next = timed(units, v, last_joint, last_dwell);
-    if (next.rests.back().time >= best.rests.back().time) break;
+    std::vector<LawStretch> next = timed(units, v);
+    if (end_of(next) >= end_of(best)) break;
     best = std::move(next);
   }
   return best;

@@ -17,21 +17,11 @@ struct Unit {
   double entry = PathSettings::none;  ///< greatest velocity at its start; 0: a rest
   double dwell = 0;                   ///< s of rest at its start
   std::uint32_t piece = 0, pieces = 1;
-  std::uint32_t joint = 0;  ///< of the route, the last one at or before its start
+  std::uint32_t joint = 0;  ///< joint of the route, the last one at or before its start
 };
 
-/// A rest of a law: where, and when it begins.
-struct Rest {
-  std::uint32_t joint = 0;
-  double time = 0;
-};
-
-struct Stations {
-  std::vector<LawStretch> stretches;
-  std::vector<Rest> rests;  ///< the start, each stop, and the end
-};
-
-/// The law with stations at the units' joints (docs/path/README.md, "Stations"). `last_joint` is that of the end.
-Stations stations(std::vector<Unit> units, std::uint32_t last_joint, double last_dwell);
+/// The law with stations at the units' joints, from rest to rest: times and places from 0 (docs/path/README.md,
+/// "Stations").
+std::vector<LawStretch> stations(std::vector<Unit> units);
 
 }  // namespace jounce

@@ -17,10 +17,10 @@ struct PathLimits {
   double deceleration = none;         ///< tangential, u/s^2
   double jerk = none;                 ///< tangential, u/s^3
   double normal_acceleration = none;  ///< v^2 times curvature, u/s^2
-  double total_acceleration = none;   ///< of the vector, tangential and normal, u/s^2
+  double total_acceleration = none;   ///< magnitude, tangential and normal together, u/s^2
 };
 
-/// Limits of a group. Axis limits bound the motion of each axis, whatever the path: exactly, by the extrema of
+/// Limits of a group. Axis limits bound the motion of each axis, on any path: exactly, by the extrema of
 /// the planned curves. `axes` has one entry an axis; its position limits are checked at the end points,
 /// and by check() on the planned axes.
 struct GroupLimits {

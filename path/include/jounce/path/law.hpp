@@ -10,8 +10,9 @@
 
 namespace jounce {
 
-/// One stretch of a timing law: from v0 by a ramp to a peak, along at the peak, by a ramp to v1. Its acceleration is
-/// zero at both ends. A rest (dwell) has length 0 and velocity 0.
+/// One stretch of a timing law. Of a law of stations: from v0 by a ramp to a peak, along at the peak, by a ramp to
+/// v1, with acceleration zero at both ends. Of a law of a window: one phase of constant jerk, from v0 and
+/// `acceleration` (signed). A rest (dwell) has length 0 and velocity 0.
 struct LawStretch {
   double time = 0;                            ///< s, start
   double start = 0;                           ///< q, start
@@ -20,8 +21,9 @@ struct LawStretch {
   double acceleration = 0, deceleration = 0;  ///< q/s^2 of the two ramps, > 0
   double jerk = 0;                            ///< q/s^3, > 0
   double duration = 0;                        ///< s
-  std::uint32_t piece = 0;                    ///< first piece of the path
-  std::uint32_t pieces = 0;                   ///< number of pieces; 0: a rest
+  bool single_phase = false;
+  std::uint32_t piece = 0;   ///< first piece of the path
+  std::uint32_t pieces = 0;  ///< number of pieces; 0: a rest
 };
 
 /// Phase of a law: constant jerk.
@@ -41,7 +43,7 @@ class Law {
   /// q and its derivatives at t in [0, duration()].
   [[nodiscard]] Motion at(double t) const;
   [[nodiscard]] std::size_t stretch_at(double t) const;
-  /// As a curve of the library.
+  /// The law as a curve.
   [[nodiscard]] Trajectory curve() const;
 
  private:

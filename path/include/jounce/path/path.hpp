@@ -23,11 +23,12 @@ enum class PieceKind : std::uint8_t {
 
 /// One formula of a path.
 struct PathPiece {
-  double start = 0;            ///< q where it begins
-  double length = 0;           ///< in q
-  std::size_t data = 0;        ///< its first number
-  std::int32_t line = 0;       ///< of the source; a corner: that of the command which it leads to
-  std::uint32_t settings = 0;  ///< of the program
+  double start = 0;      ///< q where it begins
+  double length = 0;     ///< in q
+  std::size_t data = 0;  ///< its first number
+  std::int32_t line =
+      0;  ///< line of the source: the first of lines in one direction; a corner has that of the command that it leads to
+  std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
 };
 
@@ -46,6 +47,10 @@ class Path {
   [[nodiscard]] double length() const;
   [[nodiscard]] std::span<const PathPiece> pieces() const { return pieces_; }
 
+  /// Memory of pieces and numbers.
+  [[nodiscard]] std::size_t bytes() const {
+    return pieces_.size() * sizeof(PathPiece) + numbers_.size() * sizeof(double);
+  }
   /// The numbers of a piece; their layout is that of path/src/geometry/pieces.hpp.
   [[nodiscard]] const double* numbers(std::size_t piece) const {
     return numbers_.data() + pieces_[piece].data;

@@ -23,7 +23,7 @@ struct PlanOptions {
 
 /// Outcome of a joint, in short.
 enum class JointNote : std::uint8_t {
-  none,        ///< as asked
+  none,        ///< outcome as asked
   turns_back,  ///< the path reverses: the plan rests
   short_sides,  ///< the pieces on both sides are too short for what was asked; a smaller corner is used
   slower,       ///< rounding takes longer than stopping: the plan rests
@@ -31,19 +31,19 @@ enum class JointNote : std::uint8_t {
   no_distance,  ///< the command covers no distance and is left out
 };
 struct JointMark {
-  std::uint32_t piece = 0;  ///< of the path: the corner, or the piece that begins here
+  std::uint32_t piece = 0;  ///< piece of the path: the corner, or the piece that begins here
   std::int32_t line = 0;
   JointNote note = JointNote::none;
   bool rests = false;
 };
 
-/// What became of the joint at the start of a command.
+/// Outcome of the joint at the start of a command.
 struct CornerRecord {
-  std::int32_t line = 0;  ///< of the command which begins here
+  std::int32_t line = 0;  ///< line of the command that begins here
   double where = 0;       ///< q of the middle
   double angle = 0;       ///< rad, 0: tangent
   Corner asked = Corner::stop;
-  double value = 0;      ///< as asked
+  double value = 0;      ///< value asked for
   bool stop = false;     ///< the plan rests here
   double trim = 0;       ///< u, replaced before and after the corner
   double deviation = 0;  ///< u, corner to curve: exact
@@ -68,7 +68,7 @@ struct CornerRecord {
 /// stops at each corner. It depends on nothing but its arguments.
 class Plan {
  public:
-  /// What a plan was made for.
+  /// Input of a plan.
   struct Given {
     GroupLimits limits;
     std::vector<PathSettings> settings;

@@ -10,6 +10,7 @@
 
 #include "jounce/path/arc.hpp"
 #include "jounce/path/point.hpp"
+#include "jounce/path/shapes.hpp"
 
 namespace jounce {
 
@@ -31,7 +32,7 @@ enum class Junction : std::uint8_t {
   blending_previous,  ///< the feed of the command before
   blending_next,      ///< the feed of the new command
   blending_high,      ///< the higher one of the two feeds
-  look_ahead,         ///< as fast as the limits allow
+  look_ahead,         ///< the highest velocity that the limits allow
 };
 
 /// Modal settings: they hold for all commands from here on. `corner` and `junction` act at the START of the
@@ -76,6 +77,8 @@ class Program {
   void set(const PathSettings& settings);
   void line(const Point& to, int line = 0);
   void arc(const Arc& arc, int line = 0);
+  /// A spline or an ellipse, which begins at position().
+  void curve(const PathCurve& curve, int line = 0);
   /// Rest of any duration in s, >= 0; not rounded to a cycle.
   void dwell(double seconds, int line = 0);
 
@@ -85,16 +88,17 @@ class Program {
   /// End of the last command.
   [[nodiscard]] const Point& position() const { return position_; }
 
-  enum class Kind : std::uint8_t { line, arc, dwell };
+  enum class Kind : std::uint8_t { line, arc, curve, dwell };
   struct Command {
-    std::size_t data = 0;        ///< first number: a line's end; arcs: index into arcs()
-    int line = 0;                ///< of the source
+    std::size_t data = 0;  ///< first number: a line's end, a dwell; index into arcs() or curves()
+    int line = 0;          ///< line of the source
     std::uint32_t settings = 0;  ///< index into settings()
     Kind kind = Kind::line;
   };
   [[nodiscard]] std::span<const Command> commands() const { return commands_; }
   [[nodiscard]] std::span<const double> numbers() const { return numbers_; }
   [[nodiscard]] std::span<const Arc> arcs() const { return arcs_; }
+  [[nodiscard]] std::span<const PathCurve> curves() const { return curves_; }
   [[nodiscard]] std::span<const PathSettings> settings() const { return settings_; }
 
  private:
@@ -103,6 +107,7 @@ class Program {
   std::vector<Command> commands_;
   std::vector<double> numbers_;
   std::vector<Arc> arcs_;
+  std::vector<PathCurve> curves_;
   std::vector<PathSettings> settings_{PathSettings{}};
 };
 
