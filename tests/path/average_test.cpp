@@ -117,7 +117,7 @@ TEST(Window, KeepsItsCapsItsAccelerationAndItsJerk) {
     }
     const double a = random.log_between(10, 1e4);
     const double w = random.log_between(1e-3, 1);
-    const std::vector<LawPhase> law = averaged(spread_law(caps, a, w), w);
+    const std::vector<LawPhase> law = averaged(spread_law(caps, a, w), w, whole);
     double q = 0;
     double v = 0;
     for (const LawPhase& p : law) {

@@ -26,6 +26,7 @@ class WindowLaw {
       for (std::uint32_t k = 0; k < unit.pieces; ++k) {
         const std::size_t piece = unit.piece + k;
         const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
+        length_ += path.pieces()[piece].length;
         bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
         double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
         if (unit.box.constant) feed = std::min(feed, unit.box.velocity);
@@ -55,7 +56,7 @@ class WindowLaw {
         std::vector<RawPhase> next = raw(a * acceleration_, j * jerk_);
         if (next.empty()) continue;
         double time = a * acceleration_ / (j * jerk_);
-        for (const RawPhase& p : next) time += p.duration();
+        for (const RawPhase& p : next) time += p.duration;
         if (time < best) {
           best = time;
           best_a = a * acceleration_;
@@ -64,7 +65,7 @@ class WindowLaw {
         }
       }
     if (phases.empty()) return {};
-    return stretches(averaged(phases, best_a / best_j));
+    return stretches(averaged(phases, best_a / best_j, length_));
   }
 
  private:
@@ -73,7 +74,8 @@ class WindowLaw {
     caps.reserve(bounds_.size());
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const double v =
-          std::min({feeds_[k], entries_[k], velocity_with(rates_, bounds_[k], acceleration, jerk)});
+          std::min({feeds_[k], entries_[k],
+                    velocity_with(rates_, bounds_[k], acceleration, jerk) * (1 - 1e-12)});
       if (!(v > 0) || !(v < none)) return {};
       caps.push_back({path_.pieces()[first_ + k].length, v});
     }
@@ -120,6 +122,7 @@ class WindowLaw {
   std::vector<Derivatives> bounds_;
   std::vector<double> feeds_, entries_;
   double acceleration_ = none, jerk_ = none;
+  double length_ = 0;
 };
 
 /// A window pays where ramps cross many pieces of different boxes: on curves.
@@ -127,6 +130,17 @@ bool is_curved(const Path& path, std::span<const Unit> units) {
   return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
     return path.pieces()[unit.piece].kind == PieceKind::curve;
   });
+}
+
+/// The faster law of a run.
+std::vector<LawStretch> fastest(const Path& path, std::span<const Unit> run, const Rates& rates,
+                                const Program& program) {
+  std::vector<Unit> moving(run.begin(), run.end());
+  moving.front().entry = none;
+  std::vector<LawStretch> law = stations(moving);
+  if (!is_curved(path, run)) return law;
+  std::vector<LawStretch> window = WindowLaw(path, moving, rates, program).run();
+  return end_of(window) < end_of(law) ? window : law;
 }
 
 }  // namespace
@@ -154,21 +168,19 @@ Laws fastest_law(const Rounded& rounded, const Rates& rates, const Program& prog
     while (last < units.size() && units[last].entry > 0) ++last;
     const std::span<const Unit> run(units.data() + i, last - i);
     rest(run.front().joint, run.front().dwell, run.front().piece);
-    std::vector<Unit> moving(run.begin(), run.end());
-    moving.front().entry = none;
-    std::vector<LawStretch> law = stations(moving);
-    if (is_curved(rounded.path, run)) {
-      std::vector<LawStretch> window = WindowLaw(rounded.path, moving, rates, program).run();
-      if (end_of(window) < end_of(law)) law = std::move(window);
-    }
-    for (LawStretch s : law) {
+    const std::uint32_t piece = run.back().piece + run.back().pieces - 1;
+    const auto add = [&](LawStretch s) {
       s.time += time;
       s.start += start;
       laws.stretches.push_back(s);
+    };
+    if (run.size() == 1 && !is_curved(rounded.path, run)) {
+      add(stretch_of(run.front(), 0, 0));
+    } else {
+      for (const LawStretch& s : fastest(rounded.path, run, rates, program)) add(s);
     }
     time = laws.stretches.back().time + laws.stretches.back().duration;
-    const PathPiece& end = rounded.path.pieces()[run.back().piece + run.back().pieces - 1];
-    start = end.start + end.length;
+    start = rounded.path.pieces()[piece].start + rounded.path.pieces()[piece].length;
     i = last;
   }
   rest(static_cast<std::uint32_t>(route.joints.size() - 1), route.joints.back().dwell,

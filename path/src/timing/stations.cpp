@@ -48,6 +48,8 @@ double peak_of(const Box& box, double length, double v0, double v1) {
   return move ? v0 + move->dv0 : least;
 }
 
+}  // namespace
+
 LawStretch stretch_of(const Unit& unit, double v0, double v1) {
   LawStretch s;
   s.length = unit.length;
@@ -67,6 +69,8 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
                (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
   return s;
 }
+
+namespace {
 
 /// v of (1) at each unit's start and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {

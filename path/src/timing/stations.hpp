@@ -20,6 +20,9 @@ struct Unit {
   std::uint32_t joint = 0;  ///< joint of the route, the last one at or before its start
 };
 
+/// The fastest stretch over a unit between two velocities that the unit is long enough for.
+LawStretch stretch_of(const Unit& unit, double v0, double v1);
+
 /// The law with stations at the units' joints, from rest to rest: times and places from 0 (docs/path/README.md,
 /// "Stations").
 std::vector<LawStretch> stations(std::vector<Unit> units);

@@ -83,21 +83,25 @@ std::vector<Knot> fastest(std::span<const Interval> caps, double acceleration) {
     v[i + 1] = std::min(v[i + 1], reach(v[i], caps[i].to - caps[i].from));
   for (std::size_t i = n; i-- > 1;)
     v[i] = std::min(v[i], reach(v[i + 1], caps[i].to - caps[i].from));
+  // A maximum has two knots, maybe at one place, so that lowering it has two ends to move.
   std::vector<Knot> knots;
-  knots.reserve(3 * n + 1);
+  knots.reserve(4 * n + 1);
   knots.push_back({caps.front().from, 0});
   const auto add = [&](double q, double speed) {
-    if (q > knots.back().q) knots.push_back({q, speed});
+    knots.push_back({std::max(q, knots.back().q), speed});
   };
   for (std::size_t i = 0; i < n; ++i) {
     const auto [from, to, top] = caps[i];
-    const double length = to - from;
-    const double peak =
-        std::min(top, std::sqrt((v[i] * v[i] + v[i + 1] * v[i + 1]) / 2 + acceleration * length));
-    if (peak > v[i])
-      add(std::min(to, from + (peak - v[i]) * (peak + v[i]) / (2 * acceleration)), peak);
-    if (peak > v[i + 1]) add(to - (peak - v[i + 1]) * (peak + v[i + 1]) / (2 * acceleration), peak);
+    const double free =
+        std::sqrt((v[i] * v[i] + v[i + 1] * v[i + 1]) / 2 + acceleration * (to - from));
+    const double peak = std::max({std::min(top, free), v[i], v[i + 1]});
+    const auto way = [&](double speed) {
+      return (peak - speed) * (peak + speed) / (2 * acceleration);
+    };
+    if (peak > v[i]) add(std::min(to, from + way(v[i])), peak);
+    if (peak > v[i + 1]) add(std::min(to, to - way(v[i + 1])), peak);
     add(to, v[i + 1]);
+    if (i + 1 < n) add(to, v[i + 1]);
   }
   return knots;
 }
@@ -187,12 +191,10 @@ class Lowering {
     const bool keeps_left = in_[left].v == p && in_[left].q == from;
     const bool keeps_right = in_[right].v == p && in_[right].q == to;
     if (!keeps_left) in_[left] = {from, p};
-    if (left == right) return next_[right];
     if (!keeps_right) in_[right] = {to, p};
     next_[left] = right;
     previous_[right] = left;
-    // The plateau may end a maximum that began before it.
-    return right;
+    return next_[right];
   }
 
   std::vector<Knot> in_;
@@ -208,13 +210,19 @@ std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acce
   const std::vector<Knot> knots = Lowering(fastest(held, acceleration), acceleration, window).run();
   std::vector<RawPhase> out;
   out.reserve(knots.size());
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    if (knots[i + 1].q > knots[i].q)
-      out.push_back({knots[i + 1].q - knots[i].q, knots[i].v, knots[i + 1].v});
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const auto& [q0, v0] = knots[i];
+    const auto& [q1, v1] = knots[i + 1];
+    // A slope lasts as long as its velocities need: lengths far from 0 have few digits.
+    const double duration = v0 != v1  ? std::abs(v1 - v0) / acceleration
+                            : q1 > q0 ? (q1 - q0) / v0
+                                      : 0;
+    if (duration > 0) out.push_back({duration, v0, v1});
+  }
   return out;
 }
 
-std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window) {
+std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, double length) {
   struct Change {
     double time;
     double acceleration;  ///< from here on
@@ -223,9 +231,8 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window) {
   std::vector<Change> changes;
   double time = 0;
   for (const RawPhase& p : raw) {
-    const double duration = p.duration();
-    changes.push_back({time, p.v0 == p.v1 ? 0 : (p.v1 - p.v0) / duration, p.v0});
-    time += duration;
+    changes.push_back({time, (p.v1 - p.v0) / p.duration, p.v0});
+    time += p.duration;
   }
   changes.push_back({time, 0, raw.back().v1});
   std::vector<LawPhase> out;
@@ -260,8 +267,6 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window) {
     else
       behind = changes[k++].acceleration;
   }
-  double length = 0;
-  for (const RawPhase& p : raw) length += p.length;
   const double factor = length / now.position;
   for (LawPhase& p : out) {
     p.duration *= factor;

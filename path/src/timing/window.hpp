@@ -17,9 +17,9 @@ struct CappedLength {
 
 /// A phase of constant acceleration of a law of second order.
 struct RawPhase {
-  double length = 0;
+  double duration = 0;
   double v0 = 0, v1 = 0;
-  [[nodiscard]] double duration() const { return length > 0 ? 2 * length / (v0 + v1) : 0; }
+  [[nodiscard]] double length() const { return duration * (v0 + v1) / 2; }
 };
 
 /// The fastest law of second order from rest to rest under the caps, each held `window` s before and behind, with
@@ -27,7 +27,8 @@ struct RawPhase {
 std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acceleration,
                                  double window);
 
-/// Its average over the window: jerk at most acceleration / window. Phases with positions from 0 to the length.
-std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window);
+/// Its average over the window: jerk at most acceleration / window. Phases with positions from 0 to `length`, that of
+/// the law to rounding.
+std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, double length);
 
 }  // namespace jounce
