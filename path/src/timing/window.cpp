@@ -206,8 +206,10 @@ class Lowering {
 
 std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acceleration,
                                  double window) {
-  const std::vector<Interval> held = envelope(caps, acceleration, window);
-  const std::vector<Knot> knots = Lowering(fastest(held, acceleration), acceleration, window).run();
+  // A billionth longer, so that rounding never lets a window see both signs of acceleration.
+  const double longer = window * (1 + 1e-9);
+  const std::vector<Interval> held = envelope(caps, acceleration, longer);
+  const std::vector<Knot> knots = Lowering(fastest(held, acceleration), acceleration, longer).run();
   std::vector<RawPhase> out;
   out.reserve(knots.size());
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
