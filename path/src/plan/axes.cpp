@@ -59,6 +59,31 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   }
 }
 
+/// Moves the ends of a cut that are those of its piece, but for the rounding of places far from the start of the
+/// path, onto them: the law is shifted to the start, its last phase stretched to the end at its velocity.
+void snap(Cut& cut, double length, double rounding) {
+  std::vector<Segment>& law = cut.law;
+  const auto travel = [](const Segment& f) { return value(f, 1) - value(f, 0); };
+  // A sliver that cutting left: over no way, at one velocity.
+  std::erase_if(law, [&](const Segment& f) {
+    const double v0 = evaluate(f, 0)[1];
+    const double v1 = evaluate(f, 1)[1];
+    return travel(f) <= rounding && std::abs(v1 - v0) <= 1e-9 * std::max(v0, v1);
+  });
+  if (law.empty()) return;
+  if (std::abs(law.front().c[0]) <= 4 * rounding) {
+    const double shift = -law.front().c[0];
+    for (Segment& f : law) f.c[0] += shift;
+  }
+  Segment& last = law.back();
+  const double missing = length - value(last, 1);
+  if (std::abs(missing) > 8 * rounding) return;
+  const double factor = 1 + missing / travel(last);
+  const double start = last.c[0];
+  last = scaled(last, factor, start * (1 - factor));
+  last.length *= factor;
+}
+
 /// One velocity over the whole of a piece.
 bool is_constant(const std::vector<Segment>& law, double length) {
   return law.size() == 1 && law.front().degree <= 1 &&
@@ -119,6 +144,10 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
       continue;
     }
     cut_at_pieces(path, stretch, cuts);
+    for (Cut& cut : cuts) {
+      const double length = path.pieces()[cut.piece].length;
+      snap(cut, length, std::max(1e-13 * length, 1e-15 * stretch.start));
+    }
     for (const Cut& cut : cuts)
       for (std::size_t i = 0; i < n; ++i)
         compose(path, cut, i, tolerance, pieces, axes[i], result.error[i]);
