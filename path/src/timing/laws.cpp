@@ -113,6 +113,7 @@ class WindowLaw {
       time += h;
       law.push_back(s);
     }
+    law.back().v1 = 0;  // but for rounding
     return law;
   }
 
