@@ -26,8 +26,8 @@ struct PathPiece {
   double start = 0;      ///< q where it begins
   double length = 0;     ///< in q
   std::size_t data = 0;  ///< its first number
-  std::int32_t line =
-      0;  ///< line of the source: the first of lines in one direction; a corner has that of the command that it leads to
+  /// Line of the source: the first of lines in one direction; a corner has that of the command behind it.
+  std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
 };
