@@ -44,10 +44,10 @@ Columns knots(std::size_t n, Spacing spacing) {
     columns.x.push_back(x);
     for (auto* column : {&columns.p, &columns.v, &columns.a}) column->push_back(value(engine));
   }
-  const double stretch = turn / columns.x.back();
+  const double interval = turn / columns.x.back();
   for (std::size_t i = 0; i <= n; ++i)
     columns.x[i] = spacing == equal ? turn * static_cast<double>(i) / static_cast<double>(n)
-                                    : columns.x[i] * stretch;
+                                    : columns.x[i] * interval;
   columns.x.back() = turn;
   return columns;
 }

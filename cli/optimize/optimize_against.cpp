@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free shapes optimised through a drive: --against.
+// Free shapes optimized through a drive: --against.
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
@@ -76,15 +76,15 @@ int optimize_against(const OptimizeArguments& options, const Spec& spec) {
   const Against against = against_of(options, spec);
   const ShapeWords words(spec);
   const AgainstOutcome outcome = watched(
-      "optimising", [&](const OptimizeProgress& p) { return words.stage(p); },
+      "optimizing", [&](const OptimizeProgress& p) { return words.stage(p); },
       [&](const KeepGoing& keep_going) {
         return jounce::optimize_against(problem, against, keep_going);
       });
   Json document = json_of(outcome, words);
   document["drive"] = drive_json(outcome, words);
   if (!options.json) {
-    print_text(told_on(options), outcome, words);
-    print_drive(told_on(options), outcome, words);
+    print_text(text_stream(options), outcome, words);
+    print_drive(text_stream(options), outcome, words);
   }
   return finish(options, spec, std::move(document),
                 outcome.usable() ? std::optional(with_shapes(spec, outcome.best)) : std::nullopt);

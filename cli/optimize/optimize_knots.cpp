@@ -95,10 +95,10 @@ int optimize_knots(const OptimizeArguments& options, const Spec& spec) {
   const CamProblem problem = make_problem(spec);
   const Labels labels = labels_of(spec);
   const auto outcome = watched(
-      "optimising",
+      "optimizing",
       [&](const OptimizeProgress& p) { return std::string(name(problem.minimize[p.stage])); },
       [&](const KeepGoing& keep_going) { return optimize(problem, keep_going); });
-  if (!options.json) print_text(told_on(options), problem, outcome, labels);
+  if (!options.json) print_text(text_stream(options), problem, outcome, labels);
   return finish(options, spec, json_of(problem, outcome, labels),
                 outcome.usable() ? std::optional(with_knots(spec, outcome.best)) : std::nullopt);
 }

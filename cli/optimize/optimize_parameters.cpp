@@ -100,7 +100,7 @@ TuneOutcome searched(const Spec& spec) {
 
 int optimize_parameters(const OptimizeArguments& options, const Spec& spec) {
   const TuneOutcome outcome = searched(spec);
-  if (!options.json) print_text(told_on(options), outcome, spec);
+  if (!options.json) print_text(text_stream(options), outcome, spec);
   return finish(options, spec, json_of(outcome, spec),
                 outcome.usable() ? std::optional(outcome.text) : std::nullopt);
 }

@@ -14,9 +14,9 @@ int optimize_shapes(const OptimizeArguments& options, const Spec& spec) {
   const CamShapeProblem problem = make_shape_problem(spec);
   const ShapeWords words(spec);
   const CamShapeOutcome outcome = watched(
-      "optimising", [&](const OptimizeProgress& p) { return words.stage(p); },
+      "optimizing", [&](const OptimizeProgress& p) { return words.stage(p); },
       [&](const KeepGoing& keep_going) { return optimize_cam_shapes(problem, keep_going); });
-  if (!options.json) print_text(told_on(options), outcome, words);
+  if (!options.json) print_text(text_stream(options), outcome, words);
   return finish(options, spec, json_of(outcome, words),
                 outcome.usable() ? std::optional(with_shapes(spec, outcome.best)) : std::nullopt);
 }

@@ -18,7 +18,7 @@
 namespace jounce::cli {
 namespace {
 
-/// Whether `jounce check` finds no fault with any axis of a spec. Prints the faults.
+/// True if `jounce check` finds no fault with any axis of a spec. Prints the faults.
 bool passes_check(std::FILE* out, const Spec& spec) {
   bool passes = true;
   for (const Input& input : inputs_of(spec, spec.document.name)) {
@@ -31,38 +31,38 @@ bool passes_check(std::FILE* out, const Spec& spec) {
   return passes;
 }
 
-void write(const OptimizeArguments& options, const Spec& given, const Spec& optimised,
+void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
            const std::string& text) {
-  const Made made = make(optimised);
+  const Made made = make(optimized);
   const TableFile table{made.sampled.table,
-                        optimised.units,
-                        {optimised.document.name, hex(optimised.document.hash), made_by()}};
+                        optimized.units,
+                        {optimized.document.name, hex(optimized.document.hash), made_by()}};
   std::vector<Output> files;
   if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
   if (!options.output.empty()) files.push_back({options.output, text});
-  if (!options.plot.empty()) write_picture(options.plot, before_after(given, optimised));
+  if (!options.plot.empty()) write_picture(options.plot, before_after(given, optimized));
   write_files(files);
 }
 
 }  // namespace
 
-std::FILE* told_on(const OptimizeArguments& options) {
+std::FILE* text_stream(const OptimizeArguments& options) {
   const bool taken = options.output == "-" || options.table == "-" || options.plot == "-";
   return taken ? stderr : stdout;
 }
 
 int finish(const OptimizeArguments& options, const Spec& given, nlohmann::ordered_json document,
-           const std::optional<std::string>& optimised) {
-  std::FILE* out = told_on(options);
+           const std::optional<std::string>& optimized) {
+  std::FILE* out = text_stream(options);
   std::optional<Spec> spec;
-  if (optimised)
-    spec = parse_spec(*optimised, options.output.empty() ? given.document.name : options.output);
+  if (optimized)
+    spec = parse_spec(*optimized, options.output.empty() ? given.document.name : options.output);
   if (spec && options.json) document["peaks"] = peaks_json(given, *spec);
   if (options.json) fmt::print(out, "{}\n", document.dump(1));
   if (!spec) return finding;
   if (!options.json) print_peaks(out, given, *spec);
   if (!passes_check(options.json ? stderr : out, *spec)) return finding;
-  write(options, given, *spec, *optimised);
+  write(options, given, *spec, *optimized);
   return fine;
 }
 

@@ -31,13 +31,13 @@ int optimize_against(const OptimizeArguments& options, const Spec& spec);
 int optimize_parameters(const OptimizeArguments& options, const Spec& spec);
 
 /// Stream for the outcome: a spec, table or picture on standard output has that stream for itself.
-std::FILE* told_on(const OptimizeArguments& options);
+std::FILE* text_stream(const OptimizeArguments& options);
 
-/// Ends an optimisation. `optimised` is the text of the optimised spec, if it keeps the limits.
+/// Ends an optimization. `optimized` is the text of the optimized spec, if it keeps the limits.
 /// With --json it prints `document` and adds "peaks", else the peaks for people (peaks.hpp). Then it writes
 /// the spec, its table and the picture of both, all of them or none; none where `jounce check` finds a
 /// fault in the spec: then the faults are printed. Returns the exit status.
 int finish(const OptimizeArguments& options, const Spec& given, nlohmann::ordered_json document,
-           const std::optional<std::string>& optimised);
+           const std::optional<std::string>& optimized);
 
 }  // namespace jounce::cli

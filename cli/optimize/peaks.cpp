@@ -20,7 +20,7 @@ struct Peak {
   std::string name;  ///< "geo_jerk"; of several axes "x jerk"
   std::string unit;
   std::optional<double> given;
-  double optimised = 0;
+  double optimized = 0;
   std::optional<double> limit;
 };
 
@@ -32,7 +32,7 @@ double peak_of(const Input& input, std::size_t order) {
       *input.curve);
 }
 
-/// Nothing where the given spec makes no curve: an optimisation may begin from one that cannot move.
+/// Nothing where the given spec makes no curve: an optimization may begin from one that cannot move.
 std::vector<Input> given_inputs(const Spec& spec) {
   try {
     return inputs_of(spec, spec.document.name);
@@ -41,12 +41,12 @@ std::vector<Input> given_inputs(const Spec& spec) {
   }
 }
 
-std::vector<Peak> peaks(const Spec& given_spec, const Spec& optimised_spec) {
+std::vector<Peak> peaks(const Spec& given_spec, const Spec& optimized_spec) {
   const std::vector<Input> given = given_inputs(given_spec);
-  const std::vector<Input> optimised = inputs_of(optimised_spec, optimised_spec.document.name);
+  const std::vector<Input> optimized = inputs_of(optimized_spec, optimized_spec.document.name);
   std::vector<Peak> all;
-  for (std::size_t i = 0; i < optimised.size(); ++i) {
-    const Input& axis = optimised[i];
+  for (std::size_t i = 0; i < optimized.size(); ++i) {
+    const Input& axis = optimized[i];
     const Limits& l = axis.limits;
     const std::optional<double> limits[] = {{}, l.velocity, l.acceleration, l.jerk};
     const auto& names = axis.labels.over_master ? OverMaster::names : OverTime::names;
@@ -62,29 +62,29 @@ std::vector<Peak> peaks(const Spec& given_spec, const Spec& optimised_spec) {
 /// "-12.5 %", or "13 times" the given.
 std::string change(const Peak& peak) {
   if (!peak.given || !(*peak.given > 0)) return "";
-  const double ratio = peak.optimised / *peak.given;
+  const double ratio = peak.optimized / *peak.given;
   return ratio >= 2 ? fmt::format("{:.3g} times", ratio)
                     : fmt::format("{:+.1f} %", 100 * (ratio - 1));
 }
 
 }  // namespace
 
-void print_peaks(std::FILE* out, const Spec& given, const Spec& optimised) {
+void print_peaks(std::FILE* out, const Spec& given, const Spec& optimized) {
   fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}\n", "peaks", "given", "optimised", "change",
              "limit");
-  for (const Peak& peak : peaks(given, optimised))
+  for (const Peak& peak : peaks(given, optimized))
     fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", peak.name,
-               peak.given ? rounded(*peak.given) : "-", rounded(peak.optimised), change(peak),
+               peak.given ? rounded(*peak.given) : "-", rounded(peak.optimized), change(peak),
                peak.limit ? rounded(*peak.limit) : "not limited", peak.unit);
 }
 
-nlohmann::ordered_json peaks_json(const Spec& given, const Spec& optimised) {
+nlohmann::ordered_json peaks_json(const Spec& given, const Spec& optimized) {
   Json all = Json::array();
-  for (const Peak& peak : peaks(given, optimised))
+  for (const Peak& peak : peaks(given, optimized))
     all.push_back({{"quantity", peak.name},
                    {"unit", peak.unit},
                    {"given", peak.given ? Json(*peak.given) : Json()},
-                   {"optimised", peak.optimised},
+                   {"optimised", peak.optimized},
                    {"limit", peak.limit ? Json(*peak.limit) : Json()}});
   return all;
 }

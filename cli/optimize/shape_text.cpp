@@ -30,14 +30,14 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
   const bool objective = first.rule.starts_with("objective/");
   std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
   if (first.quantity == "residual" || first.quantity.starts_with("rms "))
-    return text;  // of all of it
+    return text;  // these have no place
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
     text += (i == 0 ? " at " : ", ") + words.at(findings[i].where, run);
   if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);
   return text;
 }
 
-/// Places that belong together told in one line; an rms has no place.
+/// Places of one rule in one line; an rms has no place.
 void print_active(std::FILE* out, const CamRunOutcome& run, const ShapeWords& words) {
   const auto& active = run.shape.active;
   for (auto first = active.begin(); first != active.end();) {
@@ -52,7 +52,7 @@ void print_active(std::FILE* out, const CamRunOutcome& run, const ShapeWords& wo
 void print_run(std::FILE* out, const CamRunOutcome& run, const ShapeWords& words) {
   fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>10}   segments {}\n", "", "given", "reached",
              "bound", "could save", words.segments(run));
-  for (const Told& t : told(run, words))
+  for (const PrintedFigure& t : printed_figures(run, words))
     fmt::print(out, "  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name, rounded(t.given),
                rounded(t.reached), t.bound ? rounded(*t.bound) : "-",
                t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
@@ -73,7 +73,7 @@ Json json_of(const Finding& finding, const ShapeWords& words) {
 
 Json json_of(const CamRunOutcome& run, const ShapeWords& words) {
   Json figures = Json::array();
-  for (const Told& t : told(run, words)) {
+  for (const PrintedFigure& t : printed_figures(run, words)) {
     Json figure{
         {"figure", t.spec.name}, {"unit", t.spec.unit}, {"given", t.given}, {"reached", t.reached}};
     if (t.bound) figure["bound"] = *t.bound;

@@ -5,14 +5,15 @@
 
 namespace jounce::cli {
 
-std::vector<Told> told(const CamRunOutcome& run, const ShapeWords& words) {
+std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words) {
   const double length = words.length(run);
   const bool alone = words.minimized() == 1;
-  std::vector<Told> all;
+  std::vector<PrintedFigure> all;
   for (std::size_t i = 0; i < run.shape.figures.size() && i < words.figures().size(); ++i) {
     const ShapeFigureSpec& spec = words.figures()[i];
     const FigureResult& figure = run.shape.figures[i];
-    Told t{spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
+    PrintedFigure t{
+        spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
     std::optional<double> bound = figure.bound;
     if (bound && *bound > 0) t.bound = shown(spec, *bound, length);  // 0 is no news
     if (i == 0 && alone && run.shape.bound && run.shape.value > 0)

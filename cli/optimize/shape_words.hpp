@@ -33,7 +33,7 @@ class ShapeWords {
     return figures()[std::min(progress.stage, figures().size() - 1)].name;
   }
 
-  /// Figures that are minimised; the others are ceilings.
+  /// Figures that are minimized; the others are ceilings.
   [[nodiscard]] std::size_t minimized() const {
     return figures().size() - spec_.optimize.shape.ceilings.size();
   }
@@ -81,7 +81,7 @@ class ShapeWords {
 };
 
 /// A figure of a run in the numbers that are printed.
-struct Told {
+struct PrintedFigure {
   const ShapeFigureSpec& spec;
   double given;
   double reached;
@@ -90,7 +90,7 @@ struct Told {
 };
 
 /// A figure that is alone has the bound of its splines where no better one is known.
-std::vector<Told> told(const CamRunOutcome& run, const ShapeWords& words);
+std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words);
 
 /// The limit that would stop a run next: the least margin of those not reached already; nullptr: none.
 const Finding* next_limit(const CamRunOutcome& run);

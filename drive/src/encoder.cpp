@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "jounce/profiles/detail/random.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -22,14 +23,9 @@ double EncoderReading::operator()(double position) noexcept {
   return errors_.resolution * std::floor(position / errors_.resolution);
 }
 
-/// Uses splitmix64 (Steele, Lea, Flood 2014), the upper 53 bits.
+/// In (0, 1), so that its logarithm is finite.
 double EncoderReading::uniform() noexcept {
-  state_ += 0x9E3779B97F4A7C15U;
-  std::uint64_t z = state_;
-  z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ z >> 27U) * 0x94D049BB133111EBU;
-  z ^= z >> 31U;
-  return (static_cast<double>(z >> 11U) + 0.5) * 0x1p-53;
+  return (static_cast<double>(detail::splitmix64(state_) >> 11U) + 0.5) * 0x1p-53;
 }
 
 double told_position(const Feedback& feedback) {

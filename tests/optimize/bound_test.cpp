@@ -57,10 +57,10 @@ TEST(LeastPeakAcceleration, IsAttainedByBangCoastBang) {
     const double d = (v0 + V) / 2 * t1 + V * coast + (V + v1) / 2 * t2;
     // The cap counts for |v|: only cases where it is V itself that binds.
     if (coast > 0 && V < std::max(std::abs(v0), std::abs(v1))) continue;
-    const Stretch s{t1 + coast + t2, sign * d, sign * v0, sign * v1, {}, {}};
+    const KnotInterval s{t1 + coast + t2, sign * d, sign * v0, sign * v1, {}, {}};
     const auto cap = coast > 0 ? std::optional(V) : std::nullopt;
     EXPECT_NEAR(least_peak_acceleration(s, cap), A, 1e-11 * A) << i;
-    const Stretch back{s.length, s.displacement, s.v1, s.v0, {}, {}};
+    const KnotInterval back{s.length, s.displacement, s.v1, s.v0, {}, {}};
     EXPECT_NEAR(least_peak_acceleration(back, cap), A, 1e-11 * A) << i;
   }
 }
@@ -68,7 +68,7 @@ TEST(LeastPeakAcceleration, IsAttainedByBangCoastBang) {
 TEST(LeastPeakAcceleration, OfFig614NeedsTheVelocityLimit) {
   // 200..360: from slope 1 to rest by -225. Without limit A = (610 + sqrt(610^2 + 160^2)) / 160^2;
   // with |v| <= 3: A = ((3 + 1)^2 + 3^2) / (2 (3 * 160 - 225)) = 25 / 510.
-  const Stretch s{160, -225, 1, 0, {}, {}};
+  const KnotInterval s{160, -225, 1, 0, {}, {}};
   EXPECT_NEAR(least_peak_acceleration(s), (610 + std::hypot(610, 160)) / 25600, 1e-16);
   EXPECT_NEAR(least_peak_acceleration(s, 3), 25.0 / 510, 1e-16);
 }
@@ -97,12 +97,12 @@ TEST(LeastPeakJerk, IsAttainedByEveryPerfectSpline) {
     const double t3 = draw(random, 0.05, 1);
     end.run(J, t1);
     end.run(-J, t2);
-    const Stretch one{t1 + t2, end.p, start.v, end.v, start.a, {}};
+    const KnotInterval one{t1 + t2, end.p, start.v, end.v, start.a, {}};
     EXPECT_NEAR(least_peak_jerk(one), std::abs(J), 1e-10 * std::abs(J)) << i;
-    const Stretch one_back{t1 + t2, end.p, end.v, start.v, {}, -start.a};
+    const KnotInterval one_back{t1 + t2, end.p, end.v, start.v, {}, -start.a};
     EXPECT_NEAR(least_peak_jerk(one_back), std::abs(J), 1e-10 * std::abs(J)) << i;
     end.run(J, t3);
-    const Stretch two{t1 + t2 + t3, end.p, start.v, end.v, start.a, end.a};
+    const KnotInterval two{t1 + t2 + t3, end.p, start.v, end.v, start.a, end.a};
     EXPECT_NEAR(least_peak_jerk(two), std::abs(J), 1e-9 * std::abs(J)) << i;
   }
 }
@@ -110,12 +110,12 @@ TEST(LeastPeakJerk, IsAttainedByEveryPerfectSpline) {
 TEST(LeastPeakJerk, GrowsWithWhatIsGiven) {
   std::mt19937 random(3);
   for (int i = 0; i < 500; ++i) {
-    Stretch s{draw(random, 0.2, 3),
-              draw(random, -2, 2),
-              draw(random, -2, 2),
-              draw(random, -2, 2),
-              {},
-              {}};
+    KnotInterval s{draw(random, 0.2, 3),
+                   draw(random, -2, 2),
+                   draw(random, -2, 2),
+                   draw(random, -2, 2),
+                   {},
+                   {}};
     const double none = least_peak_jerk(s);
     s.a0 = draw(random, -4, 4);
     const double one = least_peak_jerk(s);
@@ -134,12 +134,12 @@ TEST(LeastSquareAcceleration, IsTheCubics) {
   EXPECT_DOUBLE_EQ(least_square_acceleration({1, 1, 0, 0, {}, {}}), 12);
   std::mt19937 random(4);
   for (int i = 0; i < 200; ++i) {
-    const Stretch s{draw(random, 0.2, 3),
-                    draw(random, -2, 2),
-                    draw(random, -2, 2),
-                    draw(random, -2, 2),
-                    {},
-                    {}};
+    const KnotInterval s{draw(random, 0.2, 3),
+                         draw(random, -2, 2),
+                         draw(random, -2, 2),
+                         draw(random, -2, 2),
+                         {},
+                         {}};
     const Cam cam({cubic(s.length, 0, s.v0, s.displacement, s.v1)});
     const double rms = value_of(Objective::rms_acceleration, cam);
     EXPECT_NEAR(least_square_acceleration(s), rms * rms * s.length, 1e-12 * (1 + rms * rms));

@@ -159,7 +159,7 @@ TEST(Outcome, StallsWhenEvaluationsRunOut) {
   EXPECT_THAT(outcome.reason, HasSubstr("40 evaluations"));
   EXPECT_TRUE(outcome.usable());
   EXPECT_LE(outcome.figures[0].reached, outcome.figures[0].given);
-  EXPECT_LE(outcome.evaluations, 60);  // the last linearised steps are few
+  EXPECT_LE(outcome.evaluations, 60);  // the last linearized steps are few
 }
 
 /// Random cams of four quintics, free quantities and limits: every answer must be true.

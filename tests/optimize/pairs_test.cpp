@@ -28,7 +28,7 @@ CamShapeProblem rise(std::vector<ShapeFigure> figures) {
   return problem;
 }
 
-/// The second figure is minimised among the shapes that have the first to the concession: it is as good
+/// The second figure is minimized among the shapes that have the first to the concession: it is as good
 /// as that lets it, and the first within it.
 TEST(LexicographicPairs, EndAtTheOptimum) {
   const std::vector<ShapeFigure> figures = all_figures();

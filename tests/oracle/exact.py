@@ -9,6 +9,7 @@ and a `Piecewise` is a run of pieces. Both are closed under derivative and integ
 an acceleration (or from boundary values) and integrates. Work is done with 60 digits; 17 are written.
 """
 import json
+import sys
 from bisect import bisect_right
 from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal, localcontext
@@ -264,3 +265,19 @@ def wrap(items, pad, width=110):
             line = ""
         line += (", " if line else "") + item
     return f"\n{pad}".join(lines + [line])
+
+
+def finish(target, result):
+    """Writes `result` to the file, or compares it with the file if the option --check is given. The exit status."""
+    if MISMATCHES:
+        print("\n".join(["DISAGREEMENT:"] + MISMATCHES), file=sys.stderr)
+        return 1
+    text = to_json(result) + "\n"
+    print(f"{CHECKS[0]} printed or doubly derived numbers agree")
+    if "--check" in sys.argv[1:]:
+        same = target.exists() and target.read_text(encoding="ascii") == text
+        print(f"{target.name} is {'up to date' if same else 'OUT OF DATE'}")
+        return 0 if same else 1
+    target.write_text(text, encoding="ascii")
+    print(f"{target.name}: {len(text)} bytes")
+    return 0

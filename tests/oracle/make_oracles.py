@@ -52,18 +52,7 @@ def main():
         start = time.monotonic()
         result[name] = make()
         print(f"{name:16} {time.monotonic() - start:6.1f} s", flush=True)
-    if exact.MISMATCHES:
-        print("\n".join(["DISAGREEMENT:"] + exact.MISMATCHES), file=sys.stderr)
-        return 1
-    text = exact.to_json(result) + "\n"
-    print(f"{exact.CHECKS[0]} printed or doubly derived numbers agree")
-    if "--check" in sys.argv[1:]:
-        same = target.exists() and target.read_text(encoding="ascii") == text
-        print(f"{target.name} is {'up to date' if same else 'OUT OF DATE'}")
-        return 0 if same else 1
-    target.write_text(text, encoding="ascii")
-    print(f"{target.name}: {len(text)} bytes")
-    return 0
+    return exact.finish(target, result)
 
 
 if __name__ == "__main__":

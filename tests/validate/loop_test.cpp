@@ -148,7 +148,7 @@ TEST(Loop, ResponseIsTheOracles) {
           std::lower_bound(points.begin(), points.end(), f,
                            [](const LoopPoint& p, double x) { return p.frequency < x; });
       if (after == points.end() || after == points.begin()) continue;
-      // between two neighbours of the grid, a hundredth of a decade apart
+      // between two neighbors of the grid, a hundredth of a decade apart
       const LoopPoint& a = *(after - 1);
       const LoopPoint& b = *after;
       const std::complex<double> exact(known[1].get<double>(), known[2].get<double>());

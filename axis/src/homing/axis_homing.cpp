@@ -11,17 +11,17 @@ namespace jounce {
 namespace {
 
 /// Returns the homing of the axis with the changes of the command.
-HomingSpec chosen(const Command& command, HomingSpec spec) {
+HomingSpec chosen(const command::Home& what, HomingSpec spec) {
   const auto take = [](double& value, double given) {
     if (!std::isnan(given)) value = given;
   };
-  if (command.homing.method != 0) spec.method = command.homing.method;
-  take(spec.offset, command.position);
-  take(spec.search_velocity, command.dynamics.velocity);
-  take(spec.index_velocity, command.homing.index_velocity);
-  take(spec.acceleration, command.dynamics.acceleration);
-  take(spec.timeout, command.homing.timeout);
-  take(spec.distance, command.homing.distance);
+  if (what.method != 0) spec.method = what.method;
+  take(spec.offset, what.offset);
+  take(spec.search_velocity, what.search_velocity);
+  take(spec.index_velocity, what.index_velocity);
+  take(spec.acceleration, what.acceleration);
+  take(spec.timeout, what.timeout);
+  take(spec.distance, what.distance);
   return spec;
 }
 
@@ -37,15 +37,15 @@ std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) 
 
 }  // namespace
 
-void MotionAxis::home(const Command& command) {
-  const HomingSpec spec = chosen(command, config_.homing);
+MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
+  const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
-  if (!method) return refuse(Cause::no_such_method, spec.method);
-  if (now_.refused = misses(spec, config_); now_.refused) return;
+  if (!method) return Refusal{Cause::no_such_method, static_cast<double>(spec.method)};
+  if (auto no = misses(spec, config_)) return no;
   if (!(std::abs(spec.offset) <= furthest(config_)))
-    return refuse(Cause::position_limit, spec.offset, furthest(config_));
-  if (waiting_) return refuse(Cause::in_motion);
-  if (!has_sensors(*method, inputs_.feedback.sensors)) return refuse(Cause::no_sensor);
+    return Refusal{Cause::position_limit, spec.offset, furthest(config_)};
+  if (armed_.waiting()) return Refusal{Cause::in_motion};
+  if (!has_sensors(*method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;
   now_.reason = Cause::none;
   now_.homed = method->last == 0;
@@ -56,6 +56,7 @@ void MotionAxis::home(const Command& command) {
   fill(dynamics, config_);
   home_position_ = spec.offset;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) fail(Cause::jump);
+  return std::nullopt;
 }
 
 Homing::Seen MotionAxis::seen() const {
@@ -85,7 +86,7 @@ void MotionAxis::find_home() {
   const double home = homing_->home() + now_.offset;
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
-  set_position(now_.position + (home_position_ - home));
+  if (const auto no = set_position(now_.position + (home_position_ - home))) now_.refused = no;
   now_.homed = true;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/setpoint_check.hpp"
@@ -10,70 +11,98 @@
 
 namespace jounce {
 
-using Kind = Command::Kind;
-
-namespace {
-
-/// A superimposed move uses the part of the limits that the motion below leaves. Their sum
-/// therefore keeps the limits at any relative phase.
-std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
-  constexpr double least = 1e-9;  // relative to a limit
-  const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
-    const double most = std::exchange(limit, limit - used);
-    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
-  };
-  Limits& limits = config.limits;
-  if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
-  if (auto no = take(*limits.acceleration, below.acceleration, Cause::acceleration_limit))
-    return no;
-  return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
-}
-
-/// True if a motion keeps these limits.
-bool keeps(const Profile& motion, const Limits& limits) {
-  constexpr double same = 1 + 1e-9;
-  const Peaks most = peaks(motion);
-  return most.velocity <= *limits.velocity * same &&
-         most.acceleration <= *limits.acceleration * same &&
-         (!limits.jerk || most.jerk <= *limits.jerk * same);
-}
-
-}  // namespace
-
-void MotionAxis::move(const Command& command) {
-  const bool under_way = moving() && ending_ == Ending::none;
-  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion) {
-    if (!std::isfinite(command.position)) return refuse(Cause::no_value, command.position);
-    return superimpose(command.position, command.dynamics);
-  }
-  const bool buffers = command.kind == Kind::move_absolute || command.kind == Kind::move_relative ||
-                       command.kind == Kind::move_velocity;
-  if (buffers && command.buffer != BufferMode::aborting && moving()) return buffer(command);
+template <class Move>
+MotionAxis::Rejection MotionAxis::move(const Move& what) {
   Goal goal;
-  if (now_.refused = goal_of(command, last(), goal); now_.refused) return;
+  if (auto no = goal_of(what, last(), goal)) return no;
   const WaitingMoves waited = std::exchange(next_, {});
-  if (go(goal)) return forget(waited);
-  next_ = waited;
-  refuse(Cause::no_such_move, goal.value);
+  if (!go(goal)) {
+    next_ = waited;
+    return Refusal{Cause::no_such_move, goal.value};
+  }
+  forget(waited);
+  return std::nullopt;
 }
 
-/// The goal of a move that begins in this state.
-std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionState& from,
-                                           Goal& goal) const {
-  const double value = command.position;
-  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0};
-  MoveDynamics dynamics = command.dynamics;
-  if (command.kind == Kind::move_velocity) dynamics.velocity = as_configured;
+template <class Move>
+MotionAxis::Rejection MotionAxis::move_or_buffer(const Move& what) {
+  if (what.buffer != BufferMode::aborting && moving()) return buffer(what);
+  return move(what);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::MoveAbsolute& what) {
+  return move_or_buffer(what);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::MoveRelative& what) {
+  return move_or_buffer(what);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::MoveVelocity& what) {
+  return move_or_buffer(what);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::MoveAdditive& what) {
+  return move(what);
+}
+
+/// Without a motion beneath it, it is a MoveRelative.
+MotionAxis::Rejection MotionAxis::act(const command::MoveSuperimposed& what) {
+  const bool under_way = moving() && ending_ == Ending::none;
+  if (!under_way || state_ == State::continuous_motion)
+    return move(command::MoveRelative{what.distance, what.dynamics});
+  if (!std::isfinite(what.distance)) return Refusal{Cause::no_value, what.distance};
+  return superimpose(what.distance, what.dynamics);
+}
+
+// The goals of moves that begin in the state `from`.
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveAbsolute& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (!std::isfinite(what.position)) return Refusal{Cause::no_value, what.position, 0};
+  MoveDynamics dynamics = what.dynamics;
   if (const auto no = fill(dynamics, config_)) return no;
-  if (command.kind == Kind::move_velocity) return velocity_goal(value, from, dynamics, goal);
-  std::optional<double> target = from.position + value;
-  if (command.kind == Kind::move_absolute)
-    target = target_of(value, command.direction, from, dynamics, config_);
-  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
-  if (command.kind == Kind::move_additive && aimed) target = goal_.value + shift_ + value;
-  if (!target) return Refusal{Cause::no_such_move, value, 0};
+  const auto target = target_of(what.position, what.direction, from, dynamics, config_);
+  if (!target) return Refusal{Cause::no_such_move, what.position, 0};
   goal = {Goal::Kind::position, *target, dynamics};
   return forbidden(*target, from.position);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveRelative& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (const auto no = distance_goal(what.distance, from.position, what.dynamics, goal)) return no;
+  return forbidden(goal.value, from.position);
+}
+
+/// Counts from the target of the present move, if it has one.
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveAdditive& what,
+                                           const MotionState& from, Goal& goal) const {
+  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
+  const double start = aimed ? goal_.value + above_.finished() : from.position;
+  if (const auto no = distance_goal(what.distance, start, what.dynamics, goal)) return no;
+  return forbidden(goal.value, from.position);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveVelocity& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (!std::isfinite(what.velocity)) return Refusal{Cause::no_value, what.velocity, 0};
+  const auto& [a, d, j] = what.dynamics;
+  MoveDynamics dynamics{.acceleration = a, .deceleration = d, .jerk = j};
+  if (const auto no = fill(dynamics, config_)) return no;
+  return velocity_goal(what.velocity, from, dynamics, goal);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const BufferedMove& what, const MotionState& from,
+                                           Goal& goal) const {
+  return std::visit([&](const auto& move) { return goal_of(move, from, goal); }, what);
+}
+
+std::optional<Refusal> MotionAxis::distance_goal(double distance, double from,
+                                                 MoveDynamics dynamics, Goal& goal) const {
+  if (!std::isfinite(distance)) return Refusal{Cause::no_value, distance, 0};
+  if (const auto no = fill(dynamics, config_)) return no;
+  goal = {Goal::Kind::position, from + distance, dynamics};
+  return std::nullopt;
 }
 
 /// The goal of a move at this velocity; 0: to rest.
@@ -126,52 +155,21 @@ Peaks MotionAxis::beneath() const {
           config_.limits.jerk ? std::max(planned.jerk, d.jerk) : 0};
 }
 
-/// Reason why a distance on top of the present motion would end outside the range.
-std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
+/// Begins a move on top of the present motion, or returns the reason to reject it.
+MotionAxis::Rejection MotionAxis::superimpose(double distance, const MoveDynamics& dynamics) {
+  if (on_path() && !clock_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
+  if (boundary_ == Boundary::swap || passes()) return Refusal{.cause = Cause::in_motion};
   const auto end = expected_end();
-  if (!end || lifting_) return std::nullopt;
-  const double target = end->position + distance;
-  const auto& [low, high, v, a, j] = config_.limits;
-  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
-  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
-  return std::nullopt;
-}
-
-void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
-  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
-  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
-  AxisConfig left = config_;
-  if (now_.refused = take_away(left, beneath()); now_.refused) return;
-  if (now_.refused = fill(dynamics, left); now_.refused) return;
-  if (now_.refused = ends_outside(distance); now_.refused) return;
-  const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
-  const Goal goal{Goal::Kind::position, up.position + distance, dynamics};
-  left.limits.position_min = left.limits.position_max = std::nullopt;
-  const Limits before = std::exchange(lift_most_, left.limits);
-  const auto profile = plan_lift(up, goal, 1);
-  if (!profile || !keeps(*profile, lift_most_)) {
-    lift_most_ = before;
-    return refuse(Cause::no_such_move, distance);
-  }
-  lifting_ = true;
-  lift_rests_ = false;
-  lift_ = *profile;
-  lift_goal_ = goal;
-  lift_origin_ = now_.tick;
-}
-
-std::optional<Profile> MotionAxis::plan_lift(const Motion& from, const Goal& goal,
-                                             double factor) const {
-  AxisConfig left = config_;
-  left.limits = lift_most_;
-  return plan({from.position, from.velocity, from.acceleration}, goal, factor, left);
+  return above_.begin(now_.tick, distance, dynamics, beneath(),
+                      end ? std::optional(end->position) : std::nullopt);
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
-void MotionAxis::decouple() {
-  if (!active_) return refuse(Cause::not_synchronized);
+MotionAxis::Rejection MotionAxis::decouple() {
+  if (!active_) return Refusal{Cause::not_synchronized};
   leave(Goal::Kind::velocity);
-  if (base_ != Base::move) refuse(Cause::no_such_move);
+  if (base_ != Base::move) return Refusal{Cause::no_such_move};
+  return std::nullopt;
 }
 
 // ---- planning ----------------------------------------------------------------------------------
@@ -193,8 +191,7 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
   if (boundary_ == Boundary::swap) disarm();
   boundary_ = Boundary::none;
   drop_movement();
-  lifting_ = false;
-  shift_ = 0;
+  above_.clear();
   bare_ = last();
   base_ = Base::move;
   return true;
@@ -219,13 +216,12 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
 /// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
 bool MotionAxis::replan_move() {
   const double rate = wanted_rate();
-  if (rate > 0 || (!lifting_ && shift_ == 0)) return plan_from(bare_, emitted_, goal_, rate);
+  if (rate > 0 || !above_.shifts()) return plan_from(bare_, emitted_, goal_, rate);
   Goal both = goal_;
-  both.value += shift_ + (lifting_ ? lift_goal_.value : 0);
+  both.value += above_.distance();
   if (!plan_from(last(), emitted_, both, rate)) return false;
   bare_ = last();
-  lifting_ = false;
-  shift_ = 0;
+  above_.clear();
   return true;
 }
 

@@ -87,14 +87,14 @@ double MotionAxis::wanted_rate() const {
 /// The highest rate of this path, and of the armed one if a swap is due.
 double MotionAxis::most_rate() const {
   const double own = highest_rate(peaks_, config_);
-  return waiting_ && pending_ ? std::min(own, highest_rate(pending_->peaks(), config_)) : own;
+  return armed_.waiting() ? std::min(own, highest_rate(armed_->peaks(), config_)) : own;
 }
 
 /// The rate that a path accepts now. Above full speed, govern() sets the rate of a growing path; a
 /// path that is about to be swapped for a growing one first returns to full speed.
 double MotionAxis::granted(double wanted) const {
   if (!on_path() || wanted <= 1) return wanted;
-  if (waiting_ && pending_ && pending_->growing()) return 1;
+  if (armed_.waiting() && armed_->growing()) return 1;
   return active_->growing() ? std::clamp(clock_.target(), 1.0, wanted) : wanted;
 }
 
@@ -121,30 +121,20 @@ bool MotionAxis::stop_on_path() {
 /// The slope of a change to that rate from that tick on.
 double MotionAxis::slope_to(double rate, std::int64_t tick) const {
   const double highest = std::max({1.0, clock_.highest(tick), rate});
-  Peaks above;
-  if (lifting_)
-    above = {*lift_most_.velocity, *lift_most_.acceleration, lift_most_.jerk.value_or(0)};
-  return rate_slope(peaks_, config_, highest, above);
+  return rate_slope(peaks_, config_, highest, above_.peaks());
 }
 
 /// Applies a new rate: changes the clock of a path, or plans a move again.
-bool MotionAxis::replan() {
+MotionAxis::Rejection MotionAxis::replan() {
   const bool done = on_path() ? replan_path() : replan_move();
-  if (!done) refuse(Cause::no_such_move);
-  return done;
+  return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
 }
 
 /// The superimposed move comes to rest with the path, and resumes with it.
 bool MotionAxis::replan_path() {
-  const bool rests = wanted_rate() == 0;
-  if (!lifting_ || rests == lift_rests_) return change_rate(granted_rate());
-  // Starts from the last setpoint, or in the tick of its command.
-  const std::int64_t from = std::max(emitted_, lift_origin_);
-  const auto lift = plan_lift(lift_.at(seconds(from - lift_origin_)), lift_goal_, rests ? 0 : 1);
-  if (!lift || !change_rate(granted_rate())) return false;
-  lift_ = *lift;
-  lift_origin_ = from;
-  lift_rests_ = rests;
+  SuperimposedMove above = above_;
+  if (!above.hold(wanted_rate() == 0, emitted_) || !change_rate(granted_rate())) return false;
+  above_ = above;
   return true;
 }
 

@@ -9,29 +9,41 @@
 
 namespace jounce {
 
-void MotionAxis::arm(Movement* movement) {
-  if (!movement) return refuse(Cause::no_value);
+MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
+  Movement* const movement = what.movement;
+  if (!movement) return Refusal{Cause::no_value};
   const auto from = expected_end();
+  Rejection no;
   if (from || ends_somewhere())
-    now_.refused = movement->admit(config_, from.value_or(last()));
+    no = movement->admit(config_, from.value_or(last()));
   else if (movement->course() == Course::path)
-    refuse(Cause::in_motion);
-  if (now_.refused && stands()) now_.refused = movement->admit(config_, last());
+    no = Refusal{Cause::in_motion};
+  if (no && stands()) no = movement->admit(config_, last());
   // A swap at a master position, or at the end of rows, checks its start state at the swap.
-  if (now_.refused && on_path() && (active_->synchronized() || ends_somewhere()) &&
-      (now_.refused->cause == Cause::start_position ||
-       now_.refused->cause == Cause::start_velocity))
-    now_.refused.reset();
-  if (now_.refused) return hand_back(movement);
+  if (no && on_path() && (active_->synchronized() || ends_somewhere()) &&
+      (no->cause == Cause::start_position || no->cause == Cause::start_velocity))
+    no.reset();
+  if (no) {
+    hand_back(movement);
+    return no;
+  }
   disarm();
-  pending_ = movement;
+  armed_.arm(movement, what.group);
+  join_group(what.group);
+  return std::nullopt;
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::Disarm& /*it*/) {
+  if (!armed_.waiting()) disarm();
+  forget_later();
+  return take_back_next();
 }
 
 /// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
 /// not available.
 std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
-  const double above = shift_ + (lifting_ ? lift_goal_.value : 0);
+  const double above = above_.distance();
   if (base_ == Base::move) {
     if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
     const bool there = goal_.kind == Goal::Kind::position;
@@ -43,92 +55,91 @@ std::optional<MotionState> MotionAxis::expected_end() const {
 }
 
 void MotionAxis::disarm() {
-  if (pending_) hand_back(pending_);
-  if (pending_ && next_group_ != 0) now_.broken[1] = next_group_;
-  if (pending_ && next_group_ != 0 && waiting_) last_break_ = {next_group_, now_.tick};
-  pending_ = nullptr;
-  waiting_ = false;
+  const ArmedMotion was = std::exchange(armed_, {});
+  if (was) hand_back(was.movement());
+  if (was && was.group() != 0) now_.broken[1] = was.group();
+  if (was && was.group() != 0 && was.waiting()) last_break_ = {was.group(), now_.tick};
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
 }
 
-void MotionAxis::start(const Command& command) {
-  if (!pending_) return refuse(Cause::not_armed);
-  if (command.start_at == StartAt::end_of_table && moving()) return start_at_end();
-  if (command.start_at == StartAt::tick && command.at >= 0 && command.at < now_.tick)
-    return refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
-  if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
-    return refuse(Cause::no_value, command.position);
-  const bool swaps = command.start_at == StartAt::master_position && on_path();
+MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
+  if (!armed_) return Refusal{Cause::not_armed};
+  if (what.when == StartAt::end_of_table && moving()) return start_at_end();
+  if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
+    return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
+  if (what.when == StartAt::master_position && !std::isfinite(what.position))
+    return Refusal{Cause::no_value, what.position};
+  const bool swaps = what.when == StartAt::master_position && on_path();
   const bool rests = !moving() || (stands() && !swaps);
-  if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
-  if (swaps && !ready_to_swap()) return;
+  if (!armed_.is_live() && !rests && !swaps) return Refusal{Cause::in_motion};
+  if (swaps)
+    if (auto no = against_swap()) return no;
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
-  const bool later = command.start_at == StartAt::master_position || command.at > now_.tick;
-  if (rests && !(later && pending_->course() == Course::live)) {
-    now_.refused = pending_->admit(config_, last());
-    const Cause no = pending_->begin(last(), moment(0));
-    if (no != Cause::none && !now_.refused) now_.refused = begin_refusal(no, last());
-    if (no != Cause::none) now_.refused->cause = no;
-    if (!now_.refused) now_.refused = against_switch(*pending_);
-    if (now_.refused) return;
+  const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
+  if (rests && !(later && armed_.is_live())) {
+    auto no = armed_->admit(config_, last());
+    const Cause cause = armed_->begin(last(), moment(0));
+    if (cause != Cause::none && !no) no = begin_refusal(cause, last());
+    if (cause != Cause::none) no->cause = cause;
+    if (!no) no = against_switch(*armed_);
+    if (no) return no;
   }
-  waiting_ = true;
-  accepted_ = now_.tick;
-  start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
-  start_tick_ = std::max(command.at, now_.tick);
-  start_position_ = command.position;
+  const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
+  armed_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
+  if (swaps) change_rate(granted_rate());
+  return std::nullopt;
 }
 
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
 /// may begin from here.
 bool MotionAxis::stands() const {
-  return on_path() && !lifting_ && ending_ == Ending::none && clock_.target() == 0 &&
+  return on_path() && !above_.running() && ending_ == Ending::none && clock_.target() == 0 &&
          clock_.steady(now_.tick) && now_.velocity == 0;
 }
 
-void MotionAxis::gear_in(const Command& command) {
-  Movement* const movement = command.movement;
-  if (!movement) return refuse(Cause::no_value);
+MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
+  Movement* const movement = what.movement;
+  if (!movement) return Refusal{Cause::no_value};
   if (movement->course() != Course::live) {
-    refuse(Cause::bad_table);
-    return hand_back(movement);
+    hand_back(movement);
+    return Refusal{Cause::bad_table};
   }
-  now_.refused = movement->admit(config_, last());
-  if (command.at >= 0 && command.at < now_.tick)
-    refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
-  if (now_.refused) return hand_back(movement);
+  auto no = movement->admit(config_, last());
+  if (what.tick >= 0 && what.tick < now_.tick)
+    no = Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
+  if (no) {
+    hand_back(movement);
+    return no;
+  }
   disarm();
-  pending_ = movement;
-  waiting_ = true;
-  accepted_ = now_.tick;
-  next_group_ = 0;
-  start_at_ = StartAt::tick;
-  start_tick_ = std::max(command.at, now_.tick);
+  armed_.arm(movement, 0);
+  armed_.accept(StartAt::tick, std::max(what.tick, now_.tick), 0, now_.tick);
+  return std::nullopt;
 }
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of
 /// the active cam ends.
 void MotionAxis::begin_due() {
-  if (!waiting_) return;
-  const bool on_cam = on_path() && pending_->course() == Course::path;
-  if (start_at_ == StartAt::master_position && on_cam) return;  // see swap_at_master()
-  if (start_at_ == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
+  if (!armed_.waiting()) return;
+  const bool on_cam = on_path() && !armed_.is_live();
+  if (armed_.when() == StartAt::master_position && on_cam) return;  // see swap_at_master()
+  if (armed_.when() == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
   const auto at = begins_at();
   if (!at) return;
-  if (pending_->course() == Course::path && moving() && !stands())
-    return drop({.cause = Cause::in_motion});
+  if (!armed_.is_live() && moving() && !stands()) return drop({.cause = Cause::in_motion});
   begin_pending(*at);
 }
 
 /// The instant at which it begins, `t` s after this tick (0 or less); nullopt: it is not due.
 std::optional<Moment> MotionAxis::begins_at() {
-  if (start_at_ == StartAt::tick) {
-    if (start_tick_ > now_.tick) return std::nullopt;
+  if (armed_.when() == StartAt::tick) {
+    const std::int64_t late = now_.tick - armed_.tick_or(now_.tick);
+    if (late < 0) return std::nullopt;
     Moment at = moment(0);
-    at.t = -seconds(now_.tick - start_tick_);
+    at.t = -seconds(late);
     return at;
   }
-  if (start_at_ == StartAt::master_position) return crossing();
+  if (armed_.when() == StartAt::master_position) return crossing();
   if (base_ != Base::movement) {  // that movement has ended
     drop({.cause = Cause::no_movement});
     return std::nullopt;
@@ -144,21 +155,21 @@ std::optional<Moment> MotionAxis::begins_at() {
 /// The instant at which the live master passes the start position, between the previous tick and
 /// this one.
 std::optional<Moment> MotionAxis::crossing() const {
-  const double before = last_master_[0] - start_position_;
-  const double after = inputs_.master[0] - start_position_;
+  const double before = last_master_[0] - armed_.position();
+  const double after = inputs_.master[0] - armed_.position();
   if (!(before * after <= 0 && before != after)) return std::nullopt;
   const Sample earlier{-dt(), last_master_};
   const Sample now{0, inputs_.master};
   const Sample at =
-      before == 0 ? earlier : jounce::passing(earlier, now, start_position_).value_or(now);
+      before == 0 ? earlier : jounce::passing(earlier, now, armed_.position()).value_or(now);
   return Moment{at.t, dt(), at.master};
 }
 
 /// The state of the axis at that instant: the start of a coupling.
 std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
-  if (!moving() || pending_->course() != Course::live) return last();
+  if (!moving() || !armed_.is_live()) return last();
   Setpoint next;
-  if (start_at_ != StartAt::tick && base_ == Base::movement && !on_path()) {
+  if (armed_.when() != StartAt::tick && base_ == Base::movement && !on_path()) {
     Moment there = coupled(at);
     there.t += seconds(now_.tick - origin_);
     next = active_->at(there);
@@ -167,7 +178,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
     no = advance(next);
   }
   if (no != Cause::none) return std::nullopt;
-  lift(next);
+  above_.add_to(next, now_.tick);
   return MotionState{next.slave[0], next.slave[1], next.slave[2]};
 }
 
@@ -175,7 +186,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
 Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
   const bool placed = no == Cause::start_position;
   return {.cause = no,
-          .value = placed ? pending_->place() : state.position,
+          .value = placed ? armed_->place() : state.position,
           .limit = placed ? state.position : 0};
 }
 
@@ -189,44 +200,42 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
 
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
-  const bool live = pending_->course() == Course::live;
+  const bool live = armed_.is_live();
   const double ahead = -at.t;
   Cause no = Cause::none;
   const auto state = state_at(at, no);
   if (!state) return drop({.cause = no});
-  if (const auto refusal = live ? pending_->admit(config_, *state) : std::nullopt)
+  if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
-  if (const auto refusal = against_switch(*pending_)) return drop(*refusal);
-  const Moment begin = live && start_at_ != StartAt::tick ? at : moment(0);
-  no = pending_->begin(*state, begin);
+  if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
+  const Moment begin = live && armed_.when() != StartAt::tick ? at : moment(0);
+  no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
-  Movement* const next = pending_;
-  pending_ = nullptr;
-  waiting_ = false;
+  const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   drop_movement();
   forget_next();
-  active_ = next;
-  group_ = next_group_;
+  active_ = begun.movement();
+  group_ = begun.group();
   base_ = Base::movement;
   ending_ = Ending::none;
-  held_ = lifting_ = false;
-  shift_ = 0;
+  held_ = false;
+  above_.clear();
   joint_ = true;
   peaks_ = active_->peaks();
   origin_ = now_.tick;
   renamed_ = 0;
-  if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  if (!was_moving) begun_ = begun.tick_or(now_.tick);
   if (!live) {
     const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
     played_to_ = 0;
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
-    if (start_at_ == StartAt::tick)
-      clock_.start(start_tick_, 0, rate);
+    if (begun.when() == StartAt::tick)
+      clock_.start(begun.tick_or(now_.tick), 0, rate);
     else
       clock_.start(now_.tick, ahead * rate, rate);
     shown_ = clock_;
-    from_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+    from_ = begun.tick_or(now_.tick);
   }
   now_.reason = Cause::none;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;

@@ -19,6 +19,7 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
       unranged_(config_),
       clock_(config_.period),
       shown_(config_.period),
+      above_(config_),
       outputs_(switches, compare) {
   now_.position = config_.position;
   unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
@@ -36,7 +37,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
-  for (Movement* const movement : {active_, pending_, command.movement})
+  for (Movement* const movement : {active_, armed_.movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
   obey_due();
@@ -59,13 +60,13 @@ void MotionAxis::report() {
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
-  now_.armed = pending_ ? pending_->id() : 0;
+  now_.armed = armed_ ? armed_->id() : 0;
   now_.group = active_ ? group_ : 0;
   now_.next = {};
-  if (pending_ && next_group_ != 0)
-    now_.next = {next_group_, waiting_, start_at_ == StartAt::tick ? start_tick_ : -1};
+  if (armed_ && armed_.group() != 0)
+    now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
-  now_.waiting = waiting_ || !next_.empty() || later_;
+  now_.waiting = armed_.waiting() || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -107,7 +108,7 @@ void MotionAxis::watch() {
     state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
   }
   // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest.
-  const bool stops = state_ == State::error_stop || !(moving() || waiting_ || later_);
+  const bool stops = state_ == State::error_stop || !(moving() || armed_.waiting() || later_);
   if (wrong == Cause::watchdog && stops) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
@@ -128,7 +129,7 @@ void MotionAxis::play() {
     Cause wrong = advance(next);
     const MotionState bare{next.slave[0], next.slave[1], next.slave[2]};
     if (wrong == Cause::none) {
-      lift(next);
+      above_.add_to(next, now_.tick);
       wrong = judge(next);
     }
     if (wrong == Cause::none) {
@@ -157,21 +158,6 @@ Cause MotionAxis::advance(Setpoint& next) {
   return Cause::none;
 }
 
-/// Adds the superimposed move.
-void MotionAxis::lift(Setpoint& next) {
-  next.slave[0] += shift_;
-  if (!lifting_) return;
-  const double t = seconds(now_.tick - lift_origin_);
-  const auto [p, v, a, j] = lift_.at(t);
-  next.slave[0] += p;
-  next.slave[1] += v;
-  next.slave[2] += a;
-  next.slave[3] += j;
-  if (t < lift_.duration() || lift_rests_) return;
-  lifting_ = false;
-  shift_ += lift_.end().position;
-}
-
 /// Checks a setpoint before its output; braking after a fault passes without a check.
 Cause MotionAxis::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
@@ -195,7 +181,7 @@ Cause MotionAxis::judge(const Setpoint& next) const {
 /// planned to a target. Each can stop inside: the path on itself, the move with the stop limits,
 /// which exceed its own.
 bool MotionAxis::inside_as_a_whole() const {
-  if (lifting_ || shift_ != 0) return false;
+  if (above_.shifts()) return false;
   if (on_path()) return active_->bounded();
   return base_ == Base::move && goal_.kind == Goal::Kind::position && ending_ == Ending::none &&
          wanted_rate() > 0;
@@ -237,14 +223,10 @@ void MotionAxis::hand_back(const Movement* movement) {
   *free = movement;
 }
 
-void MotionAxis::refuse(Cause cause, double value, double limit) {
-  now_.refused = Refusal{cause, value, limit};
-}
-
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
 void MotionAxis::drop(const Refusal& why) {
-  (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
+  (armed_.accepted_in(now_.tick) ? now_.refused : now_.dropped) = why;
   disarm();
 }
 

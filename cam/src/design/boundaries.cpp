@@ -94,7 +94,7 @@ CamSpec filled(CamSpec spec, Fill how) {
     close(spec, resolved);
     resolved = resolved_knots(spec);
     auto knots = energy_knots(resolved, free_in(spec));
-    detail::minimise(knots, detail::Energy::jerk, spec.periodic);
+    detail::minimize(knots, detail::Energy::jerk, spec.periodic);
     for (std::size_t i = 0; i < knots.size(); ++i) {
       resolved[i].geo_velocity = knots[i].state[1];
       resolved[i].geo_acceleration = knots[i].state[2];

@@ -62,7 +62,7 @@ class Maximum {
   [[nodiscard]] const Certified& best() const { return best_; }
 
  private:
-  [[nodiscard]] double noise() const {
+  [[nodiscard]] double rounding() const {
     return 1e-13 * std::max(scale_, std::abs(best_.extremum.value));
   }
   [[nodiscard]] double half_width(const SegmentPart& over) const {
@@ -72,7 +72,7 @@ class Maximum {
   Taylor<2> look(const SegmentPart& over, double s) {
     const Taylor<2> g = observed_(over.at(s));
     const double value = g.c[0].middle();
-    if (!(value <= best_.extremum.value + noise() / 4))
+    if (!(value <= best_.extremum.value + rounding() / 4))
       best_.extremum = {value, position(f_, over.segment, s), s == 1 ? Side::left : Side::right};
     return g;
   }
@@ -82,7 +82,7 @@ class Maximum {
     const Interval at_middle = observed_(over.at(over.middle())).c[0];
     const double upper =
         std::min(g.c[0].hi, at_middle.hi + half_width(over) * g.c[1].magnitude());  // (3)
-    if (upper <= best_.extremum.value + noise() || over.s1 - over.s0 < 1e-12) {
+    if (upper <= best_.extremum.value + rounding() || over.s1 - over.s0 < 1e-12) {
       bound_ = std::max(bound_, upper);
       return;
     }

@@ -191,7 +191,7 @@ void straighten(std::vector<EnergyKnot>& knots) {
 
 }  // namespace
 
-void minimise(std::vector<EnergyKnot>& knots, Energy energy, bool periodic) {
+void minimize(std::vector<EnergyKnot>& knots, Energy energy, bool periodic) {
   assert(knots.size() >= 2);
   if (periodic)
     close(knots);

@@ -27,7 +27,7 @@ enum class Energy {
 /// difference of their values is kept. The fixed states must determine the free ones: no nonzero
 /// polynomial below the order of the energy may vanish in all fixed states. Exception: two knots
 /// with only the values fixed get the straight line.
-void minimise(std::vector<EnergyKnot>& knots, Energy energy, bool periodic);
+void minimize(std::vector<EnergyKnot>& knots, Energy energy, bool periodic);
 
 /// The segments between the knots.
 std::vector<Segment> segments_between(const std::vector<EnergyKnot>& knots, Energy energy);

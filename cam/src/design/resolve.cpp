@@ -209,11 +209,11 @@ bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) 
 
 void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
   const std::size_t knot = reversal_first ? i : i + 1;
-  const auto neighbour = beside(i, reversal_first ? -1 : 1);
-  if (!neighbour || !rests(*neighbour)) return;
+  const auto neighbor = beside(i, reversal_first ? -1 : 1);
+  if (!neighbor || !rests(*neighbor)) return;
   throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
                    "reverses at master " + number(knots_[knot].master) + ", where the law `" +
-                       name(law(*neighbour)) +
+                       name(law(*neighbor)) +
                        "` beside it has no acceleration; a law from rest to rest would do");
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 using Kind = CamRun::Kind;
 
-Kind kind_of(double travel, double noise) {
-  if (std::abs(travel) <= noise) return Kind::dwell;
+Kind kind_of(double travel, double rounding) {
+  if (std::abs(travel) <= rounding) return Kind::dwell;
   return travel > 0 ? Kind::rise : Kind::fall;
 }
 
@@ -24,12 +24,12 @@ Kind kind_of(double travel, double noise) {
 namespace detail {
 
 std::vector<Part> parts(const Segment& f) {
-  const double noise = motion_rounding * magnitude(f);
+  const double rounding = motion_rounding * magnitude(f);
   std::vector<double> cuts;
-  if (noise > 0) roots(derivative(f), 2e-16 * magnitude(f) / f.length, cuts);
+  if (rounding > 0) roots(derivative(f), 2e-16 * magnitude(f) / f.length, cuts);
   std::vector<double> kept{0};
   const auto moves = [&](double a, double b) {
-    return std::abs(value(f, b) - value(f, a)) > noise;
+    return std::abs(value(f, b) - value(f, a)) > rounding;
   };
   for (const double s : cuts)
     if (moves(kept.back(), s)) kept.push_back(s);
@@ -38,7 +38,7 @@ std::vector<Part> parts(const Segment& f) {
   std::vector<Part> result;
   for (std::size_t i = 0; i + 1 < kept.size(); ++i)
     result.push_back(
-        {kept[i], kept[i + 1], kind_of(value(f, kept[i + 1]) - value(f, kept[i]), noise)});
+        {kept[i], kept[i + 1], kind_of(value(f, kept[i + 1]) - value(f, kept[i]), rounding)});
   return result;
 }
 
@@ -82,9 +82,9 @@ std::vector<CamRun> runs(const Cam& cam) {
 std::vector<MasterSpan> positions_for(const Cam& cam, double slave) {
   std::vector<MasterSpan> spans;
   for (const double x : crossings(cam, 0, slave)) spans.push_back({x, x});
-  const double noise = detail::joint_rounding * detail::greatest_magnitude(cam);
+  const double rounding = detail::joint_rounding * detail::greatest_magnitude(cam);
   for (const CamRun& run : runs(cam)) {
-    if (run.kind != Kind::dwell || std::abs(run.slave_from - slave) > noise) continue;
+    if (run.kind != Kind::dwell || std::abs(run.slave_from - slave) > rounding) continue;
     std::erase_if(spans,
                   [&](const MasterSpan& at) { return at.from >= run.from && at.to <= run.to; });
     spans.push_back({run.from, run.to});

@@ -52,7 +52,7 @@ std::vector<detail::EnergyKnot> knots_of(const SplineSpec& spec) {
 
 std::vector<Segment> least(const SplineSpec& spec, detail::Energy energy) {
   auto knots = knots_of(spec);
-  detail::minimise(knots, energy, spec.ends == SplineEnds::periodic);
+  detail::minimize(knots, energy, spec.ends == SplineEnds::periodic);
   return detail::segments_between(knots, energy);
 }
 

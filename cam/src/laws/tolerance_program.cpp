@@ -97,7 +97,7 @@ void ToleranceProgram::minimum_of_face(Solution& s, const std::vector<double>& n
   for (std::size_t i = 0; i < s.pins.size(); ++i)
     if (s.pins[i] != Pin::none || i == 0 || i + 1 == s.pins.size()) s.joints.push_back(i);
   auto knots = knots_of(s, now);
-  minimise(knots, Energy::jerk, periodic_);
+  minimize(knots, Energy::jerk, periodic_);
   s.segments = segments_between(knots, Energy::jerk);
   s.at.assign(s.pins.size(), 0);
   for (std::size_t k = 0; k < knots.size(); ++k) s.at[s.joints[k]] = knots[k].state[0];

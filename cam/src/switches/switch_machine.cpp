@@ -155,7 +155,7 @@ void SwitchMachine::begin(const Segment& motion) {
   now_ = 0;
   length_ = motion.length;
   const auto restart = [this](auto& event) {
-    event.stretch = 0;
+    event.part = 0;
     seek(event);
   };
   for (Track& t : tracks_) restart(t.heading);
@@ -177,8 +177,8 @@ void SwitchMachine::wait(double length) {
 template <class Source>
 void SwitchMachine::seek(Source& source) const {
   const SwitchPath& p = paths_[source.path];
-  for (; source.stretch < p.stretches().size(); ++source.stretch) {
-    const MonotonePart& part = p.stretches()[source.stretch];
+  for (; source.part < p.parts().size(); ++source.part) {
+    const MonotonePart& part = p.parts()[source.part];
     source.rising = part.to > part.from;
     const double target = source.target(source.rising);
     if (source.rising ? part.to > target : part.to < target) {

@@ -18,9 +18,9 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// The next event along a path: the state of the search, and its result.
 struct Event {
   std::size_t path = 0;
-  std::size_t stretch = 0;  ///< interval of the path: the first one not yet finished
-  double next = never;      ///< s since the piece's start
-  bool rising = true;       ///< the compensated position rises there
+  std::size_t part = 0;  ///< interval of the path: the first one not yet finished
+  double next = never;   ///< s since the piece's start
+  bool rising = true;    ///< the compensated position rises there
 };
 
 /// One boundary of a switch, repeated in each period. It counts the repetitions behind the axis.
@@ -38,7 +38,7 @@ struct Boundary : Event {
   void place(double y);
   /// The next level of y, upwards or downwards, that changes the state.
   [[nodiscard]] double target(bool up) const;
-  void follow(const MonotonePart& /*stretch*/) {}
+  void follow(const MonotonePart& /*part*/) {}
   /// Passes the target with y; returns the change of `passed`, 1, 0 or -1.
   int pass(bool up);
 };

@@ -59,7 +59,7 @@ void TurningPiece::set(const Segment& motion) {
 
 SwitchPath::SwitchPath(double forwards, double backwards)
     : forwards_(forwards), backwards_(backwards) {
-  stretches_.reserve(room);
+  parts_.reserve(room);
   turns_.reserve(room);
 }
 
@@ -68,7 +68,7 @@ void SwitchPath::place(double x, double velocity) {
 }
 
 void SwitchPath::begin(const TurningPiece& piece) {
-  stretches_.clear();
+  parts_.clear();
   if (forwards_ != 0 || backwards_ != 0) {
     ahead_ = compensated(piece, forwards_);
     back_ = compensated(piece, backwards_);
@@ -77,7 +77,7 @@ void SwitchPath::begin(const TurningPiece& piece) {
   }
   for (std::size_t i = 1; i < piece.turns.size(); ++i)
     add(piece, piece.turns[i - 1], piece.turns[i]);
-  last_ = stretches_.back().to;
+  last_ = parts_.back().to;
 }
 
 /// Adds the intervals of one direction. Their y may itself reverse: a lead under hard braking.
@@ -88,11 +88,11 @@ void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
   if ((forwards ? forwards_ : backwards_) != 0) find_turns(y, derivative(y), turns_);
   const double from = value(y, begin);
   // A jump of the velocity is a jump of y: it passes the boundaries in between at that instant.
-  if (from != last_) stretches_.push_back({begin, begin, last_, from, forwards});
+  if (from != last_) parts_.push_back({begin, begin, last_, from, forwards});
   MonotonePart next{begin, begin, from, from, forwards};
   const auto close = [&](double s) {
     next = {next.end, s, next.to, value(y, s), forwards};
-    stretches_.push_back(next);
+    parts_.push_back(next);
   };
   for (const double s : turns_)
     if (s > begin && s < end) close(s);
@@ -101,14 +101,13 @@ void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
 }
 
 /// Newton's method inside a bracket: y - target changes sign once over the interval.
-double SwitchPath::time(const MonotonePart& stretch, double target) const {
-  const Segment& y = stretch.forwards ? ahead_ : back_;
-  double a = stretch.begin;
-  double b = stretch.end;
+double SwitchPath::time(const MonotonePart& part, double target) const {
+  const Segment& y = part.forwards ? ahead_ : back_;
+  double a = part.begin;
+  double b = part.end;
   if (a == b) return a * y.length;
-  const bool rising = stretch.to > stretch.from;
-  double s =
-      a + (b - a) * std::clamp((target - stretch.from) / (stretch.to - stretch.from), 0., 1.);
+  const bool rising = part.to > part.from;
+  double s = a + (b - a) * std::clamp((target - part.from) / (part.to - part.from), 0., 1.);
   for (int i = 0; i < 100; ++i) {
     const Jet f = evaluate(y, s);
     const double miss = f[0] - target;

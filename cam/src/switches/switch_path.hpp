@@ -38,10 +38,10 @@ class SwitchPath {
   void begin(const TurningPiece& piece);
   void shift(double distance) { last_ -= distance; }
 
-  [[nodiscard]] std::span<const MonotonePart> stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const MonotonePart> parts() const { return parts_; }
   /// The time at which y reaches the target, which lies within the interval: s from the piece's
   /// start.
-  [[nodiscard]] double time(const MonotonePart& stretch, double target) const;
+  [[nodiscard]] double time(const MonotonePart& part, double target) const;
   /// y at the end of the previous piece.
   [[nodiscard]] double last() const { return last_; }
 
@@ -50,7 +50,7 @@ class SwitchPath {
 
   double forwards_, backwards_;
   Segment ahead_, back_;  // y for either direction
-  std::vector<MonotonePart> stretches_;
+  std::vector<MonotonePart> parts_;
   std::vector<double> turns_;
   double last_ = 0;
 };

@@ -46,8 +46,9 @@ void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
                const Tick& tick) noexcept {
   Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick}};
   // Stores its id: the movement may no longer exist when the other thread reads the item.
-  if (command.movement != nullptr) item.cycle.movement = command.movement->id();
-  item.cycle.command.movement = nullptr;
+  if (const Movement* const movement = movement_of(command.what))
+    item.cycle.movement = movement->id();
+  set_movement(item.cycle.command.what, nullptr);
   item.cycle.tick.handed_back = {};
   push(item);
 }

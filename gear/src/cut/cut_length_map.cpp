@@ -60,7 +60,7 @@ std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
   for (std::size_t i = 0; i + 1 < map.size(); ++i) {
     double from = map[i].length;
     std::string before = map[i].limit;
-    while (before != map[i + 1].limit) {  // one or more changes between two neighbours
+    while (before != map[i + 1].limit) {  // one or more changes between two neighbors
       std::string after;
       const double at = boundary(from, map[i + 1].length, [&](double length) {
         const std::string limit = fastest(length).limit;

@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// The cam while it is put together, stretch by stretch.
+/// The cam while it is put together, interval by interval.
 struct ShearBuild {
   std::vector<Segment> segments = {};
   std::vector<std::string> names = {};

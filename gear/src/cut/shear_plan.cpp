@@ -88,26 +88,26 @@ bool longest_sync(const FlyingShear& spec) {
 }
 
 /// (4) and (5) for a sync of x.
-void synchronise(const Worked& shear, double v, double x, Cycle& cycle) {
+void synchronize(const Worked& shear, double v, double x, Cycle& cycle) {
   cycle.sync = x;
   cycle.stroke = shear.ratio * ((cycle.accelerate + cycle.decelerate) / 2 + x);
   cycle.back = least_return(shear, cycle.stroke, v);
 }
 
 /// The longest sync for which the return still fits into what is left of `length`.
-void synchronise_longest(const Worked& shear, double v, double length, Cycle& cycle) {
+void synchronize_longest(const Worked& shear, double v, double length, Cycle& cycle) {
   const double ramps = (cycle.accelerate + cycle.decelerate) / 2;
   const auto fits = [&](double x) {
-    synchronise(shear, v, x, cycle);
+    synchronize(shear, v, x, cycle);
     const double back = shear.spec.return_length.value_or(cycle.back.value);
     return cycle.back.value <= back && cycle.out() + back < length;
   };
   double hi = *shear.spec.stroke / shear.ratio - ramps;
-  if (!(hi > 0) || fits(hi)) return synchronise(shear, v, hi, cycle);
+  if (!(hi > 0) || fits(hi)) return synchronize(shear, v, hi, cycle);
   double lo = 0;
   for (double mid = hi / 2; mid > lo && mid < hi; mid = lo + (hi - lo) / 2)
     (fits(mid) ? lo : hi) = mid;
-  synchronise(shear, v, lo, cycle);
+  synchronize(shear, v, lo, cycle);
 }
 
 Cycle cycle_at(const Worked& shear, double v, double length) {
@@ -117,9 +117,9 @@ Cycle cycle_at(const Worked& shear, double v, double length) {
   cycle.accelerate = spec.acceleration_length.value_or(spec.safety * cycle.ramp.value);
   cycle.decelerate = spec.deceleration_length.value_or(cycle.accelerate);
   if (longest_sync(spec))
-    synchronise_longest(shear, v, length, cycle);
+    synchronize_longest(shear, v, length, cycle);
   else
-    synchronise(shear, v, spec.sync_length ? *spec.sync_length : v * *spec.sync_time, cycle);
+    synchronize(shear, v, spec.sync_length ? *spec.sync_length : v * *spec.sync_time, cycle);
   return cycle;
 }
 
@@ -274,7 +274,7 @@ ShearPlan shear_plan(const FlyingShear& spec) {
 ShearBound least_cut_length(const FlyingShear& spec) {
   const Worked shear = worked(spec);
   Cycle cycle = cycle_at(shear, spec.line_speed, 0);
-  if (longest_sync(spec) && cycle.sync > 0) synchronise(shear, spec.line_speed, 0, cycle);
+  if (longest_sync(spec) && cycle.sync > 0) synchronize(shear, spec.line_speed, 0, cycle);
   if (auto any = broken_at_any_length(shear, cycle, spec.line_speed, 1e-12); !any.empty())
     return {infinite, any};
   if (spec.return_length) return {cycle.out() + *spec.return_length, "return length"};

@@ -7,10 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/cam/detail/quadrature.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/profiles/error.hpp"
-
-#include "optimize/src/figures/quadrature.hpp"
 
 // Peak: |q| at one place is the higher of two planes, q and -q. The first planes are where the pieces begin,
 // end and, if q bends within a piece, in the middle. The others are where the exact extrema of q on a piece
@@ -86,8 +85,8 @@ double rms_of(const LinearQuantity& q, const std::vector<Segment>& shape) {
     const Segment g = quantity_of(q, f);
     length += f.length;
     if (g.sines > 0) {
-      sum +=
-          f.length * integral([&](double s) { return jounce::value(g, s) * jounce::value(g, s); });
+      sum += f.length * jounce::detail::integral(
+                            [&](double s) { return jounce::value(g, s) * jounce::value(g, s); });
       continue;
     }
     for (std::size_t i = 0; i <= static_cast<std::size_t>(g.degree); ++i)
@@ -159,13 +158,13 @@ namespace {
 
 /// A figure of few numbers with many planes.
 template <class Figure>
-constexpr bool liftable =
+constexpr bool has_auxiliary =
     std::is_same_v<Figure, ResponseOf> || std::is_same_v<Figure, RmsResponseOf> ||
     std::is_same_v<Figure, ResidualOf>;
 
 template <class Figure>
 constexpr bool convex =
-    std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> || liftable<Figure>;
+    std::is_same_v<Figure, PeakOf> || std::is_same_v<Figure, RmsOf> || has_auxiliary<Figure>;
 
 /// The size of a figure that is not convex, for a perfect spline: the sum of its parts.
 double natural_of(const ShapeFigure& figure, const SplineSpace& space) {
@@ -206,11 +205,12 @@ bool has_rows(const ShapeFigure& figure) {
   return std::visit([]<class Figure>(const Figure&) { return convex<Figure>; }, figure);
 }
 
-FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space, const Lift* lift) {
+FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
+                       const Auxiliary* auxiliary) {
   return std::visit(
       [&]<class Figure>(const Figure& f) -> FigureRows {
-        if constexpr (liftable<Figure>)
-          return rows_of(f, space, lift);
+        if constexpr (has_auxiliary<Figure>)
+          return rows_of(f, space, auxiliary);
         else if constexpr (convex<Figure>)
           return rows_of(f, space);
         else

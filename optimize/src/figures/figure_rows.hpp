@@ -33,17 +33,17 @@ struct FigureRows {
   double natural = 1;
   double nothing = 1e-12;  ///< values up to this share of `natural` are rounding
   double accuracy = 0;     ///< accuracy of the forms, as a share of `natural`; 0: rounding
-  /// The own unknowns of the figure, in which its forms are written (Lift). The equations `== 0` define them by
+  /// The auxiliary variables in which the forms are written. The equations `== 0` define them by
   /// the coordinates.
-  std::vector<Form> own = {};
-  double own_share = 0;  ///< no own unknown exceeds this multiple of the figure
+  std::vector<Form> definitions = {};
+  double auxiliary_share = 0;  ///< no auxiliary variable exceeds this multiple of the figure
 
   [[nodiscard]] bool by_squares() const { return !squares.empty(); }
 };
 
-/// Gives a response or a residual unknowns of its own, numbered from `first`: as many as it has independent
+/// Gives a response or a residual auxiliary variables, numbered from `first`: as many as it has independent
 /// parts.
-struct Lift {
+struct Auxiliary {
   std::size_t first = 0;
   const std::vector<Segment>& given;
   std::optional<double> at_most = {};  ///< unit of the unknowns; left out: the figure of `given`
@@ -51,17 +51,19 @@ struct Lift {
 
 FigureRows rows_of(const PeakOf& figure, const SplineSpace& space);
 FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
-FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space,
+                   const Auxiliary* auxiliary = nullptr);
 FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
-                   const Lift* lift = nullptr);
-FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lift* lift = nullptr);
+                   const Auxiliary* auxiliary = nullptr);
+FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space,
+                   const Auxiliary* auxiliary = nullptr);
 
 /// True if there is a rows_of() for it.
 bool has_rows(const ShapeFigure& figure);
-/// Rows of any figure. `space` must outlive the result. `lift`: a response or a residual gets unknowns of its
+/// Rows of any figure. `space` must outlive the result. `auxiliary`: a response or a residual gets unknowns of its
 /// own.
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
-                       const Lift* lift = nullptr);
+                       const Auxiliary* auxiliary = nullptr);
 
 /// The places, in [0, 1], of the planes for an extremum of g that exceeds a level: the extremum itself and, if
 /// g bends, halfway to where g crosses the level. An optimum usually touches between two planes, so the next

@@ -9,7 +9,6 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "optimize/src/figures/quadrature.hpp"
 #include "optimize/src/program/spline_space.hpp"
 
 // The quantities of a load are q = (linear, f', f'', f). Equation (1) of shape.hpp is then
@@ -122,15 +121,15 @@ std::vector<Wave> torque_waves(const LoadTorque& load, const std::vector<Segment
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       const double s0 = (cuts[k] - x) / f.length;
       const double s1 = k + 2 == cuts.size() ? 1 : (cuts[k + 1] - x) / f.length;
-      const Segment stretch = s0 == 0 && s1 == 1 ? f : part(f, s0, s1);
+      const Segment interval = s0 == 0 && s1 == 1 ? f : part(f, s0, s1);
       const std::vector<double> places =
-          load.coulomb == 0 ? std::vector<double>{0, 1} : turns(stretch);
+          load.coulomb == 0 ? std::vector<double>{0, 1} : turns(interval);
       for (std::size_t n = 0; n + 1 < places.size(); ++n) {
         const bool whole = places.size() == 2;
-        const double a = cuts[k] + places[n] * stretch.length;
-        const double b = cuts[k] + places[n + 1] * stretch.length;
-        waves.push_back(torque_wave(load, whole ? stretch : part(stretch, places[n], places[n + 1]),
-                                    begin, a, b));
+        const double a = cuts[k] + places[n] * interval.length;
+        const double b = cuts[k] + places[n + 1] * interval.length;
+        waves.push_back(torque_wave(
+            load, whole ? interval : part(interval, places[n], places[n + 1]), begin, a, b));
         waves.back().piece = i;
       }
     }

@@ -13,10 +13,10 @@
 #include <cmath>
 #include <vector>
 
+#include "jounce/cam/detail/quadrature.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 
-#include "optimize/src/figures/quadrature.hpp"
 #include "optimize/src/program/spline_space.hpp"
 
 namespace jounce::optimizer {
@@ -95,7 +95,7 @@ double integrated(const Pointwise& figure, const std::vector<Segment>& shape, do
       const double at = figure.g(x, wave.sign, q, slope);
       return figure.over == Pointwise::Over::rms ? at * at : at;
     };
-    total += (wave.to - wave.from) * integral(g);
+    total += (wave.to - wave.from) * jounce::detail::integral(g);
   }
   return total;
 }

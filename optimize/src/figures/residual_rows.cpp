@@ -9,8 +9,8 @@
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
 #include "optimize/src/figures/band_peaks.hpp"
-#include "optimize/src/program/lifted.hpp"
-#include "optimize/src/program/nodes.hpp"
+#include "optimize/src/program/auxiliary_variables.hpp"
+#include "optimize/src/program/chebyshev.hpp"
 
 // The residual of a mode (jounce/profiles/vibration/vibration_band.hpp, residual_phasor) is linear in the
 // shape. With the coordinates z of spline_space.hpp, piece i of length h that ends at e_i, the end of the shape
@@ -97,7 +97,7 @@ std::vector<ModeBand> parts_of(const ModeBand& band) {
   return all;
 }
 
-/// Every plane of a band, in the few own unknowns of the figure.
+/// Every plane of a band, in the few auxiliary variables of the figure.
 class LiftedBand {
  public:
   LiftedBand(const SplineSpace& space, const ModeBand& band)
@@ -110,7 +110,7 @@ class LiftedBand {
   /// True if a few modes represent the whole band.
   [[nodiscard]] bool usable() const { return usable_; }
 
-  void lift(const SplineSpace& space, const Lift& from, FigureRows& rows) {
+  void auxiliary(const SplineSpace& space, const Auxiliary& from, FigureRows& rows) {
     Eigen::MatrixXd sees = Eigen::MatrixXd::Zero(
         static_cast<Eigen::Index>(2 * frequencies_.at().size() * dampings_.at().size()),
         static_cast<Eigen::Index>(space.size()));
@@ -126,7 +126,7 @@ class LiftedBand {
         row += 2;
       }
     const Affine all{Eigen::VectorXd::Zero(sees.rows()), without_joints(sees, space)};
-    parts_ = lifted(all, from, rows);
+    parts_ = with_auxiliary_variables(all, from, rows);
   }
 
   /// (2), by (3).
@@ -154,22 +154,22 @@ class LiftedBand {
     return space.knots().back() - space.knots().front();
   }
 
-  Nodes frequencies_, dampings_;
+  ChebyshevNodes frequencies_, dampings_;
   bool usable_;
   Affine parts_ = {};
 };
 
 using Plane = std::function<Form(const Mode& mode, Complex direction)>;
 
-/// The response as the rows use it: lifted, if that is requested and it has few independent numbers.
-Plane planes_of(const SplineSpace& space, const ModeBand& band, const Lift* lift,
+/// The response as the rows use it: with_auxiliary_variables, if that is requested and it has few independent numbers.
+Plane planes_of(const SplineSpace& space, const ModeBand& band, const Auxiliary* auxiliary,
                 FigureRows& rows) {
   const auto few = std::make_shared<LiftedBand>(space, band);
-  if (!lift || !few->usable())
+  if (!auxiliary || !few->usable())
     return [&space](const Mode& mode, Complex direction) {
       return Phasors(space, mode).plane(direction);
     };
-  few->lift(space, *lift, rows);
+  few->auxiliary(space, *auxiliary, rows);
   return [few](const Mode& mode, Complex direction) { return few->plane(mode, direction); };
 }
 
@@ -191,14 +191,14 @@ std::vector<Form> planes_to_begin_with(const ModeBand& band, const Plane& plane)
 
 }  // namespace
 
-FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Lift* lift) {
+FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Auxiliary* auxiliary) {
   const ModeBand band = band_of(figure);
   const double begin = space.knots().front();
   FigureRows rows{.name = name(figure), .value = [band, begin](const auto& shape) {
                     return residual_of(Trajectory(shape, begin), band);
                   }};
   rows.natural = space.natural(derivative_of_shape(0));
-  const Plane plane = planes_of(space, band, lift, rows);
+  const Plane plane = planes_of(space, band, auxiliary, rows);
   rows.start = planes_to_begin_with(band, plane);
   rows.cuts = [band, begin, plane](const std::vector<Segment>& shape, double level) {
     const Trajectory motion(shape, begin);

@@ -2,15 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimize/src/program/lifted.hpp"
+#include "optimize/src/program/auxiliary_variables.hpp"
 
 // A response y is determined by its values for a set of shapes. It is affine in the shape. With z_k the shapes
 // of a basis and c_k their coordinates
 //
 //   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0)) = y(0) + R z
 //
-// With own unknowns v in the unit u (equation (2) of lifted.cpp), y = u Q v + (1 - Q Q') y(0), and mean squares
-// are
+// With auxiliary variables v in the unit u (equation (2) of auxiliary_variables.cpp),
+// y = u Q v + (1 - Q Q') y(0), and mean squares are
 //
 //   (2)  |y|^2 = u^2 |v|^2 + |(1 - Q Q') y(0)|^2
 
@@ -67,40 +67,41 @@ Affine affine(const Respond& respond, const SplineSpace& space) {
   return y;
 }
 
-Affine rows_in(const Respond& respond, const SplineSpace& space, const Lift* lift,
+Affine rows_in(const Respond& respond, const SplineSpace& space, const Auxiliary* auxiliary,
                FigureRows& rows) {
   Affine y = affine(respond, space);
   rows.natural = y.natural;
   rows.nothing = nothing;
   rows.accuracy = accuracy;
-  return lift ? lifted(y, *lift, rows) : y;
+  return auxiliary ? with_auxiliary_variables(y, *auxiliary, rows) : y;
 }
 
 }  // namespace
 
-FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space, const Lift* lift) {
+FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
+                   const Auxiliary* auxiliary) {
   const Respond respond = responding(figure.of, space.knots().front());
   FigureRows rows{.name = figure.name,
                   .value = [respond](const auto& shape) { return rms(respond(shape)); }};
-  const Affine y = rows_in(respond, space, lift, rows);
+  const Affine y = rows_in(respond, space, auxiliary, rows);
   const double share = 1 / std::sqrt(static_cast<double>(y.constant.size()));
-  if (!lift) {
+  if (!auxiliary) {
     for (Index i = 0; i < y.constant.size(); ++i)
       rows.squares.push_back(scaled(y.row(i, 1), share));
     return rows;
   }
   rows.squares.push_back({share * y.constant.norm(), {}});  // (2)
-  for (std::size_t k = 0; k < rows.own.size(); ++k)
+  for (std::size_t k = 0; k < rows.definitions.size(); ++k)
     rows.squares.push_back(
-        {0, {{lift->first + k, share * y.factor.col(static_cast<Index>(k)).norm()}}});
+        {0, {{auxiliary->first + k, share * y.factor.col(static_cast<Index>(k)).norm()}}});
   return rows;
 }
 
-FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Lift* lift) {
+FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Auxiliary* auxiliary) {
   const Respond respond = responding(figure.of, space.knots().front());
   FigureRows rows{.name = figure.name,
                   .value = [respond](const auto& shape) { return largest(respond(shape)); }};
-  const Affine y = rows_in(respond, space, lift, rows);
+  const Affine y = rows_in(respond, space, auxiliary, rows);
   const Index every = std::max(y.constant.size() / to_begin_with, Index{1});
   for (Index i = 0; i < y.constant.size(); i += every)
     for (const double sign : {1.0, -1.0}) rows.start.push_back(y.row(i, sign));

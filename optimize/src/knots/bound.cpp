@@ -12,8 +12,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 
-#include "optimize/src/figures/quadrature.hpp"
-#include "optimize/src/knots/freedom.hpp"
+#include "optimize/src/knots/free_quantities.hpp"
 
 // Peak acceleration, d = displacement, after a reflection that makes d >= (v0 + v1) L / 2. Full acceleration A
 // up to the speed w and full deceleration after it cover the greatest distance:
@@ -63,7 +62,7 @@ struct Moments {
   double m2 = 0;
 };
 
-Moments moments(const Stretch& s, double a0, double a1) {
+Moments moments(const KnotInterval& s, double a0, double a1) {
   const double L = s.length;
   return {(a1 - a0) / L, (s.v1 - s.v0 - a0 * L) / (L * L),                  // (4), (5)
           2 * (s.displacement - s.v0 * L - a0 * L * L / 2) / (L * L * L)};  // (6)
@@ -141,8 +140,8 @@ double jerk_with_one_switch(const Moments& m) {
   return best;
 }
 
-Stretch run_backwards(const Stretch& s) {
-  Stretch back{s.length, s.displacement, s.v1, s.v0, {}, {}};
+KnotInterval run_backwards(const KnotInterval& s) {
+  KnotInterval back{s.length, s.displacement, s.v1, s.v0, {}, {}};
   if (s.a1) back.a0 = -*s.a1;
   if (s.a0) back.a1 = -*s.a0;
   return back;
@@ -155,15 +154,15 @@ bool stays(const Freedom& f) {
   return !f[0] && !f[1] && !f[2];
 }
 
-Stretch stretch_between(const Knot& from, const Freedom& free_from, const Knot& to,
-                        const Freedom& free_to) {
-  Stretch s{to[0] - from[0], to[1] - from[1], from[2], to[2], {}, {}};
+KnotInterval interval_between(const Knot& from, const Freedom& free_from, const Knot& to,
+                              const Freedom& free_to) {
+  KnotInterval s{to[0] - from[0], to[1] - from[1], from[2], to[2], {}, {}};
   if (!free_from[3]) s.a0 = from[3];
   if (!free_to[3]) s.a1 = to[3];
   return s;
 }
 
-double bound_of_stretch(const Stretch& s, Objective objective, const Limits& limits) {
+double bound_of_interval(const KnotInterval& s, Objective objective, const Limits& limits) {
   switch (objective) {
     case Objective::peak_acceleration:
       return least_peak_acceleration(s, limits.velocity);
@@ -192,7 +191,8 @@ double least_rest(const Bound& d, double v, double a, const Bound& length) {
 }
 
 /// (12) from the beginning of an interval to a place with the displacement `d`.
-double bound_of_side(const Stretch& s, const Bound& d, const Bound& length, Objective objective) {
+double bound_of_side(const KnotInterval& s, const Bound& d, const Bound& length,
+                     Objective objective) {
   const double L = length.upper;
   if (!(L > 0)) return 0;
   if (objective == Objective::peak_jerk)
@@ -202,9 +202,9 @@ double bound_of_side(const Stretch& s, const Bound& d, const Bound& length, Obje
 }
 
 /// (12) from both sides, over all cells.
-double bound_through(const Stretch& s, const Passing& place, Objective objective) {
+double bound_through(const KnotInterval& s, const Passing& place, Objective objective) {
   constexpr int cells = 64;
-  const Stretch back{s.length, -s.displacement, -s.v1, -s.v0, s.a1, s.a0};
+  const KnotInterval back{s.length, -s.displacement, -s.v1, -s.v0, s.a1, s.a0};
   const double width = (place.after.upper - place.after.lower) / cells;
   double least = infinite;
   for (int i = 0; i < cells; ++i) {
@@ -257,7 +257,7 @@ bool takes_acceleration(Law law) {
 
 }  // namespace
 
-double least_peak_acceleration(const Stretch& s, std::optional<double> velocity_limit) {
+double least_peak_acceleration(const KnotInterval& s, std::optional<double> velocity_limit) {
   const double L = s.length;
   const double chord = (s.v0 + s.v1) * L / 2;
   const double sign = s.displacement < chord ? -1 : 1;
@@ -275,14 +275,14 @@ double least_peak_acceleration(const Stretch& s, std::optional<double> velocity_
   return ((V - v0) * (V - v0) + (V - v1) * (V - v1)) / (2 * (V * L - d));  // (3)
 }
 
-double least_peak_jerk(const Stretch& s) {
+double least_peak_jerk(const KnotInterval& s) {
   if (s.a0 && s.a1) return jerk_with_two_switches(moments(s, *s.a0, *s.a1));
   if (s.a0) return jerk_with_one_switch(moments(s, *s.a0, 0));
   if (s.a1) return least_peak_jerk(run_backwards(s));
   return 6 * std::abs(s.v0 + s.v1 - 2 * s.displacement / s.length) / (s.length * s.length);  // (10)
 }
 
-double least_square_acceleration(const Stretch& s) {
+double least_square_acceleration(const KnotInterval& s) {
   const double L = s.length;
   const double d = s.displacement;
   return 4 * (s.v0 * s.v0 + s.v0 * s.v1 + s.v1 * s.v1) / L - 12 * d * (s.v0 + s.v1) / (L * L) +
@@ -303,10 +303,10 @@ double lower_bound(const CamProblem& problem, Objective objective) {
     if (from && from == i - 1 && !free[*from][3] && !free[i][3])
       combine(exact_share(made, *from, objective));
     else if (from) {
-      Stretch s = stretch_between(knots[*from], free[*from], knots[i], free[i]);
+      KnotInterval s = interval_between(knots[*from], free[*from], knots[i], free[i]);
       if (!takes_acceleration(segments[*from].law)) s.a0.reset();
       if (!takes_acceleration(segments[i - 1].law)) s.a1.reset();
-      double share = bound_of_stretch(s, objective, problem.limits);
+      double share = bound_of_interval(s, objective, problem.limits);
       for (const Passing& place : passed(problem, knots, *from, i))
         share = std::max(share, bound_through(s, place, objective));
       combine(share);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "optimize/src/knots/stage.hpp"
+#include "optimize/src/knots/subproblem.hpp"
 
 namespace jounce::optimizer {
 
-/// A lower bound of the objective for all choices of the free quantities within the ceilings of a stage. The
-/// stage must be convex; the bound is close if z is the best choice. It follows by weak duality from the
+/// A lower bound of the objective for all choices of the free quantities within the ceilings of a subproblem. The
+/// subproblem must be convex; the bound is close if z is the best choice. It follows by weak duality from the
 /// tangents at z: samples of derivatives are linear in the free quantities, and the rms is above its tangent.
-double convex_bound(const Stage& stage, const Point& z);
+double convex_bound(const Subproblem& subproblem, const Point& z);
 
 }  // namespace jounce::optimizer

@@ -40,8 +40,8 @@ using optimizer::ConvexProgram;
 using optimizer::ConvexSolution;
 using optimizer::Form;
 
-constexpr double licence = 1e-6;  ///< share of the peak that may be given up for less jerk
-constexpr double met = 1e-9;      ///< relative excess of a peak that counts as rounding
+constexpr double slack = 1e-6;  ///< share of the peak that may be given up for less jerk
+constexpr double met = 1e-9;    ///< relative excess of a peak that counts as rounding
 constexpr int max_exchanges = 30;
 constexpr std::array first_places{0.0,  0.067, 0.25, 0.5,
                                   0.75, 0.933, 1.0};  ///< first places in a segment
@@ -184,7 +184,7 @@ LeastPeak filled_for_least_peak(const CamSpec& spec) {
     Exchange exchange(affine, spec.segments.size());
     const double least = exchange.least();
     answer.cam = affine.at(exchange.x());
-    const double allowed = std::max(least * (1 + licence), floor / affine.peak());
+    const double allowed = std::max(least * (1 + slack), floor / affine.peak());
     exchange.smooth(allowed);
     const CamSpec smooth = affine.at(exchange.x());
     if (optimizer::peak_of(smooth) <= affine.peak() * allowed * (1 + 2 * met)) answer.cam = smooth;

@@ -9,18 +9,18 @@
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/knots/convex_bound.hpp"
-#include "optimize/src/search/attempts.hpp"
+#include "optimize/src/knots/multi_start.hpp"
 #include "optimize/src/search/findings.hpp"
 
 namespace jounce {
 namespace {
 
-using optimizer::Attempt;
 using optimizer::brief;
 using optimizer::DerivativeBound;
+using optimizer::LocalSolution;
 using optimizer::Point;
 using optimizer::Space;
-using optimizer::Stage;
+using optimizer::Subproblem;
 using Clock = std::chrono::steady_clock;
 
 /// A significant change of the k-th derivative of this cam.
@@ -58,7 +58,7 @@ class Search {
     find_feasible();
     for (std::size_t k = 0;
          k < problem_.minimize.size() && feasible() && !cancelled_ && !out_of_time_; ++k)
-      minimise(k);
+      minimize(k);
     finish();
     return std::move(outcome_);
   }
@@ -86,52 +86,53 @@ class Search {
     return !cancelled_ && !out_of_time_;
   }
 
-  /// Runs all starts of a stage, each with its share of the remaining evaluations.
-  std::vector<Attempt> attempted(std::size_t objective, const Stage& stage,
-                                 const std::vector<Point>& starts,
-                                 const std::function<bool(const Attempt&)>& enough) {
+  /// Runs all starts of a subproblem, each with its share of the remaining evaluations.
+  std::vector<LocalSolution> attempted(std::size_t objective, const Subproblem& subproblem,
+                                       const std::vector<Point>& starts,
+                                       const std::function<bool(const LocalSolution&)>& enough) {
     const auto count = starts.size();
     const bool go = go_on(objective, 0, count, {});
     share_ = go ? std::max(0, evaluations_left()) / static_cast<int>(count) : 0;
-    std::vector<Attempt> all = optimizer::attempts(
-        stage, starts,
+    std::vector<LocalSolution> all = optimizer::multi_start(
+        subproblem, starts,
         {share_,
-         [&](std::size_t done, const std::optional<optimizer::Standing>& best) {
-           const bool known = best && stage.objective && best->excess <= optimizer::rounding;
+         [&](std::size_t done, const std::optional<optimizer::Merit>& best) {
+           const bool known =
+               best && subproblem.objective && best->excess <= optimizer::rounding_tolerance;
            return go_on(objective, done, count, known ? std::optional(best->value) : std::nullopt);
          },
          enough});
-    for (const Attempt& attempt : all) outcome_.evaluations += attempt.evaluations;
+    for (const LocalSolution& attempt : all) outcome_.evaluations += attempt.evaluations;
     return all;
   }
 
   /// True if an attempt ended for lack of evaluations.
-  [[nodiscard]] bool starved(const Attempt& attempt) const {
+  [[nodiscard]] bool starved(const LocalSolution& attempt) const {
     return !attempt.converged && attempt.evaluations >= share_;
   }
 
   /// Minimizes the violation of the limits from every start. The pool receives the points that keep the limits.
   void find_feasible() {
-    const Stage stage{space_, ceilings_, {}, {}, 0, problem_.options.tolerance};
+    const Subproblem subproblem{space_, ceilings_, {}, {}, 0, problem_.options.tolerance};
     const int count = space_.convex() ? 1 : problem_.options.starts.value_or(8);
     std::vector<Point> starts;
     for (int i = 0; i < count; ++i)
       starts.push_back(
           optimizer::start_point(space_, problem_.options.seed, static_cast<std::size_t>(i)));
     outcome_.starts = static_cast<int>(starts.size());
-    for (const Attempt& attempt : attempted(0, stage, starts, {})) {
-      if (attempt.standing.excess <= optimizer::rounding && !broken_where_fixed_)
+    for (const LocalSolution& attempt : attempted(0, subproblem, starts, {})) {
+      if (attempt.merit.excess <= optimizer::rounding_tolerance && !broken_where_fixed_)
         pool_.push_back(attempt.z);
-      else if (!least_violated_ || attempt.standing.excess < least_violated_->standing.excess)
+      else if (!least_violated_ || attempt.merit.excess < least_violated_->merit.excess)
         least_violated_ = attempt;
     }
     exhausted_ = !feasible() && least_violated_ && starved(*least_violated_);
   }
 
   /// The limits, and the objectives before the k-th, each kept within the tolerance.
-  [[nodiscard]] Stage stage(std::size_t k) const {
+  [[nodiscard]] Subproblem subproblem(std::size_t k) const {
     const double natural_k = natural(space_, order_of(problem_.minimize[k]));
-    Stage stage{
+    Subproblem subproblem{
         space_, ceilings_, {}, problem_.minimize[k], 1e-9 * natural_k, problem_.options.tolerance};
     for (std::size_t i = 0; i < k; ++i) {
       const FigureResult& r = outcome_.figures[i];
@@ -142,39 +143,41 @@ class Search {
       const double cap =
           std::max(from * (1 + problem_.options.tolerance), 1e-9 * natural(space_, order));
       if (objective == Objective::rms_acceleration)
-        stage.rms_ceiling = cap;
+        subproblem.rms_ceiling = cap;
       else
-        for (const double sign : {1.0, -1.0}) stage.ceilings.push_back({order, sign, cap, cap});
+        for (const double sign : {1.0, -1.0})
+          subproblem.ceilings.push_back({order, sign, cap, cap});
     }
-    return stage;
+    return subproblem;
   }
 
-  void minimise(std::size_t k) {
-    const Stage stage = this->stage(k);
+  void minimize(std::size_t k) {
+    const Subproblem subproblem = this->subproblem(k);
     const bool last = k + 1 == problem_.minimize.size();
-    std::vector<Attempt> kept;
-    for (Attempt& attempt : attempted(k, stage, pool_, [&](const Attempt& each) {
-           return last && at_bound(k, each.standing.value);
+    std::vector<LocalSolution> kept;
+    for (LocalSolution& attempt : attempted(k, subproblem, pool_, [&](const LocalSolution& each) {
+           return last && at_bound(k, each.merit.value);
          })) {
-      if (!kept.empty() && attempt.standing.excess > optimizer::rounding) continue;
+      if (!kept.empty() && attempt.merit.excess > optimizer::rounding_tolerance) continue;
       kept.push_back(std::move(attempt));
     }
     keep_best(k, std::move(kept));
   }
 
   /// The pool for the next objective: every distinct point that is as good as the best.
-  void keep_best(std::size_t k, std::vector<Attempt> attempts) {
-    std::stable_sort(attempts.begin(), attempts.end(), [](const Attempt& a, const Attempt& b) {
-      return a.standing.value < b.standing.value;
-    });
-    const double best = attempts.front().standing.value;
+  void keep_best(std::size_t k, std::vector<LocalSolution> solutions) {
+    std::stable_sort(solutions.begin(), solutions.end(),
+                     [](const LocalSolution& a, const LocalSolution& b) {
+                       return a.merit.value < b.merit.value;
+                     });
+    const double best = solutions.front().merit.value;
     outcome_.figures[k].reached = best;
-    converged_ = converged_ && attempts.front().converged;
-    exhausted_ = exhausted_ || starved(attempts.front());
+    converged_ = converged_ && solutions.front().converged;
+    exhausted_ = exhausted_ || starved(solutions.front());
     pool_.clear();
-    for (const Attempt& attempt : attempts)
-      if (attempt.standing.value <= best * (1 + problem_.options.tolerance) && distinct(attempt.z))
-        pool_.push_back(attempt.z);
+    for (const LocalSolution& solution : solutions)
+      if (solution.merit.value <= best * (1 + problem_.options.tolerance) && distinct(solution.z))
+        pool_.push_back(solution.z);
   }
 
   [[nodiscard]] bool distinct(const Point& z) const {
@@ -216,12 +219,12 @@ class Search {
     for (std::size_t k = 0; k < outcome_.figures.size(); ++k) {
       FigureResult& r = outcome_.figures[k];
       const double natural_k = natural(space_, order_of(problem_.minimize[k]));
-      const Stage alone{space_,
-                        ceilings_,
-                        {},
-                        problem_.minimize[k],
-                        1e-9 * natural_k,
-                        problem_.options.tolerance};
+      const Subproblem alone{space_,
+                             ceilings_,
+                             {},
+                             problem_.minimize[k],
+                             1e-9 * natural_k,
+                             problem_.options.tolerance};
       r.bound = std::max(*r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
     }
   }
@@ -274,7 +277,8 @@ class Search {
       return "no free quantity changes segment " + std::to_string(*broken->segment + 1) +
              ", where " + optimizer::sentence(*broken);
     const auto impossible = [&](Objective objective, const std::optional<double>& limit) {
-      return limit && lower_bound(problem_, objective) > *limit * (1 + optimizer::rounding);
+      return limit &&
+             lower_bound(problem_, objective) > *limit * (1 + optimizer::rounding_tolerance);
     };
     for (const auto& [objective, limit] :
          {std::pair{Objective::peak_acceleration, problem_.limits.acceleration},
@@ -298,7 +302,7 @@ class Search {
   Space space_;
   std::vector<DerivativeBound> ceilings_;
   std::vector<Point> pool_;
-  std::optional<Attempt> least_violated_;
+  std::optional<LocalSolution> least_violated_;
   std::optional<Finding>
       broken_where_fixed_;  ///< a limit that is broken where no free quantity changes the cam
   Outcome<CamSpec> outcome_;

@@ -7,7 +7,7 @@
 
 #include "jounce/cam/design/design.hpp"
 
-#include "optimize/src/knots/freedom.hpp"
+#include "optimize/src/knots/free_quantities.hpp"
 
 /// A cam as a function of its knots, with exact gradients.
 ///

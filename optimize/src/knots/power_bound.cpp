@@ -24,7 +24,7 @@ double way(double v, double power, double a) {  // (3)
   return (square * std::sqrt(square) - std::abs(v * v * v)) / (3 * power);
 }
 
-double longest_way(const Stretch& s, double power) {
+double longest_way(const KnotInterval& s, double power) {
   const double meet =
       std::clamp(s.length / 2 + (s.v1 * s.v1 - s.v0 * s.v0) / (4 * power), 0.0, s.length);
   return way(s.v0, power, meet) + way(s.v1, power, s.length - meet);
@@ -32,7 +32,7 @@ double longest_way(const Stretch& s, double power) {
 
 }  // namespace
 
-double least_peak_power(const Stretch& s) {
+double least_peak_power(const KnotInterval& s) {
   const double least = std::abs(s.v1 * s.v1 - s.v0 * s.v0) / (2 * s.length);  // to change E at all
   const double wanted = std::abs(s.displacement);
   double high = std::max(least, 9.0 / 4 * wanted * wanted / std::pow(s.length, 3));

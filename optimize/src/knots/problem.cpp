@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
+#include "jounce/cam/detail/quadrature.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "optimize/src/figures/quadrature.hpp"
-#include "optimize/src/knots/freedom.hpp"
+#include "optimize/src/knots/free_quantities.hpp"
 
 namespace jounce {
 namespace {
@@ -123,7 +123,7 @@ void require_objectives(const std::vector<Objective>& minimize) {
 }
 
 double integral_of_square(const Segment& f) {
-  return f.length * optimizer::integral([&](double s) {
+  return f.length * detail::integral([&](double s) {
            const double y = value(f, s);
            return y * y;
          });

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "optimize/src/search/drawn.hpp"
+#include "jounce/profiles/detail/random.hpp"
 
 namespace jounce::optimizer {
 namespace {
@@ -52,9 +52,9 @@ std::vector<double> least_lengths(const Space& space, const std::vector<Freedom>
   std::size_t from = 0;
   for (std::size_t i = 1; i < space.knots.size(); ++i) {
     if (free[i][0]) continue;
-    const double stretch = space.knots[i][0] - space.knots[from][0];
+    const double interval = space.knots[i][0] - space.knots[from][0];
     for (std::size_t k = from; k < i; ++k)
-      least[k] = std::min(closest * stretch, (space.knots[k + 1][0] - space.knots[k][0]) / 2);
+      least[k] = std::min(closest * interval, (space.knots[k + 1][0] - space.knots[k][0]) / 2);
     from = i;
   }
   return least;
@@ -188,7 +188,7 @@ Point start_point(const Space& space, std::uint64_t seed, std::size_t number) {
   if (number == 0) return z;
   std::uint64_t state = seed + 0x632be59bd9b4e019U * number;
   const auto master = ordered_masters(space, [&](std::size_t, double least, double greatest) {
-    return least + drawn(state) * (greatest - least);
+    return least + jounce::detail::uniform(state) * (greatest - least);
   });
   const Cam cam = design(space.given).cam;
   for (std::size_t i = 0; i < z.size(); ++i) {

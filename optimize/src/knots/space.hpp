@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "optimize/src/knots/freedom.hpp"
+#include "optimize/src/knots/free_quantities.hpp"
 #include "optimize/src/knots/pieces.hpp"
 
 namespace jounce::optimizer {

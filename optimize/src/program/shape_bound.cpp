@@ -67,9 +67,9 @@ std::optional<double> least_peak(const Ends& from, const Ends& to, int n, double
   const double d = *to[0] - *from[0];
   if (n == 1) return std::abs(d) / length;
   if (!all_given(from, 2) || !all_given(to, 2)) return {};
-  const Stretch stretch{length, d, *from[1], *to[1], from[2], to[2]};
-  if (n == 2) return least_peak_acceleration(stretch);
-  if (n == 3) return least_peak_jerk(stretch);
+  const KnotInterval interval{length, d, *from[1], *to[1], from[2], to[2]};
+  if (n == 2) return least_peak_acceleration(interval);
+  if (n == 3) return least_peak_jerk(interval);
   if (!all_given(from, n) || !all_given(to, n) || !at_rest(from, to, n)) return {};
   return std::pow(4.0, n - 1) * factorial(n - 1) * std::abs(d) / std::pow(length, n);  // (3)
 }
@@ -90,8 +90,8 @@ std::optional<double> least_power(const Ends& from, const Ends& to, const PowerO
   const auto velocity = pure(power.velocity);
   if (!force || !velocity || force->first != 2 || velocity->first != 1) return {};
   if (!all_given(from, 2) || !all_given(to, 2)) return {};
-  const Stretch stretch{length, *to[0] - *from[0], *from[1], *to[1], {}, {}};
-  return force->second * velocity->second * least_peak_power(stretch);
+  const KnotInterval interval{length, *to[0] - *from[0], *from[1], *to[1], {}, {}};
+  return force->second * velocity->second * least_peak_power(interval);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class ShapeExchange {
   ShapeSolution run(double slack) {
     if (auto broken = broken_where_fixed(model_, found_.z))
       infeasible(std::move(*broken));
-    else if (minimise() && slack > 0 && !norms_.any())
+    else if (minimize() && slack > 0 && !norms_.any())
       smooth(slack);
     if (worst_equality(model_, found_.z) > joined) found_.z = as_fixed(model_, found_.z);
     return std::move(found_);
@@ -91,7 +91,7 @@ class ShapeExchange {
 
   ConvexSolution solve_once(const ShapeProgram& p, const std::vector<double>& level,
                             const ShapeTask& task) {
-    std::vector<double> start = model_.with_own(found_.z);
+    std::vector<double> start = model_.with_auxiliary(found_.z);
     start.resize(p.convex.slope.size(), 1);
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) start[*p.column[k]] = level[k];
@@ -141,7 +141,7 @@ class ShapeExchange {
     return missed > 1e-8 ? std::min(missed, coarse) : fine;
   }
 
-  bool minimise() {
+  bool minimize() {
     for (int k = 0; k < max_adjustments; ++k) {
       ShapeTask task = plain(model_);
       task.squares = norms_.squares();
@@ -185,8 +185,9 @@ class ShapeExchange {
     }
     last_residual_ = residual;
     if (!settled || alone_bound_ <= 2 * margin) return false;
-    infeasible("no spline over these knots keeps " + worst_walls(model_, found_.z, violation_) +
-               ": at least " + brief(100 * alone_bound_) + " % of a limit is exceeded");
+    infeasible("no spline over these knots keeps " +
+               worst_constraints(model_, found_.z, violation_) + ": at least " +
+               brief(100 * alone_bound_) + " % of a limit is exceeded");
     return true;
   }
 
@@ -257,7 +258,7 @@ class ShapeExchange {
 
 }  // namespace
 
-ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
+ShapeSolution minimized(const ShapeModel& model, const Coordinates& start, double precision,
                         double slack, const GoOn& go_on) {
   return ShapeExchange(model, start, precision, go_on).run(slack);
 }

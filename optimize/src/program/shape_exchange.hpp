@@ -33,7 +33,7 @@ using GoOn = std::function<bool(int round, double value)>;
 
 /// Minimizes the weighted sum. Peaks alone leave many shapes open: of those within `slack` (relative) of the
 /// least sum the function returns the smoothest; 0: any of them. `start` is in the space of the model.
-ShapeSolution minimised(const ShapeModel& model, const Coordinates& start, double precision,
+ShapeSolution minimized(const ShapeModel& model, const Coordinates& start, double precision,
                         double slack, const GoOn& go_on);
 
 }  // namespace jounce::optimizer

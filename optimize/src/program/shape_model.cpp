@@ -88,7 +88,7 @@ bool is_silence(const Ceiling& c, double natural) {
 }  // namespace
 
 ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-                       const std::vector<Segment>& given, bool lift, double counted_in)
+                       const std::vector<Segment>& given, bool auxiliary, double counted_in)
     : space([&] {
         const Size size = size_of(problem, given);
         return SplineSpace(std::move(knots), problem.degree, order_in(problem), size.unit,
@@ -103,14 +103,14 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
     if (is_exact(c))
       add_exact(space, c, equalities);
     else
-      walls.push_back(wall_of(space, c, offset));
+      constraints.push_back(constraint_of(space, c, offset));
   }
   fixed = fixed_by(space, equalities);
   const auto rows_of = [&](const ShapeFigure& figure, std::optional<double> at_most, bool silent) {
-    const Lift from{unknowns(), given, at_most};
-    FigureRows rows = figure_rows(figure, space, lift && !silent ? &from : nullptr);
-    own.insert(own.end(), rows.own.begin(), rows.own.end());
-    own_most.resize(own.size(), at_most ? rows.own_share * *at_most : HUGE_VAL);
+    const Auxiliary from{unknowns(), given, at_most};
+    FigureRows rows = figure_rows(figure, space, auxiliary && !silent ? &from : nullptr);
+    definitions.insert(definitions.end(), rows.definitions.begin(), rows.definitions.end());
+    auxiliary_most.resize(definitions.size(), at_most ? rows.auxiliary_share * *at_most : HUGE_VAL);
     return rows;
   };
   for (const jounce::Ceiling& c : problem.ceilings) {
@@ -122,7 +122,7 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
     } else if (rows.by_squares())
       round.push_back({std::move(rows), c.at_most});
     else
-      walls.push_back(wall_of(std::move(rows), c.at_most));
+      constraints.push_back(constraint_of(std::move(rows), c.at_most));
   }
   for (const WeightedFigure& m : problem.minimize) {
     FigureRows rows = rows_of(m.figure, {}, false);
@@ -132,9 +132,9 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
   }
 }
 
-std::vector<double> ShapeModel::with_own(const Coordinates& z) const {
+std::vector<double> ShapeModel::with_auxiliary(const Coordinates& z) const {
   std::vector<double> x = z;
-  for (const Form& f : own) {  // the first term is the unknown
+  for (const Form& f : definitions) {  // the first term is the unknown
     double rest = f.constant;
     for (std::size_t j = 1; j < f.terms.size(); ++j)
       rest += f.terms[j].factor * z[f.terms[j].index];
@@ -143,9 +143,9 @@ std::vector<double> ShapeModel::with_own(const Coordinates& z) const {
   return x;
 }
 
-double ShapeModel::range_of_own(std::size_t k, const std::vector<double>& range) const {
+double ShapeModel::range_of_auxiliary(std::size_t k, const std::vector<double>& range) const {
   double sum = 0;
-  const auto& by = own[k].terms;
+  const auto& by = definitions[k].terms;
   for (std::size_t j = 1; j < by.size(); ++j) sum += std::abs(by[j].factor) * range[by[j].index];
   return sum / std::abs(by.front().factor);
 }

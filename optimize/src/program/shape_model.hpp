@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optimize/src/program/shape_walls.hpp"
+#include "optimize/src/program/shape_constraints.hpp"
 
 /// A shape problem over fixed knots, as forms in the coordinates of a spline space.
 namespace jounce::optimizer {
@@ -29,11 +29,11 @@ struct RoundCeiling {
 };
 
 struct ShapeModel {
-  /// `given`: a shape over the whole interval. Every figure must have rows. `lift`: responses have unknowns of
+  /// `given`: a shape over the whole interval. Every figure must have rows. `auxiliary`: responses have unknowns of
   /// their own. `scale`: an estimate of the weighted sum, which is 1 for the given shape. The solver uses it as
   /// unit.
   ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
-             const std::vector<Segment>& given, bool lift = false, double scale = 1);
+             const std::vector<Segment>& given, bool auxiliary = false, double scale = 1);
   ShapeModel(const ShapeModel&) = delete;
   ShapeModel& operator=(const ShapeModel&) = delete;
 
@@ -42,17 +42,17 @@ struct ShapeModel {
   std::vector<bool> fixed;       ///< coordinates that the equalities alone determine
   double scale = 1;              ///< common factor of the units of the terms
   std::vector<Term> terms;
-  std::vector<Wall> walls;
+  std::vector<ShapeConstraint> constraints;
   std::vector<RoundCeiling> round;
-  std::vector<Form> own;         ///< == 0: define each own unknown of a response by the coordinates
-  std::vector<double> own_most;  ///< greatest value of each where all ceilings are kept
+  std::vector<Form> definitions;       ///< == 0: define each auxiliary variable by the coordinates
+  std::vector<double> auxiliary_most;  ///< greatest value of each where all ceilings are kept
 
   /// Coordinates and unknowns of responses.
-  [[nodiscard]] std::size_t unknowns() const { return space.size() + own.size(); }
+  [[nodiscard]] std::size_t unknowns() const { return space.size() + definitions.size(); }
   /// Coordinates followed by the unknowns of the responses.
-  [[nodiscard]] std::vector<double> with_own(const Coordinates& z) const;
+  [[nodiscard]] std::vector<double> with_auxiliary(const Coordinates& z) const;
   /// The greatest difference of an unknown of a response where coordinates differ by `range`.
-  [[nodiscard]] double range_of_own(std::size_t k, const std::vector<double>& range) const;
+  [[nodiscard]] double range_of_auxiliary(std::size_t k, const std::vector<double>& range) const;
 
   /// The share of the slope of a form that is not fixed; 0: nothing changes it.
   [[nodiscard]] double freedom(const Form& form) const;

@@ -21,10 +21,10 @@ std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
     largest[j % largest.size()] = std::max(largest[j % largest.size()], std::abs(s.x[j]));
   std::vector<double> all(s.x.size());
   for (std::size_t j = 0; j < size; ++j) all[j] = range * largest[j % largest.size()];
-  for (std::size_t k = 0; k < model.own.size(); ++k) {
-    all[size + k] = model.range_of_own(k, all);
+  for (std::size_t k = 0; k < model.definitions.size(); ++k) {
+    all[size + k] = model.range_of_auxiliary(k, all);
     if (!p.slack)  // these hold where the constraints hold
-      all[size + k] = std::min(all[size + k], model.own_most[k] + std::abs(s.x[size + k]));
+      all[size + k] = std::min(all[size + k], model.auxiliary_most[k] + std::abs(s.x[size + k]));
   }
   for (std::size_t k = 0; k < p.column.size(); ++k)
     if (p.column[k]) all[*p.column[k]] = sum / model.terms[k].weight;
@@ -80,7 +80,8 @@ ShapeProgram program_of(const ShapeModel& model, const ShapeRows& rows, const Sh
     if (p.column[k]) p.convex.slope[*p.column[k]] = model.terms[k].weight;
   p.convex.squares = task.squares;
   p.convex.equalities = model.equalities;
-  p.convex.equalities.insert(p.convex.equalities.end(), model.own.begin(), model.own.end());
+  p.convex.equalities.insert(p.convex.equalities.end(), model.definitions.begin(),
+                             model.definitions.end());
   for (const ShapeRow& row : rows.all())
     if (!row.term || task.terms) p.convex.constraints.push_back(constraint(row, task, p));
   if (task.round)

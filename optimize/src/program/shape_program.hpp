@@ -21,7 +21,7 @@ struct ShapeTask {
 /// A t for every term that is a peak, none given.
 ShapeTask plain(const ShapeModel& model);
 
-/// A task as a program in the coordinates, the own unknowns of the responses, each t, and v.
+/// A task as a program in the coordinates, the auxiliary variables of the responses, each t, and v.
 struct ShapeProgram {
   ConvexProgram convex;
   std::vector<std::optional<std::size_t>> column = {};  ///< column of the t of each term

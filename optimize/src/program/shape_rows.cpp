@@ -30,9 +30,9 @@ ShapeRows::ShapeRows(const ShapeModel& model) : model_(model) {
   for (std::size_t p = 0; p < model.terms.size(); ++p)
     for (const Form& f : model.terms[p].rows.start)
       rows_.push_back({scaled(f, 1 / model.terms[p].unit), p});
-  for (const Wall& wall : model.walls)
-    for (const Form& f : wall.start)
-      if (auto row = wall_row(f, wall)) rows_.push_back(std::move(*row));
+  for (const ShapeConstraint& constraint : model.constraints)
+    for (const Form& f : constraint.start)
+      if (auto row = constraint_row(f, constraint)) rows_.push_back(std::move(*row));
 }
 
 /// True if the row is new.
@@ -45,10 +45,11 @@ bool ShapeRows::add(ShapeRow row) {
 }
 
 /// None where no free coordinate changes it.
-std::optional<ShapeRow> ShapeRows::wall_row(const Form& form, const Wall& wall) const {
+std::optional<ShapeRow> ShapeRows::constraint_row(const Form& form,
+                                                  const ShapeConstraint& constraint) const {
   const double free = model_.freedom(form);
   if (free <= no_freedom) return {};
-  ShapeRow row{scaled(form, 1 / wall.scale), {}, wall.off * std::min(1.0, free)};
+  ShapeRow row{scaled(form, 1 / constraint.scale), {}, constraint.off * std::min(1.0, free)};
   row.form.constant += row.off;
   return row;
 }
@@ -62,9 +63,9 @@ int ShapeRows::exchange(const std::vector<Segment>& shape, const std::vector<dou
     for (const Form& f : term.rows.cuts(shape, term.unit * level[p]))
       added += add({scaled(f, 1 / term.unit), p});
   }
-  for (const Wall& wall : model_.walls)
-    for (const Form& f : wall.beyond(shape, slack))
-      if (auto row = wall_row(f, wall)) added += add(std::move(*row));
+  for (const ShapeConstraint& constraint : model_.constraints)
+    for (const Form& f : constraint.beyond(shape, slack))
+      if (auto row = constraint_row(f, constraint)) added += add(std::move(*row));
   return added;
 }
 

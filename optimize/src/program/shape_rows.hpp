@@ -27,7 +27,8 @@ class ShapeRows {
   int exchange(const std::vector<Segment>& shape, const std::vector<double>& level, double slack);
 
  private:
-  [[nodiscard]] std::optional<ShapeRow> wall_row(const Form& form, const Wall& wall) const;
+  [[nodiscard]] std::optional<ShapeRow> constraint_row(const Form& form,
+                                                       const ShapeConstraint& constraint) const;
   bool add(ShapeRow row);
 
   const ShapeModel& model_;

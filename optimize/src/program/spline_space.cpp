@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/cam/detail/quadrature.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
@@ -19,26 +21,6 @@ double over_factorial(double power, int k) {
 /// The power of two nearest to x, so that scaling causes no rounding.
 double power_of_two(double x) {
   return std::exp2(std::round(std::log2(x)));
-}
-
-/// Nodes and weights of Gauss's rule over [0, 1] by Newton's method on Legendre's polynomial.
-std::vector<std::pair<double, double>> gauss(int points) {
-  std::vector<std::pair<double, double>> rule;
-  for (int i = 0; i < points; ++i) {
-    double x = std::cos(3.14159265358979323846 * (i + 0.75) / (points + 0.5));
-    double slope = 1;
-    for (int round = 0; round < 20; ++round) {
-      double p = 1, before = 0;
-      for (int k = 1; k <= points; ++k)
-        before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
-      slope = points * (x * p - before) / (x * x - 1);
-      const double step = p / slope;
-      x -= step;
-      if (std::abs(step) < 1e-16) break;
-    }
-    rule.emplace_back((1 - x) / 2, 1 / ((1 - x * x) * slope * slope));
-  }
-  return rule;
 }
 
 /// Derivatives have the same sines, so that their sum always fits.
@@ -136,7 +118,7 @@ Form SplineSpace::derivative_at(const LinearQuantity& q, std::size_t piece, int 
 
 std::vector<Form> SplineSpace::squares(const LinearQuantity& q) const {
   std::vector<Form> all;
-  const auto rule = gauss(degree_ + 1);
+  const auto rule = jounce::detail::gauss(degree_ + 1);
   for (std::size_t i = 0; i < pieces(); ++i)
     for (const auto& [s, weight] : rule)
       all.push_back(scaled(at(q, i, s), std::sqrt(weight * length(i))));

@@ -9,8 +9,6 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;  ///< relative distance below which a limit counts as reached
-
 /// The quantity of a ceiling, and its rule.
 std::string quantity_of(const DerivativeBound& ceiling) {
   const std::string name = OverMaster::names[ceiling.order];
@@ -34,7 +32,7 @@ void add_limits(const Shape& shape, const Space& space, std::span<const Derivati
     for (const DerivativeBound& c : ceilings) {
       const Range range = shape.range(i, c);
       const double excess = excess_of(c, range);
-      if (std::abs(excess) > met) continue;
+      if (std::abs(excess) > active_tolerance) continue;
       active.push_back(at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit,
                           -excess, space.pieces[i].segment));
     }
@@ -47,7 +45,7 @@ void add_bounds(const Space& space, const Point& z, std::vector<Finding>& active
     const Extremum here{knots[v.knot][q], knots[v.knot][0], Side::right};
     for (const double bound : {v.lower, v.upper}) {
       const double margin = std::abs(here.value - bound) / v.scale;
-      if (margin <= met)
+      if (margin <= active_tolerance)
         active.push_back(at(std::string("bound/") + quantity_names[q], free_key(v.knot, v.quantity),
                             here, bound, margin, v.knot > 0 ? v.knot - 1 : 0));
     }
@@ -60,7 +58,7 @@ void add_peaks(const Shape& shape, const Space& space, Objective objective,
   if (!order || result.reached == 0) return;
   for (std::size_t i = 0; i < shape.ranges.size(); ++i)
     for (const Extremum& e : {shape.ranges[i][*order].min, shape.ranges[i][*order].max})
-      if (result.reached - std::abs(e.value) <= met * result.reached)
+      if (result.reached - std::abs(e.value) <= active_tolerance * result.reached)
         active.push_back(at("objective/" + result.name, OverMaster::names[*order], e,
                             std::copysign(result.reached, e.value), 0, space.pieces[i].segment));
 }
@@ -93,7 +91,7 @@ Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& ca
         const double excess = excess_of(c, range);
         if (least && least->margin <= -excess) continue;
         least = at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit, -excess, i);
-        least->broken = excess > rounding;
+        least->broken = excess > rounding_tolerance;
       }
     if (least) report.findings.push_back(*std::move(least));
   }

@@ -7,7 +7,7 @@
 
 #include "jounce/optimize/optimize.hpp"
 
-#include "optimize/src/knots/stage.hpp"
+#include "optimize/src/knots/subproblem.hpp"
 
 /// The words and numbers of an outcome.
 namespace jounce::optimizer {

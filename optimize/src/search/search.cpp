@@ -8,14 +8,14 @@
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/search/findings.hpp"
-#include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/search/search_phases.hpp"
 
 namespace jounce {
 namespace {
 
 using optimizer::brief;
-using optimizer::Trial;
-using optimizer::Trials;
+using optimizer::Evaluation;
+using optimizer::Evaluations;
 using Status = OptimizeStatus;
 
 constexpr double edge =
@@ -49,22 +49,22 @@ void require_valid(const std::vector<SearchVariable>& variables, const OptimizeO
 /// The result of the phases of a search.
 struct Searched {
   bool settled = false;  ///< no phase gains any more
-  optimizer::Roamed roamed;
+  optimizer::MultiStartCounts counts;
 };
 
-Searched searched(Trials& trials) {
+Searched searched(Evaluations& evaluations) {
   Searched all;
   try {
-    if (trials.size() == 0) {
-      trials.at({});
+    if (evaluations.size() == 0) {
+      evaluations.at({});
       all.settled = true;
-    } else if (trials.size() == 1) {
-      walk_line(trials);
+    } else if (evaluations.size() == 1) {
+      search_line(evaluations);
       all.settled = true;
     } else {
-      survey(trials);
-      if (trials.is_global()) all.roamed = roam(trials, 0.5);
-      all.settled = polish(trials);
+      first_evaluations(evaluations);
+      if (evaluations.is_global()) all.counts = multi_start(evaluations, 0.5);
+      all.settled = polish(evaluations);
     }
   } catch (const optimizer::Stop&) {
     all.settled = false;
@@ -77,12 +77,13 @@ std::string plural(int count, const std::string& noun) {
 }
 
 /// The reason where no point meets the constraints.
-std::string missed(const Trials& trials) {
-  const Trial& best = trials.best();
+std::string missed(const Evaluations& evaluations) {
+  const Evaluation& best = evaluations.best();
   if (!best.answer.possible) return "no point of the search is possible: " + best.answer.why;
   std::size_t worst = 0;
   const auto share = [&](std::size_t i) {
-    return best.answer.constraints[i] / (i < trials.scales().size() ? trials.scales()[i] : 1);
+    return best.answer.constraints[i] /
+           (i < evaluations.scales().size() ? evaluations.scales()[i] : 1);
   };
   for (std::size_t i = 0; i < best.answer.constraints.size(); ++i)
     if (share(i) > share(worst)) worst = i;
@@ -90,61 +91,62 @@ std::string missed(const Trials& trials) {
          " is missed by " + brief(best.answer.constraints[worst]);
 }
 
-std::string ending(const Trials& trials) {
-  switch (trials.ended()) {
-    case Trials::Ended::evaluations:
-      return plural(trials.count(), "evaluation") + " were made, the limit";
-    case Trials::Ended::seconds:
-      return "the time limit was reached after " + plural(trials.count(), "evaluation");
-    case Trials::Ended::cancelled:
-      return "stopped after " + plural(trials.count(), "evaluation");
-    case Trials::Ended::no:
+std::string ending(const Evaluations& evaluations) {
+  switch (evaluations.ended()) {
+    case Evaluations::Ended::evaluations:
+      return plural(evaluations.count(), "evaluation") + " were made, the limit";
+    case Evaluations::Ended::seconds:
+      return "the time limit was reached after " + plural(evaluations.count(), "evaluation");
+    case Evaluations::Ended::cancelled:
+      return "stopped after " + plural(evaluations.count(), "evaluation");
+    case Evaluations::Ended::no:
       break;
   }
   return "every step still brought a small improvement";
 }
 
-std::string settled_reason(const Trials& trials, const Searched& how) {
-  if (trials.size() == 0) return "every variable is fixed";
-  if (trials.size() == 1)
+std::string settled_reason(const Evaluations& evaluations, const Searched& how) {
+  if (evaluations.size() == 0) return "every variable is fixed";
+  if (evaluations.size() == 1)
     return "the best over the whole range, looked at in " +
-           std::to_string(std::clamp(trials.max_evaluations() / 4, 8, 256) + 1) +
+           std::to_string(std::clamp(evaluations.max_evaluations() / 4, 8, 256) + 1) +
            " places, edges bisected and dips narrowed down";
   const std::string local = "no step from the best point gains more than " +
-                            brief(trials.options().tolerance) + " of it; ";
-  if (!trials.is_global()) return local + "one local search, no proof";
-  return local + std::to_string(how.roamed.agreeing) + " of " +
-         std::to_string(how.roamed.searches) + " local searches" + " led there, no proof";
+                            brief(evaluations.options().tolerance) + " of it; ";
+  if (!evaluations.is_global()) return local + "one local search, no proof";
+  return local + std::to_string(how.counts.agreeing) + " of " +
+         std::to_string(how.counts.searches) + " local searches" + " led there, no proof";
 }
 
-void judge(const Trials& trials, const Searched& how, SearchOutcome& outcome) {
-  if (trials.ended() == Trials::Ended::cancelled)
+void judge(const Evaluations& evaluations, const Searched& how, SearchOutcome& outcome) {
+  if (evaluations.ended() == Evaluations::Ended::cancelled)
     outcome.status = Status::cancelled;
   else if (!outcome.feasible)
     outcome.status = Status::infeasible;
   else
     outcome.status = how.settled ? Status::converged : Status::stalled;
   if (outcome.feasible)
-    outcome.reason = how.settled ? settled_reason(trials, how) : ending(trials);
+    outcome.reason = how.settled ? settled_reason(evaluations, how) : ending(evaluations);
   else
-    outcome.reason = missed(trials) + (how.settled ? "" : "; " + ending(trials));
+    outcome.reason = missed(evaluations) + (how.settled ? "" : "; " + ending(evaluations));
 }
 
 /// Adds the reasons that stop further improvement.
-void add_reasons(const Trials& trials, SearchOutcome& outcome) {
-  const Trial& best = trials.best();
-  for (std::size_t k = 0; k < trials.size(); ++k)
-    if (best.z[k] <= trials.options().tolerance || best.z[k] >= 1 - trials.options().tolerance)
-      outcome.at_bound.push_back(trials.free()[k]);
-  for (std::size_t i = 0; i < trials.scales().size(); ++i)
-    if (best.answer.possible && best.answer.constraints[i] >= -near_zero * trials.scales()[i])
+void add_reasons(const Evaluations& evaluations, SearchOutcome& outcome) {
+  const Evaluation& best = evaluations.best();
+  for (std::size_t k = 0; k < evaluations.size(); ++k)
+    if (best.z[k] <= evaluations.options().tolerance ||
+        best.z[k] >= 1 - evaluations.options().tolerance)
+      outcome.at_bound.push_back(evaluations.free()[k]);
+  for (std::size_t i = 0; i < evaluations.scales().size(); ++i)
+    if (best.answer.possible && best.answer.constraints[i] >= -near_zero * evaluations.scales()[i])
       outcome.met.push_back(i);
   double nearest = edge;
-  for (const Trial& trial : trials.all()) {
-    const double away = optimizer::distance(trial.z, best.z);
-    if (trial.answer.possible || away > nearest) continue;
+  for (const Evaluation& evaluation : evaluations.all()) {
+    const double away = optimizer::distance(evaluation.z, best.z);
+    if (evaluation.answer.possible || away > nearest) continue;
     nearest = away;
-    outcome.beyond = trial.answer.why;
+    outcome.beyond = evaluation.answer.why;
   }
 }
 
@@ -190,18 +192,18 @@ void confirm(const SearchFunction& f, SearchOutcome& outcome) {
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
                      const OptimizeOptions& options, const KeepGoing& keep_going) {
   require_valid(variables, options);
-  Trials trials(variables, f, options, keep_going);
-  const Searched how = searched(trials);
-  const Trial& best = trials.best();
+  Evaluations evaluations(variables, f, options, keep_going);
+  const Searched how = searched(evaluations);
+  const Evaluation& best = evaluations.best();
   SearchOutcome outcome;
-  outcome.best = trials.numbers(best.z);
+  outcome.best = evaluations.numbers(best.z);
   outcome.answer = best.answer;
   outcome.feasible = best.violation == 0;
-  outcome.evaluations = trials.count();
-  outcome.starts = how.roamed.searches;
-  outcome.agreeing = how.roamed.agreeing;
-  judge(trials, how, outcome);
-  add_reasons(trials, outcome);
+  outcome.evaluations = evaluations.count();
+  outcome.starts = how.counts.searches;
+  outcome.agreeing = how.counts.agreeing;
+  judge(evaluations, how, outcome);
+  add_reasons(evaluations, outcome);
   confirm(f, outcome);
   add_findings(variables, outcome);
   return outcome;

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "optimize/src/search/drawn.hpp"
-#include "optimize/src/search/search_steps.hpp"
+#include "jounce/profiles/detail/random.hpp"
+
+#include "optimize/src/search/search_phases.hpp"
 
 // The global phase. Measured on eleven constrained problems, 20 seeds each, half of 5000
 // evaluations for it (solved to 1e-4 after polishing; g06 is a matter of the polish, not counted):
@@ -28,7 +29,7 @@ namespace {
 
 Choice drawn_choice(std::size_t n, std::uint64_t& state) {
   Choice z(n);
-  for (double& each : z) each = drawn(state);
+  for (double& each : z) each = jounce::detail::uniform(state);
   return z;
 }
 
@@ -37,63 +38,65 @@ bool expects_more(double searches, double basins) {
   return basins * (searches - 1) / (searches - basins - 2) >= basins + 0.5;  // (1)
 }
 
-class Roaming {
+class MultiStart {
  public:
-  explicit Roaming(Trials& trials) : trials_(trials), state_(trials.options().seed) {}
+  explicit MultiStart(Evaluations& evaluations)
+      : evaluations_(evaluations), state_(evaluations.options().seed) {}
 
-  Roamed run(double share) {
-    search_from(trials_.best());
-    const int most = trials_.options().starts.value_or(std::numeric_limits<int>::max());
-    while (trials_.used() < share && roamed_.searches < most &&
-           expects_more(roamed_.searches, static_cast<double>(basins_.size()))) {
-      const std::size_t first = trials_.all().size();
-      for (std::size_t i = 0; i < 3 * (trials_.size() + 1); ++i)
-        places_.push_back(trials_.at(drawn_choice(trials_.size(), state_)));
-      if (trials_.all().size() == first) break;
+  MultiStartCounts run(double share) {
+    search_from(evaluations_.best());
+    const int most = evaluations_.options().starts.value_or(std::numeric_limits<int>::max());
+    while (evaluations_.used() < share && counts_.searches < most &&
+           expects_more(counts_.searches, static_cast<double>(basins_.size()))) {
+      const std::size_t first = evaluations_.all().size();
+      for (std::size_t i = 0; i < 3 * (evaluations_.size() + 1); ++i)
+        places_.push_back(evaluations_.at(drawn_choice(evaluations_.size(), state_)));
+      if (evaluations_.all().size() == first) break;
       std::stable_sort(places_.begin(), places_.end(), better);
       const auto next = std::find_if(places_.begin(), places_.end(),
-                                     [&](const Trial& place) { return is_far(place); });
-      if (next != places_.end()) search_from(Trial(*next));
+                                     [&](const Evaluation& place) { return is_far(place); });
+      if (next != places_.end()) search_from(Evaluation(*next));
     }
     const auto best =
         std::min_element(basins_.begin(), basins_.end(),
                          [](const Basin& a, const Basin& b) { return better(a.end, b.end); });
-    roamed_.agreeing = best->searches;
-    return roamed_;
+    counts_.agreeing = best->searches;
+    return counts_;
   }
 
  private:
   struct Basin {
-    Trial end;
+    Evaluation end;
     int searches = 1;
   };
 
   /// About half the usual distance between the places so far.
   [[nodiscard]] double reach() const {
     const double places = static_cast<double>(places_.size()) + 1;
-    return 0.5 * std::pow(places, -1 / static_cast<double>(trials_.size()));
+    return 0.5 * std::pow(places, -1 / static_cast<double>(evaluations_.size()));
   }
 
-  [[nodiscard]] bool is_far(const Trial& place) const {
+  [[nodiscard]] bool is_far(const Evaluation& place) const {
     if (!place.answer.possible) return false;
     return std::all_of(known_.begin(), known_.end(),
                        [&](const Choice& each) { return distance(each, place.z) >= reach(); });
   }
 
   /// Two ends are one basin if their values are equal: a variable without influence gives one basin many ends.
-  [[nodiscard]] bool is_same(const Trial& a, const Trial& b) const {
+  [[nodiscard]] bool is_same(const Evaluation& a, const Evaluation& b) const {
     const double away = std::abs(a.answer.objective - b.answer.objective);
-    const bool as_good = a.violation == 0 && b.violation == 0 && away <= 1e-2 * trials_.spread();
+    const bool as_good =
+        a.violation == 0 && b.violation == 0 && away <= 1e-2 * evaluations_.spread();
     return as_good || distance(a.z, b.z) <= 1e-2;
   }
 
-  void search_from(const Trial& place) {
-    const int n = static_cast<int>(trials_.size());
-    Trial end = descend(trials_, place.z, std::min(0.2, reach()), 1e-3, 25 * (n + 1));
+  void search_from(const Evaluation& place) {
+    const int n = static_cast<int>(evaluations_.size());
+    Evaluation end = run_cobyla(evaluations_, place.z, std::min(0.2, reach()), 1e-3, 25 * (n + 1));
     if (better(place, end)) end = place;
     known_.push_back(place.z);
     known_.push_back(end.z);
-    ++roamed_.searches;
+    ++counts_.searches;
     for (Basin& basin : basins_) {
       if (!is_same(basin.end, end)) continue;
       ++basin.searches;
@@ -103,33 +106,33 @@ class Roaming {
     basins_.push_back({end});
   }
 
-  Trials& trials_;
+  Evaluations& evaluations_;
   std::uint64_t state_;
-  std::vector<Trial> places_;
+  std::vector<Evaluation> places_;
   std::vector<Choice> known_;  ///< starts and ends of searches
   std::vector<Basin> basins_;
-  Roamed roamed_;
+  MultiStartCounts counts_;
 };
 
 }  // namespace
 
-void survey(Trials& trials) {
-  const std::size_t n = trials.size();
-  trials.at(trials.start());
+void first_evaluations(Evaluations& evaluations) {
+  const std::size_t n = evaluations.size();
+  evaluations.at(evaluations.start());
   for (std::size_t k = 0; k < n; ++k) {  // a step towards the farther bound
-    Choice z = trials.start();
+    Choice z = evaluations.start();
     z[k] += z[k] < 0.5 ? 0.1 : -0.1;
-    trials.at(z);
+    evaluations.at(z);
   }
-  std::uint64_t state = trials.options().seed ^ 0x5bd1e995U;
-  if (trials.is_global())
-    for (std::size_t i = 0; i < 2 * n; ++i) trials.at(drawn_choice(n, state));
-  while (!trials.any_possible()) trials.at(drawn_choice(n, state));
-  trials.settle_scales();
+  std::uint64_t state = evaluations.options().seed ^ 0x5bd1e995U;
+  if (evaluations.is_global())
+    for (std::size_t i = 0; i < 2 * n; ++i) evaluations.at(drawn_choice(n, state));
+  while (!evaluations.any_possible()) evaluations.at(drawn_choice(n, state));
+  evaluations.settle_scales();
 }
 
-Roamed roam(Trials& trials, double share) {
-  return Roaming(trials).run(share);
+MultiStartCounts multi_start(Evaluations& evaluations, double share) {
+  return MultiStart(evaluations).run(share);
 }
 
 }  // namespace jounce::optimizer

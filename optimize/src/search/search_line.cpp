@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/search/search_phases.hpp"
 
 // One variable needs no solver, and the report can state exactly what was examined: equally spaced places, the
 // edges between feasible and infeasible places, by bisection, and the minima, by golden section. The method
@@ -15,38 +15,38 @@ namespace {
 
 class Line {
  public:
-  explicit Line(Trials& trials) : trials_(trials) {}
+  explicit Line(Evaluations& evaluations) : evaluations_(evaluations) {}
 
   void run() {
     look();
-    trials_.settle_scales();
+    evaluations_.settle_scales();
     std::sort(places_.begin(), places_.end(),
-              [](const Trial& a, const Trial& b) { return a.z < b.z; });
-    for (Trial& place : places_) place.violation = again(place).violation;
+              [](const Evaluation& a, const Evaluation& b) { return a.z < b.z; });
+    for (Evaluation& place : places_) place.violation = again(place).violation;
     for (const std::size_t i : dips()) {
       narrow(places_[i == 0 ? 0 : i - 1], places_[std::min(i + 1, places_.size() - 1)]);
-      if (trials_.best().violation == 0) edges(i);
+      if (evaluations_.best().violation == 0) edges(i);
     }
-    if (trials_.best().violation > 0) return;
+    if (evaluations_.best().violation > 0) return;
     // A minimum of the violation may have led to a feasible interval that the places missed.
-    const Trial best = trials_.best();
-    for (const Trial* beside : {below(best), above(best)})
+    const Evaluation best = evaluations_.best();
+    for (const Evaluation* beside : {below(best), above(best)})
       if (beside != nullptr && beside->violation > 0) bisect(best, *beside);
   }
 
  private:
   void look() {
-    const int cells = std::clamp(trials_.max_evaluations() / 4, 8, 256);
-    places_.push_back(trials_.at(trials_.start()));
+    const int cells = std::clamp(evaluations_.max_evaluations() / 4, 8, 256);
+    places_.push_back(evaluations_.at(evaluations_.start()));
     for (int i = 0; i <= cells; ++i) {
       const Choice z{static_cast<double>(i) / cells};
-      if (z != trials_.start()) places_.push_back(trials_.at(z));
+      if (z != evaluations_.start()) places_.push_back(evaluations_.at(z));
     }
   }
 
-  [[nodiscard]] const Trial& again(const Trial& place) const {
-    return *std::find_if(trials_.all().begin(), trials_.all().end(),
-                         [&](const Trial& each) { return each.z == place.z; });
+  [[nodiscard]] const Evaluation& again(const Evaluation& place) const {
+    return *std::find_if(evaluations_.all().begin(), evaluations_.all().end(),
+                         [&](const Evaluation& each) { return each.z == place.z; });
   }
 
   /// Places without a better neighbor, the best first; at most eight.
@@ -70,39 +70,39 @@ class Line {
   }
 
   /// Bisects the edge between a feasible place and an infeasible one.
-  void bisect(Trial inside, Trial outside) {
-    while (distance(inside.z, outside.z) > 1e-3 * trials_.options().tolerance) {
-      const Trial middle = trials_.at({(inside.z[0] + outside.z[0]) / 2});
+  void bisect(Evaluation inside, Evaluation outside) {
+    while (distance(inside.z, outside.z) > 1e-3 * evaluations_.options().tolerance) {
+      const Evaluation middle = evaluations_.at({(inside.z[0] + outside.z[0]) / 2});
       (middle.violation > 0 ? outside : inside) = middle;
     }
   }
 
   /// Golden section between two places.
-  void narrow(const Trial& from, const Trial& to) {
+  void narrow(const Evaluation& from, const Evaluation& to) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double a = from.z[0], b = to.z[0];
-    Trial low = trials_.at({b - golden * (b - a)});
-    Trial high = trials_.at({a + golden * (b - a)});
-    while (b - a > 1e-1 * trials_.options().tolerance) {
+    Evaluation low = evaluations_.at({b - golden * (b - a)});
+    Evaluation high = evaluations_.at({a + golden * (b - a)});
+    while (b - a > 1e-1 * evaluations_.options().tolerance) {
       if (better(high, low)) {
         a = low.z[0];
         low = high;
-        high = trials_.at({a + golden * (b - a)});
+        high = evaluations_.at({a + golden * (b - a)});
       } else {
         b = high.z[0];
         high = low;
-        low = trials_.at({b - golden * (b - a)});
+        low = evaluations_.at({b - golden * (b - a)});
       }
     }
   }
 
-  [[nodiscard]] const Trial* below(const Trial& t) const { return beside(t, -1); }
-  [[nodiscard]] const Trial* above(const Trial& t) const { return beside(t, 1); }
+  [[nodiscard]] const Evaluation* below(const Evaluation& t) const { return beside(t, -1); }
+  [[nodiscard]] const Evaluation* above(const Evaluation& t) const { return beside(t, 1); }
 
   /// The nearest evaluated place on that side.
-  [[nodiscard]] const Trial* beside(const Trial& t, int side) const {
-    const Trial* nearest = nullptr;
-    for (const Trial& each : trials_.all()) {
+  [[nodiscard]] const Evaluation* beside(const Evaluation& t, int side) const {
+    const Evaluation* nearest = nullptr;
+    for (const Evaluation& each : evaluations_.all()) {
       const double away = side * (each.z[0] - t.z[0]);
       if (away > 0 && (nearest == nullptr || away < side * (nearest->z[0] - t.z[0])))
         nearest = &each;
@@ -110,14 +110,14 @@ class Line {
     return nearest;
   }
 
-  Trials& trials_;
-  std::vector<Trial> places_;  ///< in order
+  Evaluations& evaluations_;
+  std::vector<Evaluation> places_;  ///< in order
 };
 
 }  // namespace
 
-void walk_line(Trials& trials) {
-  Line(trials).run();
+void search_line(Evaluations& evaluations) {
+  Line(evaluations).run();
 }
 
 }  // namespace jounce::optimizer

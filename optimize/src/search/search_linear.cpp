@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "optimize/src/search/search_shown.hpp"
-#include "optimize/src/search/search_steps.hpp"
+#include "optimize/src/search/search_phases.hpp"
+#include "optimize/src/search/solver_values.hpp"
 #include "optimize/src/solvers/interior_point.hpp"
 
 // The last test of a search, after all its solvers. With slopes g of the objective and a_i of the rows at the
@@ -26,23 +26,23 @@ constexpr double solved = 1e-6;  ///< residual of a program whose solution is wo
 
 class Linear {
  public:
-  Linear(Trials& trials, Choice z, double hair, double difference)
-      : trials_(trials),
+  Linear(Evaluations& evaluations, Choice z, double margin, double difference)
+      : evaluations_(evaluations),
         z_(std::move(z)),
-        hair_(hair),
-        here_(shown(trials, z_, hair)),
-        slopes_(slopes(trials, z_, hair, difference)) {}
+        margin_(margin),
+        here_(solver_values(evaluations, z_, margin)),
+        slopes_(slopes(evaluations, z_, margin, difference)) {}
 
   /// Tries (1) and (2) within a radius.
   void attempt(double radius) {
     const auto d = step(here_.rows, radius);
     if (!d) return;
-    const Shown there = shown(trials_, moved(*d), hair_);
-    if (*std::max_element(there.rows.begin(), there.rows.end()) <= hair_) return;
+    const SolverValues there = solver_values(evaluations_, moved(*d), margin_);
+    if (*std::max_element(there.rows.begin(), there.rows.end()) <= margin_) return;
     std::vector<double> corrected = there.rows;
     for (std::size_t i = 0; i < corrected.size(); ++i)
       for (std::size_t k = 0; k < d->size(); ++k) corrected[i] -= slopes_[k].rows[i] * (*d)[k];
-    if (const auto better = step(corrected, radius)) trials_.at(moved(*better));
+    if (const auto better = step(corrected, radius)) evaluations_.at(moved(*better));
   }
 
  private:
@@ -55,7 +55,8 @@ class Linear {
   [[nodiscard]] std::optional<Choice> step(const std::vector<double>& rows, double radius) const {
     const std::size_t n = z_.size();
     double steepest = 0;
-    for (const Shown& slope : slopes_) steepest = std::max(steepest, std::abs(slope.objective));
+    for (const SolverValues& slope : slopes_)
+      steepest = std::max(steepest, std::abs(slope.objective));
     if (!(steepest > 0)) return {};
     ConvexProgram p{Choice(n), {}, {}, {}};
     for (std::size_t k = 0; k < n; ++k) {  // d = radius x
@@ -83,22 +84,22 @@ class Linear {
     return scaled(std::move(form), 1 / std::max(reach, std::abs(value)));
   }
 
-  Trials& trials_;
+  Evaluations& evaluations_;
   Choice z_;
-  double hair_;
-  Shown here_;
-  std::vector<Shown> slopes_;
+  double margin_;
+  SolverValues here_;
+  std::vector<SolverValues> slopes_;
 };
 
 }  // namespace
 
-bool step_linearly(Trials& trials) {
-  const Trial before = trials.best();
+bool linearized_step(Evaluations& evaluations) {
+  const Evaluation before = evaluations.best();
   if (before.violation > 0) return false;
   for (const double difference : {1e-4, 1e-6}) {
-    Linear linear(trials, before.z, 1e-3 * trials.options().tolerance, difference);
+    Linear linear(evaluations, before.z, 1e-3 * evaluations.options().tolerance, difference);
     for (const double radius : {0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4}) linear.attempt(radius);
-    if (is_gain(trials, before, trials.best())) return true;
+    if (is_gain(evaluations, before, evaluations.best())) return true;
   }
   return false;
 }

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/random.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "optimize/src/search/drawn.hpp"
 #include "optimize/src/search/findings.hpp"
 #include "optimize/src/search/joint_spline.hpp"
 #include "optimize/src/search/time_search.hpp"
@@ -19,7 +19,6 @@
 namespace jounce {
 namespace {
 
-using optimizer::drawn;
 using optimizer::TimeAttempt;
 using Points = std::vector<std::vector<double>>;
 
@@ -82,7 +81,7 @@ std::vector<double> start(const SplineTimesSpec& spec, int which, std::uint64_t&
   std::vector<double> h(spec.points.size() + 1, 3.0);
   h.front() = h.back() = 1;
   if (which > 0)
-    for (double& each : h) each *= std::exp(2 * drawn(state) - 1);
+    for (double& each : h) each *= std::exp(2 * jounce::detail::uniform(state) - 1);
   return h;
 }
 

@@ -102,7 +102,7 @@ CamRunOf run_of(const CamShapeProblem& problem, std::vector<std::size_t> segment
     RunKnot knot = knot_of(problem, resolved, i + 1);
     if (i < run.segments.front()) {
       knot.ahead = run.length;
-      knot.lift = run.advance;
+      knot.auxiliary = run.advance;
     }
     run.knots.push_back(knot);
   }

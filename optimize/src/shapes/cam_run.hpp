@@ -15,7 +15,7 @@ struct RunKnot {
   std::size_t knot = 0;  ///< in the spec
   double master = 0;     ///< master of the spec
   double ahead = 0;      ///< 0, or the length of the cam beyond its seam
-  double lift = 0;       ///< 0, or how far the slave advances in a period, beyond the seam
+  double auxiliary = 0;  ///< 0, or how far the slave advances in a period, beyond the seam
   std::optional<double> slave, geo_velocity, geo_acceleration, geo_jerk;
   FreeKnot free;
 

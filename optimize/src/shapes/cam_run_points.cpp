@@ -54,15 +54,15 @@ std::vector<CamPoint> points_of(const CamSpec& cam, const CamRunOf& run, std::si
   for (const double x : curve.breaks()) {
     if (x <= from.x() + near || x >= to.x() - near) continue;
     CamPoint point = point_at(jet_at(curve, x), x - to.ahead, jerk);
-    *point.slave -= to.lift;
+    *point.slave -= to.auxiliary;
     points.push_back(point);
   }
   points.push_back(point_at(to, jet_at(curve, run, to), to.master, jerk));
   return points;
 }
 
-void take(CamKnot& knot, const FreeKnot& free, const Jet& f, double lift) {
-  if (free.slave) knot.slave = f[0] - lift;
+void take(CamKnot& knot, const FreeKnot& free, const Jet& f, double auxiliary) {
+  if (free.slave) knot.slave = f[0] - auxiliary;
   if (free.geo_velocity && knot.geo_velocity) knot.geo_velocity = f[1];
   if (free.geo_acceleration && knot.geo_acceleration) knot.geo_acceleration = f[2];
 }
@@ -72,10 +72,11 @@ void take(CamSpec& cam, const RunKnot& knot, const CamRunOf& run, const Jet& f) 
   const std::size_t last = cam.segments.size();
   const bool seam = cam.periodic && knot.knot % last == 0;
   if (!seam) {
-    take(knot.knot == 0 ? cam.start : cam.segments[knot.knot - 1].end, knot.free, f, knot.lift);
+    take(knot.knot == 0 ? cam.start : cam.segments[knot.knot - 1].end, knot.free, f,
+         knot.auxiliary);
     return;
   }
-  const double at_start = knot.knot == 0 ? knot.lift : knot.lift + run.advance;
+  const double at_start = knot.knot == 0 ? knot.auxiliary : knot.auxiliary + run.advance;
   take(cam.start, knot.free, f, at_start);
   take(cam.segments.back().end, knot.free, f, at_start - run.advance);
 }

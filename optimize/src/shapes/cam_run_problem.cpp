@@ -28,13 +28,13 @@ double on(const Corridor& c, const Edge& edge, double x) {
   return edge.at_from + (edge.at_to - edge.at_from) * ((x - c.from) / (c.to - c.from));
 }
 
-/// The part of a corridor of the cam over [low, high], moved by `ahead` and `lift`.
-void cut(const Corridor& c, double low, double high, double ahead, double lift,
+/// The part of a corridor of the cam over [low, high], moved by `ahead` and `auxiliary`.
+void cut(const Corridor& c, double low, double high, double ahead, double auxiliary,
          std::vector<Corridor>& out) {
   const double from = std::max(c.from, low);
   const double to = std::min(c.to, high);
   if (from > to || (from == to && c.from < c.to)) return;
-  const double up = c.quantity.by[0] * lift;
+  const double up = c.quantity.by[0] * auxiliary;
   const auto edge = [&](const std::optional<Edge>& e) -> std::optional<Edge> {
     if (!e) return std::nullopt;
     return Edge{on(c, *e, from) + up, on(c, *e, to) + up};
@@ -50,7 +50,7 @@ void cut(const Corridor& c, const CamRunOf& run, std::vector<Corridor>& out) {
     return;
   }
   cut(c, begin, run.start + run.length, 0, 0, out);
-  cut(c, run.start, last.master, last.ahead, last.lift, out);
+  cut(c, run.start, last.master, last.ahead, last.auxiliary, out);
 }
 
 /// The effect of an error of the positions at the points on the k-th derivative of a polynomial through them,
@@ -60,7 +60,7 @@ double worth(const CamShapeProblem& problem, const CamRunOf& run, double accurac
   constexpr std::array c{1., 4., 30., 250.};
   double greatest = 0;
   for (const RunKnot& knot : run.knots)
-    greatest = std::max(greatest, std::abs(knot.slave.value_or(0)) + std::abs(knot.lift));
+    greatest = std::max(greatest, std::abs(knot.slave.value_or(0)) + std::abs(knot.auxiliary));
   const double length = run.knots.back().x() - run.knots.front().x();
   const double pieces = static_cast<double>(pieces_of(problem, run)) * (problem.refine ? 4 : 1);
   return c[order] * accuracy * greatest * std::pow(pieces / length, static_cast<double>(order));
@@ -116,23 +116,23 @@ void add_monotone(const CamShapeProblem& problem, const CamRunOf& run, std::vect
 /// A derivative of a knot inside the run, or a bound at one of its ends.
 void add_knot(const RunKnot& knot, bool inside, std::vector<Corridor>& all) {
   const auto add = [&](std::size_t order, const std::optional<double>& fixed,
-                       const std::optional<Bound>& bound, double lift) {
+                       const std::optional<Bound>& bound, double auxiliary) {
     Corridor c{derivative_named(names[order], order), knot.x(), knot.x(), {}, {}};
-    if (fixed && inside) c.lower = c.upper = Edge{*fixed + lift, *fixed + lift};
+    if (fixed && inside) c.lower = c.upper = Edge{*fixed + auxiliary, *fixed + auxiliary};
     if (bound && std::isfinite(bound->lower))
-      c.lower = Edge{bound->lower + lift, bound->lower + lift};
+      c.lower = Edge{bound->lower + auxiliary, bound->lower + auxiliary};
     if (bound && std::isfinite(bound->upper))
-      c.upper = Edge{bound->upper + lift, bound->upper + lift};
+      c.upper = Edge{bound->upper + auxiliary, bound->upper + auxiliary};
     if (c.lower || c.upper) all.push_back(c);
   };
-  add(0, knot.slave, knot.free.slave, knot.lift);
+  add(0, knot.slave, knot.free.slave, knot.auxiliary);
   add(1, knot.geo_velocity, knot.free.geo_velocity, 0);
   add(2, knot.geo_acceleration, knot.free.geo_acceleration, 0);
 }
 
 ShapeEnd end_of(const RunKnot& knot) {
   ShapeEnd end{knot.slave, knot.geo_velocity, knot.geo_acceleration, knot.geo_jerk};
-  if (end.value) *end.value += knot.lift;
+  if (end.value) *end.value += knot.auxiliary;
   return end;
 }
 
@@ -142,7 +142,7 @@ std::vector<Segment> given(const CamShapeProblem& problem, const CamRunOf& run) 
   for (std::size_t r = 0; r < run.segments.size(); ++r)
     for (std::size_t i = 0; i < made.origin.size(); ++i)
       if (made.origin[i] == run.segments[r])
-        segments.push_back(scaled(made.cam.segments()[i], 1, run.knots[r + 1].lift));
+        segments.push_back(scaled(made.cam.segments()[i], 1, run.knots[r + 1].auxiliary));
   return segments;
 }
 

@@ -10,6 +10,7 @@
 #include "optimize/src/shapes/not_convex.hpp"
 #include "optimize/src/shapes/optimized_from.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
+#include "optimize/src/tolerances.hpp"
 
 namespace jounce {
 namespace {
@@ -74,7 +75,7 @@ std::vector<FigureResult> figures_of(const CamShapeProblem& problem, const Shape
 }
 
 /// Minimizes one entry of `minimize` after the other. If one fails, the result of the one before stands.
-ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
+ShapeOutcome minimized(const CamShapeProblem& problem, ShapeProblem& run, Watch& watch) {
   ShapeOutcome best;
   std::vector<FigureResult> stages;  // results of the earlier entries
   for (std::size_t stage = 0; stage < problem.minimize.size(); ++stage) {
@@ -97,7 +98,7 @@ ShapeOutcome minimised(const CamShapeProblem& problem, ShapeProblem& run, Watch&
 
 CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, ShapeProblem shape,
                         Watch& watch) {
-  CamRunOutcome outcome{run.segments, minimised(problem, shape, watch)};
+  CamRunOutcome outcome{run.segments, minimized(problem, shape, watch)};
   if (outcome.shape.best.empty()) return outcome;
   outcome.shape.figures = figures_of(problem, shape, outcome.shape.best);
   for (Finding& finding : detail::kept_jerks(run))
@@ -145,13 +146,12 @@ bool keeps(const Corridor& corridor, const Segment& segment, double x) {
   const auto flat = [](const std::optional<Edge>& edge) {
     return edge && edge->at_from == edge->at_to;
   };
-  constexpr double forgiven = 1e-12;
   return !(flat(corridor.upper) &&
-           range.max.value >
-               corridor.upper->at_from + forgiven * std::abs(corridor.upper->at_from)) &&
+           range.max.value > corridor.upper->at_from + optimizer::rounding_tolerance *
+                                                           std::abs(corridor.upper->at_from)) &&
          !(flat(corridor.lower) &&
-           range.min.value <
-               corridor.lower->at_from - forgiven * std::abs(corridor.lower->at_from));
+           range.min.value < corridor.lower->at_from -
+                                 optimizer::rounding_tolerance * std::abs(corridor.lower->at_from));
 }
 
 /// True if the segments of a run keep the corridors of derivatives as designed.

@@ -9,8 +9,8 @@
 #include <memory>
 #include <utility>
 
-#include "optimize/src/knots/fixed_knots.hpp"
 #include "optimize/src/program/shape_model.hpp"
+#include "optimize/src/shapes/fixed_knots.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
 namespace jounce::optimizer {

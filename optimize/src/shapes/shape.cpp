@@ -256,7 +256,7 @@ class ShapeSearch {
                                   out_.rounds + round, out_.evaluations, value * scale_)));
     };
     const double tolerance = problem_.options.tolerance;
-    return optimizer::minimised(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
+    return optimizer::minimized(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
   }
 
   [[nodiscard]] double elapsed() const {

@@ -26,25 +26,25 @@ bool contradictory(const ShapeModel& model, const Coordinates& z) {
 
 std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coordinates& z) {
   std::optional<Coordinates> fixed;  // z need not keep the fixed values
-  for (const Wall& wall : model.walls)
-    for (const Form& f : wall.start) {
+  for (const ShapeConstraint& constraint : model.constraints)
+    for (const Form& f : constraint.start) {
       if (model.freedom(f) > no_freedom) continue;
       if (!fixed) fixed = as_fixed(model, z);
       if (apart(model, *fixed)) return {};
-      const double excess = f.at(*fixed) / wall.scale;
+      const double excess = f.at(*fixed) / constraint.scale;
       if (excess > hopeless)
-        return "what is fixed breaks " + wall.rule + " by " + brief(100 * excess) + " %";
+        return "what is fixed breaks " + constraint.rule + " by " + brief(100 * excess) + " %";
     }
   return {};
 }
 
-std::string worst_walls(const ShapeModel& model, const Coordinates& z, double slack) {
+std::string worst_constraints(const ShapeModel& model, const Coordinates& z, double slack) {
   const auto shape = model.space.segments(z);
   std::string names;
-  for (const Wall& wall : model.walls) {
-    if (wall.beyond(shape, 0.999 * slack).empty()) continue;
-    if (names.find(wall.rule) != std::string::npos) continue;
-    names += (names.empty() ? "" : " and ") + wall.rule;
+  for (const ShapeConstraint& constraint : model.constraints) {
+    if (constraint.beyond(shape, 0.999 * slack).empty()) continue;
+    if (names.find(constraint.rule) != std::string::npos) continue;
+    names += (names.empty() ? "" : " and ") + constraint.rule;
   }
   return names.empty() ? "the limits" : names;
 }

@@ -18,6 +18,6 @@ bool contradictory(const ShapeModel& model, const Coordinates& z);
 std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coordinates& z);
 
 /// The constraints that conflict where `shape` has the least common violation, `slack`.
-std::string worst_walls(const ShapeModel& model, const Coordinates& z, double slack);
+std::string worst_constraints(const ShapeModel& model, const Coordinates& z, double slack);
 
 }  // namespace jounce::optimizer

@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/src/tolerances.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
-constexpr double met = 1e-6;  ///< relative distance below which a limit counts as reached
 constexpr double missed =
     1e-7;  ///< share of the size of a derivative above which a difference is a step
-constexpr double forgiven = 1e-12;  ///< rounding that a limit permits, as in profiles/limits
 constexpr double left_by_a_solver =
     1e-4;                        ///< relative excess that lower_exceeded() treats as rounding
 constexpr double solved = 1e-9;  ///< share of the size of a quantity that a solver leaves
 
 Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
-                double margin, std::size_t piece, double rounding = forgiven) {
+                double margin, std::size_t piece, double rounding = rounding_tolerance) {
   return {.rule = std::move(rule),
           .axis = "",
           .quantity = quantity,
@@ -70,7 +70,7 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
         e.value += limit;
         visit(i, sign,
               finding("limit/" + c.quantity.name, c.quantity.name, e, limit, margin, i,
-                      forgiven + solved * natural / unit));
+                      rounding_tolerance + solved * natural / unit));
       }
     }
     x = end;
@@ -85,7 +85,7 @@ void add_missed(const ShapeProblem& problem, const ShapeModel& model,
                           double wanted) {
     const double off = std::abs(value - wanted);
     const double size = model.space.unit(knot, static_cast<int>(k));
-    if (off <= missed * size + forgiven * std::abs(wanted)) return;
+    if (off <= missed * size + rounding_tolerance * std::abs(wanted)) return;
     const Extremum e{value, model.space.knots()[knot], Side::right};
     const std::string quantity = derivative_of_shape(static_cast<int>(k)).name;
     findings.push_back(finding(rule + quantity, quantity, e, wanted,
@@ -199,7 +199,7 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
     std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
     each_approach(c, shape, problem.begin, model.space.natural(c.quantity),
                   [&](std::size_t i, double sign, const Finding& f) {
-                    if (std::abs(f.margin) > met || is_exact(c)) return;
+                    if (std::abs(f.margin) > active_tolerance || is_exact(c)) return;
                     const std::size_t k = sign > 0 ? 0 : 1;
                     if (last[k] + 1 != i) all.push_back(f);
                     last[k] = i;
@@ -208,7 +208,7 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
   const auto add = [&](const std::string& kind, const ShapeFigure& figure, const FigureRows& rows,
                        double level) {
     std::vector<Extremum> places;
-    if (rows.places) places = rows.places(shape, level * (1 - met));
+    if (rows.places) places = rows.places(shape, level * (1 - active_tolerance));
     if (places.empty()) places.push_back(figure_peak(figure, rows, problem.begin, shape));
     for (const Extremum& e : places)
       all.push_back(finding(kind + rows.name, rows.name, e, std::copysign(level, e.value), 0,
@@ -216,7 +216,8 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
   };
   for (const jounce::Ceiling& c : problem.ceilings) {
     const FigureRows rows = figure_rows(c.figure, model.space);
-    if (rows.value(shape) >= c.at_most * (1 - met)) add("limit/", c.figure, rows, c.at_most);
+    if (rows.value(shape) >= c.at_most * (1 - active_tolerance))
+      add("limit/", c.figure, rows, c.at_most);
   }
   for (const WeightedFigure& m : problem.minimize) {
     const FigureRows rows = figure_rows(m.figure, model.space);

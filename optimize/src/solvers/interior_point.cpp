@@ -143,7 +143,7 @@ class Newton {
   bool advance() {
     auto& [x, s, y, v] = at_;
     const ConeScaling w(cones_, s, y);
-    if (!kkt_.factorise(w)) return false;
+    if (!kkt_.factorize(w)) return false;
     const Vector l = w.times(y);
     const Step first = step(w, l);
     const double along = reach(first);

@@ -99,7 +99,7 @@ void Kkt::find_pattern(double added) {
   factor_.find_pattern(k_);
 }
 
-bool Kkt::factorise(const ConeScaling& w) {
+bool Kkt::factorize(const ConeScaling& w) {
   const Vector d = w.diagonal();
   u_.clear();
   for (const Vector& r : w.rank_ones()) {
@@ -110,12 +110,12 @@ bool Kkt::factorise(const ConeScaling& w) {
   std::size_t next = 0;
   for (Eigen::Index k = 0; k < rows_.rows(); ++k)
     each_product(rows_, k, [&](Eigen::Index, Eigen::Index, double v) { add(next, v * d[k]); });
-  if (!factor_.factorise(k_)) return false;
-  factorise_rank_ones();
+  if (!factor_.factorize(k_)) return false;
+  factorize_rank_ones();
   return true;
 }
 
-void Kkt::factorise_rank_ones() {
+void Kkt::factorize_rank_ones() {
   const auto n = static_cast<Eigen::Index>(u_.size());
   solved_u_.resize(k_.rows(), n);
   for (Eigen::Index i = 0; i < n; ++i)

@@ -35,7 +35,7 @@ class Kkt {
 
   [[nodiscard]] const ConeShape& cones() const { return cones_; }
 
-  bool factorise(const ConeScaling& w);
+  bool factorize(const ConeScaling& w);
   /// The solution (x, then multipliers of the equalities) of K v = r.
   [[nodiscard]] Vector solve(const Vector& r) const;
 
@@ -45,7 +45,7 @@ class Kkt {
   [[nodiscard]] Vector times(const Vector& v) const;
   [[nodiscard]] Vector back(const Vector& r) const;
 
-  void factorise_rank_ones();
+  void factorize_rank_ones();
 
   ConeShape cones_;
   Matrix g_, a_, f_, k_;

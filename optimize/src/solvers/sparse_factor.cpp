@@ -25,7 +25,7 @@ void SparseFactor::find_pattern(const Matrix& lower) {
     factors_->cholesky.analyzePattern(lower);
 }
 
-bool SparseFactor::factorise(const Matrix& lower) {
+bool SparseFactor::factorize(const Matrix& lower) {
   if (factors_->method == Method::pivoting) {
     factors_->pivoting.factorize(Matrix(lower.selfadjointView<Eigen::Lower>()));
     return factors_->pivoting.info() == Eigen::Success;

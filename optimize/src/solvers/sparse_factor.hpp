@@ -26,7 +26,7 @@ class SparseFactor {
   /// Orders the pattern of K, once for all K of that pattern.
   void find_pattern(const Matrix& lower);
   /// False where K is singular.
-  bool factorise(const Matrix& lower);
+  bool factorize(const Matrix& lower);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
@@ -330,6 +331,7 @@ Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inn
 JOUNCE_INSTANTIATE(OverTime, OverTime)
 JOUNCE_INSTANTIATE(OverMaster, OverTime)
 JOUNCE_INSTANTIATE(OverMaster, OverMaster)
+JOUNCE_INSTANTIATE(OverLength, OverTime)
 #undef JOUNCE_INSTANTIATE
 
 }  // namespace jounce

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
@@ -119,6 +120,7 @@ void Curve<Over>::sample(std::span<const double> x, std::span<Point> out) const 
 
 template class Curve<OverTime>;
 template class Curve<OverMaster>;
+template class Curve<OverLength>;
 
 namespace {
 
@@ -229,6 +231,7 @@ Curve<Over> with(const Curve<Over>& f, Extrapolation outside) {
   template Curve<Over> with(const Curve<Over>&, Extrapolation);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
+JOUNCE_INSTANTIATE(OverLength)
 #undef JOUNCE_INSTANTIATE
 
 }  // namespace jounce

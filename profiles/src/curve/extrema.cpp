@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 
@@ -140,6 +141,7 @@ Jump largest_jump(const Curve<Over>& f, int order) {
   template Jump largest_jump(const Curve<Over>&, int);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
+JOUNCE_INSTANTIATE(OverLength)
 #undef JOUNCE_INSTANTIATE
 
 }  // namespace jounce

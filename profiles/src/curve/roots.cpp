@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
@@ -193,5 +194,6 @@ std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
 
 template std::vector<double> crossings(const Curve<OverTime>&, int, double);
 template std::vector<double> crossings(const Curve<OverMaster>&, int, double);
+template std::vector<double> crossings(const Curve<OverLength>&, int, double);
 
 }  // namespace jounce

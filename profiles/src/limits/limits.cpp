@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/limit_check.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -217,6 +218,7 @@ Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
   template Report check_continuity(const Curve<Over>&, int, double);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
+JOUNCE_INSTANTIATE(OverLength)
 #undef JOUNCE_INSTANTIATE
 
 }  // namespace jounce

@@ -53,7 +53,7 @@ void Enclosure::bend(const Eigen::VectorXd& z, double* found) {
   multiply(reach_, second_.data(), reach_.rows(), found);  // (2)
 }
 
-Enclosure::Halves Enclosure::halves(const Stretch& s) {
+Enclosure::Halves Enclosure::halves(const TrajectorySpan& s) {
   std::size_t rung = 0;  // the longest one with a useful bound
   while (std::ldexp(ladder_->shortest(), static_cast<int>(rung) + 1) < s.length * (1 - 1e-12))
     ++rung;

@@ -28,7 +28,7 @@ inline Bounds bounds_of(double begin, double end, double length, double bend) {
 
 /// An interval of the trajectory of a linear system: its state at the beginning, its outputs at both ends, and
 /// a bound of each output's second derivative in between.
-struct Stretch {
+struct TrajectorySpan {
   double time = 0;  ///< time of its beginning
   double length = 0;
   Eigen::VectorXd z;
@@ -58,7 +58,7 @@ class Enclosure {
   /// Divides an interval in the order of time. A part for which `open(part)` is false is passed to
   /// `done(part)`. A part that is short enough to be a polynomial is passed to `leaf(part)`.
   template <class Open, class Done, class Leaf>
-  void search(const Stretch& s, const Open& open, const Done& done, const Leaf& leaf) {
+  void search(const TrajectorySpan& s, const Open& open, const Done& done, const Leaf& leaf) {
     if (!open(s)) return done(s);
     if (s.length <= ladder_->shortest() * (1 + 1e-12)) return leaf(s);
     const auto [first, second] = halves(s);
@@ -67,16 +67,16 @@ class Enclosure {
   }
 
   /// An output over an interval that search() passes to `leaf`, exact within 1e-12 of its terms.
-  [[nodiscard]] Segment polynomial(const Stretch& s, Eigen::Index row) {
+  [[nodiscard]] Segment polynomial(const TrajectorySpan& s, Eigen::Index row) {
     return ladder_->polynomial(s.z, row, s.length);
   }
 
  private:
   struct Halves {
-    Stretch first;
-    Stretch second;
+    TrajectorySpan first;
+    TrajectorySpan second;
   };
-  [[nodiscard]] Halves halves(const Stretch& s);
+  [[nodiscard]] Halves halves(const TrajectorySpan& s);
 
   Ladder* ladder_;
   std::size_t level_;

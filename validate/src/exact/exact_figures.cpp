@@ -152,11 +152,11 @@ class Figures {
   void peak(const Steps& s, Index row, double factor, Peak& peak) {
     for (Index i = 0; i <= s.count(); ++i) raise(peak, factor * s.y(row, i), s.begin(i));
     const double size = std::abs(factor);
-    const auto open = [&](const Stretch& part) {
+    const auto open = [&](const TrajectorySpan& part) {
       raise(peak, factor * part.begin(row), part.time);
       return size * (part.bounds(row).most - s.rounding(row)) > (1 + equal) * std::abs(peak.value);
     };
-    const auto leaf = [&](const Stretch& part) {
+    const auto leaf = [&](const TrajectorySpan& part) {
       const Range range = segment_range(way_.enclosure().polynomial(part, row), part.time,
                                         part.time + part.length, 0);
       for (const Extremum& e : {range.min, range.max}) raise(peak, factor * e.value, e.where);
@@ -164,18 +164,18 @@ class Figures {
     for (Index i = 0; i < s.count(); ++i)
       if (size * (s.bounds(i, row).most - s.rounding(row)) > (1 + equal) * std::abs(peak.value))
         way_.enclosure().search(
-            s.stretch(i), open, [](const Stretch&) {}, leaf);
+            s.span(i), open, [](const TrajectorySpan&) {}, leaf);
   }
 
   /// Calls `visit(from, to, outside)` for all parts, with whether |output| is over a limit there.
   template <class Visit>
   void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
     const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
-    const auto open = [&](const Stretch& part) { return either(part.bounds(row)); };
-    const auto done = [&](const Stretch& part) {
+    const auto open = [&](const TrajectorySpan& part) { return either(part.bounds(row)); };
+    const auto done = [&](const TrajectorySpan& part) {
       visit(part.time, part.time + part.length, part.bounds(row).least > limit);
     };
-    const auto leaf = [&](const Stretch& part) {
+    const auto leaf = [&](const TrajectorySpan& part) {
       const Segment f = way_.enclosure().polynomial(part, row);
       const std::vector<double> ends = merged(parts(f, limit), parts(f, -limit));
       for (std::size_t k = 1; k < ends.size(); ++k)
@@ -184,7 +184,7 @@ class Figures {
     };
     for (Index i = 0; i < s.count(); ++i)
       if (const Bounds b = s.bounds(i, row); either(b))
-        way_.enclosure().search(s.stretch(i), open, done, leaf);
+        way_.enclosure().search(s.span(i), open, done, leaf);
       else
         visit(s.begin(i), s.begin(i + 1), b.least > limit);
   }
@@ -214,9 +214,11 @@ class Figures {
   }
 
   void swings(const Steps& s) {
-    const auto open = [](const Stretch& part) { return part.bounds(load_velocity_row).least == 0; };
-    const auto done = [&](const Stretch& part) { swings_.see(part.end(load_velocity_row)); };
-    const auto leaf = [&](const Stretch& part) {
+    const auto open = [](const TrajectorySpan& part) {
+      return part.bounds(load_velocity_row).least == 0;
+    };
+    const auto done = [&](const TrajectorySpan& part) { swings_.see(part.end(load_velocity_row)); };
+    const auto leaf = [&](const TrajectorySpan& part) {
       swings_.see(part.begin(load_velocity_row));
       for (const double at : parts(way_.enclosure().polynomial(part, load_velocity_row), 0))
         swings_.zero(part.time + at * part.length);
@@ -225,7 +227,7 @@ class Figures {
     for (Index i = 0; i < s.count() && !faded_; ++i) {
       const Bounds b = s.bounds(i, load_velocity_row);
       faded_ = b.most <= std::max(fades_below * swings_.fastest(), s.rounding(load_velocity_row));
-      if (!faded_) way_.enclosure().search(s.stretch(i), open, done, leaf);
+      if (!faded_) way_.enclosure().search(s.span(i), open, done, leaf);
     }
   }
 
@@ -241,25 +243,25 @@ class Figures {
       if (speed.most <= s.rounding(velocity_row)) return false;
       return torque.most * speed.most * length > equal * all;
     };
-    const auto open = [&](const Stretch& part) {
+    const auto open = [&](const TrajectorySpan& part) {
       return turns(part.bounds(torque_row), part.bounds(velocity_row), part.length);
     };
     if (!turns(s.bounds(i, torque_row), s.bounds(i, velocity_row), s.length(i)))
       return add_work(work);
-    const auto done = [&](const Stretch& part) {
+    const auto done = [&](const TrajectorySpan& part) {
       std::array product{ProductIntegral{torque_row, velocity_row, 0}};
       Eigen::VectorXd z = part.z;
       path_.ladder().advance(z, part.length, product);
       add_work(product[0].sum);
     };
-    const auto leaf = [&](const Stretch& part) {
+    const auto leaf = [&](const TrajectorySpan& part) {
       const Segment torque = way_.enclosure().polynomial(part, torque_row);
       const Segment speed = way_.enclosure().polynomial(part, velocity_row);
       const std::vector<double> ends = merged(parts(torque, 0), parts(speed, 0));
       for (std::size_t k = 1; k < ends.size(); ++k)
         add_work(product_between(torque, speed, ends[k - 1], ends[k]));
     };
-    way_.enclosure().search(s.stretch(i), open, done, leaf);
+    way_.enclosure().search(s.span(i), open, done, leaf);
   }
 
   DriveResult finish() {

@@ -27,7 +27,7 @@ struct Steps {
   [[nodiscard]] Bounds bounds(Eigen::Index i, Eigen::Index row) const {
     return bounds_of(y(row, i), y(row, i + 1), length(i), bend(row, i));
   }
-  [[nodiscard]] Stretch stretch(Eigen::Index i) const {
+  [[nodiscard]] TrajectorySpan span(Eigen::Index i) const {
     return {begin(i), length(i), z.col(i), y.col(i), y.col(i + 1), bend.col(i)};
   }
 };

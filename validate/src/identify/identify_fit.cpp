@@ -84,10 +84,10 @@ class Fit {
   }
 
   /// The response of the model minus the recorded values.
-  [[nodiscard]] Linearised compared(const DriveResponse& r) const {
+  [[nodiscard]] Linearized compared(const DriveResponse& r) const {
     const auto m = static_cast<Index>(recording_.time.size());
     const auto n = static_cast<Index>(first_.size());
-    Linearised all{VectorXd(m * blocks()), Eigen::MatrixXd(m * blocks(), n)};
+    Linearized all{VectorXd(m * blocks()), Eigen::MatrixXd(m * blocks(), n)};
     for (Index b = 0; b < blocks(); ++b) {
       const std::size_t k = fit_.used[static_cast<std::size_t>(b)];
       const bool deviation = k == position || k == load;
@@ -102,7 +102,7 @@ class Fit {
   }
 
   /// (1) without the weights.
-  std::optional<Linearised> deviations(const VectorXd& x) {
+  std::optional<Linearized> deviations(const VectorXd& x) {
     const std::vector<double> now = values(x);
     try {  // two valid numbers may contradict each other
       jounce::require_valid(with_numbers(base_, spec_.fit, now));
@@ -116,7 +116,7 @@ class Fit {
       fit_.failure = r.integration.reason;
       return std::nullopt;
     }
-    Linearised all = compared(r);
+    Linearized all = compared(r);
     // A model that diverges with finite numbers would count as noise of any size.
     if (!std::isfinite(all.residual.squaredNorm() + all.jacobian.squaredNorm())) {
       fit_.failure = "its response overflows";
@@ -128,7 +128,7 @@ class Fit {
   [[nodiscard]] Index blocks() const { return static_cast<Index>(fit_.used.size()); }
 
   /// (3), but not below the accuracy of the integrator.
-  [[nodiscard]] VectorXd deviations(const VectorXd& r) const {
+  [[nodiscard]] VectorXd standard_deviations(const VectorXd& r) const {
     VectorXd sigma(blocks());
     const double free =
         std::max(1 - static_cast<double>(first_.size()) / static_cast<double>(r.size()), 0.1);
@@ -141,7 +141,7 @@ class Fit {
     return sigma;
   }
 
-  void weigh(Linearised& at, const VectorXd& sigma) const {
+  void weigh(Linearized& at, const VectorXd& sigma) const {
     for (Index b = 0; b < blocks(); ++b) {
       at.residual.segment(b * fit_.samples(), fit_.samples()) /= sigma[b];
       at.jacobian.middleRows(b * fit_.samples(), fit_.samples()) /= sigma[b];
@@ -149,7 +149,7 @@ class Fit {
   }
 
   /// Weighted residuals for the solver, which stops when the caller cancels.
-  std::optional<Linearised> weighted(const VectorXd& x) {
+  std::optional<Linearized> weighted(const VectorXd& x) {
     if (fit_.cancelled) return std::nullopt;
     auto r = deviations(x);
     if (!r) return r;
@@ -165,7 +165,7 @@ class Fit {
     const auto first = deviations(x);
     if (!first) return;
     fit_.before = first->residual;
-    fit_.sigma = deviations(fit_.before);
+    fit_.sigma = standard_deviations(fit_.before);
     double damping = 1e-3;
     for (int weighting = 0; weighting < weightings; ++weighting) {
       const int left = spec_.max_iterations - fit_.iterations;
@@ -188,7 +188,7 @@ class Fit {
     VectorXd unweighted = fit_.found.at.residual;
     for (Index b = 0; b < blocks(); ++b)
       unweighted.segment(b * fit_.samples(), fit_.samples()) *= fit_.sigma[b];
-    const VectorXd sigma = deviations(unweighted);
+    const VectorXd sigma = standard_deviations(unweighted);
     const bool same = ((sigma - fit_.sigma).array().abs() <= settled * sigma.array()).all();
     weigh(fit_.found.at, (sigma.array() / fit_.sigma.array()).matrix());
     fit_.sigma = sigma;

@@ -27,7 +27,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// J and r by the triangle R and Q^T r, which have the same normal equations in n rows.
-Linearised condensed(const Linearised& at) {
+Linearized condensed(const Linearized& at) {
   const Index n = at.jacobian.cols();
   if (at.jacobian.rows() <= n) return at;
   const Eigen::HouseholderQR<MatrixXd> qr(at.jacobian);
@@ -35,7 +35,7 @@ Linearised condensed(const Linearised& at) {
   return {rotated.head(n), qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()};
 }
 
-VectorXd damped_step(const Linearised& at, double damping) {
+VectorXd damped_step(const Linearized& at, double damping) {
   const Index m = at.jacobian.rows();
   const Index n = at.jacobian.cols();
   MatrixXd a(m + n, n);
@@ -47,7 +47,7 @@ VectorXd damped_step(const Linearised& at, double damping) {
 
 /// Increases the damping until the step is no longer than the limit: a number with little effect must not
 /// diverge, nor slow the others. None where the numbers overflow, which no damping can prevent.
-std::optional<VectorXd> step_within(const Linearised& at, double scale, double longest,
+std::optional<VectorXd> step_within(const Linearized& at, double scale, double longest,
                                     double& mu) {
   for (double damping = mu; std::isfinite(damping); damping *= 10) {
     VectorXd step = damped_step(at, std::sqrt(damping) * scale);
@@ -67,7 +67,7 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
   if (!here) return best;
   best.at = std::move(*here);
   best.status = LeastSquares::Status::stalled;
-  Linearised small = condensed(best.at);
+  Linearized small = condensed(best.at);
   double scale = 0;
   double mu = options.damping;
   for (; best.iterations < options.max_iterations; ++best.iterations) {
@@ -111,7 +111,7 @@ Covariance covariance(const MatrixXd& jacobian) {
   for (double& l : length) l = std::max(l, 1e-10 * (longest > 0 ? longest : 1));
   const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<MatrixXd> svd(
-      Linearised(condensed({VectorXd::Zero(jacobian.rows()), scaled})).jacobian,
+      Linearized(condensed({VectorXd::Zero(jacobian.rows()), scaled})).jacobian,
       Eigen::ComputeFullV);
   VectorXd singular = VectorXd::Zero(n);
   singular.head(svd.singularValues().size()) = svd.singularValues();

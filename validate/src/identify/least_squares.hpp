@@ -10,13 +10,13 @@
 namespace jounce::detail {
 
 /// Residuals and their derivatives at one point.
-struct Linearised {
+struct Linearized {
   Eigen::VectorXd residual;  ///< m
   Eigen::MatrixXd jacobian;  ///< m x n
 };
 
 /// None where the residuals cannot be computed: the step to that point is not taken.
-using ResidualFunction = std::function<std::optional<Linearised>(const Eigen::VectorXd& x)>;
+using ResidualFunction = std::function<std::optional<Linearized>(const Eigen::VectorXd& x)>;
 
 struct LeastSquaresOptions {
   int max_iterations = 50;
@@ -34,7 +34,7 @@ struct LeastSquares {
   enum class Status { converged, stalled, not_computable };
   Status status = Status::stalled;
   Eigen::VectorXd x;
-  Linearised at;  ///< there
+  Linearized at;  ///< there
   int iterations = 0;
   double damping = 0;  ///< mu of the last step: a start for a similar search
 };

@@ -35,7 +35,7 @@ Place place(const Cam& cam, double x) {
 }
 
 /// The interval of the cam from x0 to x1, passed within `time`, moved to begin where the slave does.
-Segment stretch(const Cam& cam, double x0, double x1, double time, double value) {
+Segment cam_part(const Cam& cam, double x0, double x1, double time, double value) {
   const Place middle = place(cam, (x0 + x1) / 2);
   const Segment& f = *middle.segment;
   const double half = std::abs(x1 - x0) / 2;
@@ -66,7 +66,7 @@ std::optional<Trajectory> steady(const Followed& slave) {
     if (x0 == x1 || (!within && cam.outside() == Extrapolation::hold))
       segments.push_back(line(time, value, value));
     else
-      segments.push_back(stretch(cam, x0, x1, time, value));
+      segments.push_back(cam_part(cam, x0, x1, time, value));
   }
   return Trajectory(segments, slave.start(), Extrapolation::hold);
 }

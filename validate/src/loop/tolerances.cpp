@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "jounce/profiles/detail/random.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
@@ -17,18 +18,13 @@ namespace {
 
 constexpr std::size_t all_corners_up_to = 10;  // numbers: 1024 cases
 
-/// splitmix64 (Steele, Lea, Flood 2014): the same cases on every machine.
+/// The same cases on every machine.
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : state_(seed) {}
 
   /// In [0, 1).
-  double uniform() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-  }
+  double uniform() { return detail::uniform(state_); }
 
   /// In [-1, 1], three standard deviations to each side (Box & Muller 1958; beyond: drawn again).
   double normal() {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "jounce/axis/armed_motion.hpp"
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/command.hpp"
 #include "jounce/axis/homing.hpp"
@@ -13,9 +14,10 @@
 #include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/superimposed_move.hpp"
 #include "jounce/axis/supervision.hpp"
-#include "jounce/axis/transitions.hpp"
 #include "jounce/axis/waiting_moves.hpp"
+#include "jounce/command/state.hpp"
 
 namespace jounce {
 
@@ -85,9 +87,9 @@ bool in_motion(const Tick& tick);
 /// nor frees, locks, logs nor throws.
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
-///     axis.step(0, {.kind = Command::Kind::enable});
-///     axis.step(1, {.kind = Command::Kind::arm, .movement = &job});
-///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
+///     axis.step(0, {command::Enable{}});
+///     axis.step(1, {command::Arm{&job}});
+///     axis.step(2, {command::Start{}});                  // local time 0: the table's first point
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
 /// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend. The motion
@@ -95,7 +97,7 @@ bool in_motion(const Tick& tick);
 ///
 /// **Motion.** The axis plays a movement (a path whose time may run slower, or a coupling to a live
 /// master) or a move that it plans itself from its last output setpoint. A superimposed move adds
-/// to either. Rules: transitions.hpp and docs/executor/axis.md.
+/// to either. Rules: command_table.hpp and docs/executor/axis.md.
 ///
 /// **Slots.** One movement is played, one is armed. An axis owns neither. It hands each back once,
 /// in the last tick in which it reads it.
@@ -129,6 +131,9 @@ class MotionAxis {
   [[nodiscard]] State state() const { return state_; }
 
  private:
+  /// Reason to reject a command; nullopt: accepted.
+  using Rejection = std::optional<Refusal>;
+
   enum class Base : std::uint8_t { rest, movement, move };
   /// table: the played movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
@@ -140,14 +145,12 @@ class MotionAxis {
   void watch();
   void play();
   Cause advance(Setpoint& next);
-  void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
   void operate_outputs();
   void report();
   void hand_back(const Movement* movement);
-  void refuse(Cause cause, double value = 0, double limit = 0);
   void drop(const Refusal& why);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const;
@@ -159,23 +162,46 @@ class MotionAxis {
 
   // axis_commands.cpp: commands
   void obey(const Command& command);
-  void take_up(const Command& command);
+  Rejection take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
-  void act(const Command& command);
-  void power(bool on);
-  void reset();
-  void set_position(double position);
-  void end_motion(Ending ending, const Command& command);
+  Rejection act(const command::None& /*none*/) { return std::nullopt; }
+  Rejection act(const command::Enable& /*on*/) { return power(true); }
+  Rejection act(const command::Disable& /*off*/) { return power(false); }
+  Rejection act(const command::Arm& what);
+  Rejection act(const command::Disarm& what);
+  Rejection act(const command::Start& what);
+  Rejection act(const command::Stop& what) { return end_motion(Ending::stop, what.dynamics); }
+  Rejection act(const command::Abort& /*now*/) {
+    fail(Cause::aborted);
+    return std::nullopt;
+  }
+  Rejection act(const command::Reset& what);
+  Rejection act(const command::SetPosition& what);
+  Rejection act(const command::Home& what);
+  Rejection act(const command::Hold& /*on*/) { return hold(true); }
+  Rejection act(const command::Resume& /*off*/) { return hold(false); }
+  Rejection act(const command::Override& what);
+  Rejection act(const command::Finish& what);
+  Rejection act(const command::MoveAbsolute& what);
+  Rejection act(const command::MoveRelative& what);
+  Rejection act(const command::MoveAdditive& what);
+  Rejection act(const command::MoveSuperimposed& what);
+  Rejection act(const command::MoveVelocity& what);
+  Rejection act(const command::Halt& what) { return end_motion(Ending::halt, what.dynamics); }
+  Rejection act(const command::Couple& what);
+  Rejection act(const command::GearOut& /*out*/) { return decouple(); }
+  Rejection act(const command::CamOut& /*out*/) { return decouple(); }
+  Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
+  Rejection power(bool on);
+  Rejection set_position(double position);
+  Rejection end_motion(Ending ending, const StopDynamics& asked = {});
   void break_group();
   void join_group(std::int64_t group);
   void stop_with_group();
   [[nodiscard]] bool unplayed() const;
-  void hold(bool on);
-  void set_override(double factor);
-  void finish();
+  Rejection hold(bool on);
 
   // axis_homing.cpp: the search for its home position
-  void home(const Command& command);
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
@@ -183,10 +209,7 @@ class MotionAxis {
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: its slots
-  void arm(Movement* movement);
   void disarm();
-  void start(const Command& command);
-  void gear_in(const Command& command);
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
@@ -198,9 +221,9 @@ class MotionAxis {
   [[nodiscard]] bool stands() const;
 
   // axis_swap.cpp: from one path to the next
-  void start_at_end();
-  void start_at_pass_end();
-  bool ready_to_swap();
+  Rejection start_at_end();
+  Rejection start_at_pass_end();
+  [[nodiscard]] Rejection against_swap() const;
   [[nodiscard]] bool ends_somewhere() const;
   void seek_boundary();
   Cause swap_at_boundary();
@@ -221,22 +244,32 @@ class MotionAxis {
   bool change_rate(double rate);
   [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
   bool stop_on_path();
-  bool replan();
+  Rejection replan();
   bool replan_path();
 
   // axis_moves.cpp: moves of its own
-  void move(const Command& command);
-  [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
+  template <class Move>
+  Rejection move(const Move& what);
+  template <class Move>
+  Rejection move_or_buffer(const Move& what);
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAbsolute& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveRelative& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAdditive& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveVelocity& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
                                                Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> distance_goal(double distance, double from,
+                                                     MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> velocity_goal(double velocity, const MotionState& from,
                                                      MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   [[nodiscard]] Peaks beneath() const;
-  [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
-  void superimpose(double distance, MoveDynamics dynamics);
-  void decouple();
-  [[nodiscard]] std::optional<Profile> plan_lift(const Motion& from, const Goal& goal,
-                                                 double factor) const;
+  Rejection superimpose(double distance, const MoveDynamics& dynamics);
+  Rejection decouple();
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool replan_move();
@@ -247,17 +280,17 @@ class MotionAxis {
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
-  void postpone(const Command& command);
+  Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
-  void buffer(const Command& command);
+  Rejection buffer(const BufferedMove& move);
   [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
   [[nodiscard]] bool passes() const {
     return !next_.empty() && base_ == Base::move && goal_.through != 0;
   }
   Cause pass_target();
-  void take_back_next();
+  Rejection take_back_next();
   void begin_next();
   void forget(const WaitingMoves& moves);
   void forget_next();
@@ -281,14 +314,8 @@ class MotionAxis {
   Supervision windows_;
 
   Movement* active_ = nullptr;
-  Movement* pending_ = nullptr;
-  bool waiting_ = false;  // a start of the armed movement was accepted
-  StartAt start_at_ = StartAt::tick;
-  std::int64_t start_tick_ = 0;
-  double start_position_ = 0;    // start position of the master
-  std::int64_t accepted_ = -1;   // tick in which that start was accepted
-  std::int64_t group_ = 0;       // group of the motion
-  std::int64_t next_group_ = 0;  // group of the armed movement
+  ArmedMotion armed_;
+  std::int64_t group_ = 0;  // group of the motion
   GroupBreak last_break_;
 
   Base base_ = Base::rest;
@@ -312,13 +339,7 @@ class MotionAxis {
   double factor_ = 1;             // override
   bool held_ = false;
 
-  bool lifting_ = false;     // a superimposed move runs
-  bool lift_rests_ = false;  // a superimposed move waits until the path beneath it is resumed
-  Profile lift_;
-  Goal lift_goal_;    // u from the start of the first superimposed move
-  Limits lift_most_;  // limits left by the motion below
-  std::int64_t lift_origin_ = 0;
-  double shift_ = 0;  // u, of the finished superimposed moves
+  SuperimposedMove above_;  // adds to the motion
 
   std::optional<Homing> homing_;  // set until it is at rest, in success or failure
   double home_position_ = 0;      // u: the future position of the home position

@@ -71,7 +71,7 @@ class Clutch {
 /// In which direction of its master a slave follows (Googol GT_PrfGear dir, manual 7.5).
 enum class FollowDirection : std::int8_t { both = 0, positive = 1, negative = -1 };
 
-/// Behaviour of a one-way slave when its master reverses.
+/// Behavior of a one-way slave when its master reverses.
 enum class Reversal : std::uint8_t {
   hold,     ///< it stands, and goes on as soon as the master does: a freewheel
   recover,  ///< it stands until the master has made its way good

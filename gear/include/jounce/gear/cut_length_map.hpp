@@ -61,7 +61,7 @@ struct LimitChange {
   std::string before = {};
   std::string after = {};
 };
-/// Between the map's neighbours whose limits differ; a limit that comes and goes between two of them
+/// Between the map's neighbors whose limits differ; a limit that comes and goes between two of them
 /// is not seen.
 std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
                                        std::span<const CutSpeed> map);

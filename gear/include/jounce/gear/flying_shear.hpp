@@ -22,7 +22,7 @@ namespace jounce {
 ///     ShearBound fastest = greatest_line_speed(shear);   // at this length
 ///
 /// **Vocabulary.** The master m is the material's travel, the slave u the carriage's along its guide.
-/// The cam has five stretches: *accelerate*, *sync*, *decelerate*, *return*, *wait* (at home, where
+/// The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, *wait* (at home, where
 /// `return_length` leaves any). It begins at home at rest, u = 0, and ends there exactly.
 ///
 /// **What is left out is computed.** The run-up and the braking are as short as the limits allow,
@@ -59,7 +59,7 @@ struct FlyingShear {
   double angle = 0;  ///< rad, |angle| < pi/2: between guide and line; not 0: a diagonal saw
 };
 
-/// The stretches of the cycle, in m; they sum to cut_length exactly (to the bit).
+/// The intervals of the cycle, in m; they sum to cut_length exactly (to the bit).
 struct ShearPlan {
   double accelerate = 0;
   double sync = 0;

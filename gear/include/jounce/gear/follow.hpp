@@ -57,7 +57,7 @@ struct FollowSpec {
   double start_ratio = 0;  ///< start ratio of the slave to its master before: u/m
 };
 
-/// The cam from the first table's origin (0, 0); zones are stretches of constant ratio.
+/// The cam from the first table's origin (0, 0); zones are intervals of constant ratio.
 SyncCam follow(const FollowSpec& spec);
 
 /// Start and end ratio of each segment of the cam that follow() makes.
@@ -70,7 +70,7 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 ///     follow/wrap_step    from the end of a pass to the start of the next
 ///     follow/switch_step  from one table to the next: its first segment is not continued
 ///     follow/open_end     the last table ends at a ratio: a controller stops the slave dead
-///     follow/reversal     the slave runs against its own segment; travel that no neighbour has is
+///     follow/reversal     the slave runs against its own segment; travel that no neighbor has is
 ///                         named, for it may be a misprint. The first place of a chain is reported: what
 ///                         follows in it is its consequence
 ///     follow/wrap_ratio   in an endless table, the ratio differs from pass to pass: broken where it

@@ -19,7 +19,7 @@ struct FollowPoint {
   std::optional<double> ratio = {};  ///< u/m
 };
 
-/// A velocity-sync zone: a stretch in which the ratio is exact. The slave's position at `from` is
+/// A velocity-sync zone: an interval in which the ratio is exact. The slave's position at `from` is
 /// given, or follows from a sync point within the zone, or is the one that a linear ramp of the ratio
 /// from the previous point reaches.
 struct FollowZone {

@@ -15,7 +15,7 @@ namespace jounce {
 ///
 /// **Vocabulary.** Each of the `count` equal parts of the cycle is: stand for `before`, move by
 /// `distance` over `motion`, stand for what is left. The cam advances (Extrapolation::advance): every cycle
-/// goes on by count * distance, exactly. The stretches in which it stands are its zones, "dwell".
+/// goes on by count * distance, exactly. The intervals in which it stands are its zones, "dwell".
 ///
 /// A jaw that goes along with the film and comes back is a FlyingShear; a rotating one is the rotary
 /// knife's geometry.

@@ -27,7 +27,7 @@ enum class KnifeMatching {
 ///     Report report = check(spec, knife.cam);              // does it turn back? slip? touch early?
 ///
 /// **Vocabulary.** The *synchronous length* C is the web that passes in one blade's share of a turn
-/// at equal speeds. *Sync*: the stretch about the cut in which blade and web are in step, `sync_angle`
+/// at equal speeds. *Sync*: the interval about the cut in which blade and web are in step, `sync_angle`
 /// of the knife, `sync_length` of the web. *Recovery*: the rest of the cut, in which the knife gains
 /// (cuts shorter than C) or loses. Cuts beyond the *longest* without a stop would turn the knife
 /// back; with `dwell` it stops instead.

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// A stretch of the master in which slave and master are in step, as a report or picture names it.
+/// An interval of the master in which slave and master are in step, as a report or picture names it.
 struct SyncZone {
   double from = 0;  ///< master unit
   double to = 0;

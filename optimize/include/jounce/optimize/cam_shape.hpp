@@ -34,7 +34,7 @@ struct FreeShape {
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
 /// **Runs.** Free segments that follow one another, over the seam of a periodic cam too, are one
-/// *run*: one function, as smooth at the knots between them as inside. Runs are optimised one
+/// *run*: one function, as smooth at the knots between them as inside. Runs are optimized one
 /// after another; a figure is that of one run.
 ///
 /// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
@@ -44,7 +44,7 @@ struct FreeShape {
 /// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum; where there are several, each is one figure
-/// alone, and none that was minimised before may get worse by more than `concession` (relative).
+/// alone, and none that was minimized before may get worse by more than `concession` (relative).
 ///
 /// **Units.** x is the master: quantities depend on the slave's derivatives by master.
 struct CamShapeProblem {

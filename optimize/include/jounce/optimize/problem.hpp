@@ -26,7 +26,7 @@ struct FreeKnot {
   std::optional<Bound> geo_acceleration;
 };
 
-/// Figures to minimise, over the whole cam and per master unit (u/m^2, u/m^3).
+/// Figures to minimize, over the whole cam and per master unit (u/m^2, u/m^3).
 enum class Objective {
   peak_acceleration,  ///< max |geo_acceleration|
   peak_jerk,          ///< max |geo_jerk|, both sides of every knot
@@ -60,7 +60,7 @@ struct RampedLimits {
 ///     const Outcome<CamSpec> outcome = optimize(problem);
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
-/// **Order.** The first objective is minimised; then the second among the cams whose first is
+/// **Order.** The first objective is minimized; then the second among the cams whose first is
 /// within `tolerance` (relative) of what was reached; and so on. A larger tolerance gives the later
 /// objectives more slack.
 ///
@@ -69,7 +69,7 @@ struct RampedLimits {
 ///
 /// **Laws.** A polynomial (quintic, septic, nonic) takes any free quantity at its ends. Beside a law
 /// that runs from rest to rest geo_acceleration is fixed, beside a dwell also geo_velocity and slave,
-/// beside a line or an R-U law everything. A cam with a law through points is not optimised.
+/// beside a line or an R-U law everything. A cam with a law through points is not optimized.
 struct CamProblem {
   CamSpec cam;
   std::vector<FreeKnot> free;

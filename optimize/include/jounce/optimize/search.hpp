@@ -22,7 +22,7 @@ struct SearchVariable {
 /// Result of one choice of the numbers. An impossible choice (a rejected spec) is reported
 /// so, not hidden in a number; an answer with a NaN or an infinity counts as one.
 struct SearchAnswer {
-  double objective = 0;                  ///< to minimise
+  double objective = 0;                  ///< to minimize
   std::vector<double> constraints = {};  ///< each must be <= 0; always as many, if possible
   bool possible = true;
   std::string why = {};  ///< not possible: one sentence

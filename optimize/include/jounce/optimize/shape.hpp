@@ -28,7 +28,7 @@ struct LinearQuantity {
 /// geo_crackle (5).
 LinearQuantity derivative_of_shape(int order);
 
-// ---- what can be minimised or limited: over the whole shape -----------------------------------
+// ---- what can be minimized or limited: over the whole shape -----------------------------------
 
 /// max |q|, at every place.
 struct PeakOf {
@@ -125,8 +125,8 @@ struct Edge {
   double at_to = 0;
 };
 
-/// A quantity held between two edges over a window of x: a limit, a keep-out zone, a monotone stretch
-/// (geo_velocity, lower 0), a point to pass within a tolerance (from == to), a stretch in step (value,
+/// A quantity held between two edges over a window of x: a limit, a keep-out zone, a monotone interval
+/// (geo_velocity, lower 0), a point to pass within a tolerance (from == to), a interval in step (value,
 /// lower == upper: kept exactly).
 struct Corridor {
   LinearQuantity quantity;

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// The points that no other point dominates, all numbers to be minimised: their indices, ascending.
+/// The points that no other point dominates, all numbers to be minimized: their indices, ascending.
 ///
 ///     const std::vector<std::vector<double>> designs{{1, 5}, {2, 3}, {2, 4}, {4, 1}};
 ///     pareto_front(designs);                                              // 0, 1, 3

@@ -40,7 +40,7 @@ struct SweepParameter {
 
 struct SweepObjective {
   std::string figure;
-  bool greatest = false;  ///< to be maximised
+  bool greatest = false;  ///< to be maximized
 };
 
 /// A figure that must not exceed a value, in the unit that the figure has.
@@ -84,7 +84,7 @@ struct SweepSpec {
   std::uint64_t seed = 1;
   SampleDesign design = {};
   bool optima =
-      false;  ///< each case is optimised by the [optimize] of the spec, before its figures are computed
+      false;  ///< each case is optimized by the [optimize] of the spec, before its figures are computed
   std::size_t chosen =
       0;  ///< count of the last figures in `given` that each case chooses itself, with `optima`
   std::vector<KeyFigure> given;  ///< the figures of interest, of the spec as given

@@ -41,8 +41,8 @@ struct TuneOutcome {
   [[nodiscard]] bool usable() const { return search.usable(); }
 };
 
-/// Chooses the numbers that the spec's [[optimize.parameter]] names, for the key figure that it minimises
-/// or maximises, such that every limit of the spec holds (check, and the drive where there is a
+/// Chooses the numbers that the spec's [[optimize.parameter]] names, for the key figure that it minimizes
+/// or maximizes, such that every limit of the spec holds (check, and the drive where there is a
 /// [drive]) and what [[optimize.require]] demands.
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));

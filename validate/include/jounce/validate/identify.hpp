@@ -69,7 +69,7 @@ struct Explained {
   double before = 0;     ///< rms of recorded - model with the start's numbers
   double after = 0;      ///< the same with the fitted ones: the noise, if the model is right
   double autocorrelation =
-      0;  ///< autocorrelation of neighbouring residuals: about 0 for a model that is right
+      0;  ///< autocorrelation of neighboring residuals: about 0 for a model that is right
   ResidualTest white = {};   ///< Ljung and Box's Q
   ResidualTest growth = {};  ///< squares of the last third over the first: Goldfeld and Quandt's F
   ResidualTest worsening = {};     ///< squares after the fit over those before it

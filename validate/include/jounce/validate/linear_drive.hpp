@@ -111,7 +111,7 @@ enum class DriveOutput {
 };
 
 /// The output at given times after the reference's start as a function of the reference: affine in
-/// it, so that an optimiser needs it once for every function it composes a shape of. The times
+/// it, so that an optimizer needs it once for every function it composes a shape of. The times
 /// ascend from 0; a list of another reference's length is met the same way. Throws InputError as
 /// exact_run(), when it is made. `periodic`: as exact_period() has it.
 std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,

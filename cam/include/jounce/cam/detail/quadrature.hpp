@@ -4,10 +4,69 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include "jounce/profiles/curve/segment.hpp"
 
+/// Gauss-Legendre quadrature: every rule of Jounce.
 namespace jounce::detail {
+
+/// A node in [0, 1] with its weight.
+struct QuadratureNode {
+  double s = 0;
+  double weight = 0;
+};
+
+/// Six points: exact for polynomials to degree 11.
+inline constexpr std::array gauss_6{QuadratureNode{0.033765242898423975, 0.085662246189585178},
+                                    QuadratureNode{0.16939530676686776, 0.18038078652406930},
+                                    QuadratureNode{0.38069040695840156, 0.23395696728634552},
+                                    QuadratureNode{0.61930959304159844, 0.23395696728634552},
+                                    QuadratureNode{0.83060469323313224, 0.18038078652406930},
+                                    QuadratureNode{0.96623475710157603, 0.085662246189585178}};
+
+/// Any number of points, by Newton's method on Legendre's polynomial: exact to degree 2 points - 1.
+inline std::vector<QuadratureNode> gauss(int points) {
+  std::vector<QuadratureNode> rule;
+  for (int i = 0; i < points; ++i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5));
+    double slope = 1;
+    for (int round = 0; round < 20; ++round) {
+      double p = 1, before = 0;
+      for (int k = 1; k <= points; ++k)
+        before = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * before) / k);
+      slope = points * (x * p - before) / (x * x - 1);
+      const double step = p / slope;
+      x -= step;
+      if (std::abs(step) < 1e-16) break;
+    }
+    rule.push_back({(1 - x) / 2, 1 / ((1 - x * x) * slope * slope)});
+  }
+  return rule;
+}
+
+/// The integral of f over [0, 1]: five points on 16 panels. Exact for a polynomial of degree 9; error below
+/// 1e-13 for the square of a sine over one turn.
+template <class F>
+double integral(const F& f) {
+  constexpr std::array<double, 3> node{0, 0.53846931010568309104, 0.90617984593866399280};
+  constexpr std::array<double, 3> weight{0.56888888888888888889, 0.47862867049936646804,
+                                         0.23692688505618908751};
+  constexpr int panels = 16;
+  double sum = 0;
+  for (int i = 0; i < panels; ++i) {
+    const double middle = (i + 0.5) / panels;
+    sum += weight[0] * f(middle);
+    for (std::size_t k = 1; k < node.size(); ++k) {
+      const double h = node[k] / (2 * panels);
+      sum += weight[k] * (f(middle - h) + f(middle + h));
+    }
+  }
+  return sum / (2 * panels);
+}
 
 /// Calls visit(s, weight) so that the sum of weight * g(s) is the integral of g over s in [0, 1],
 /// for a g that is a product of two of f's derivatives: Gauss-Legendre with ten points, exact for

@@ -15,7 +15,7 @@
 /// power, torque with friction and gravity, energy.
 namespace jounce::optimizer {
 
-/// g(x, q_0(x), q_1(x), ...) on a stretch of a shape where it is smooth:
+/// g(x, q_0(x), q_1(x), ...) on a interval of a shape where it is smooth:
 ///
 ///     (1)  g = polynomial + gravity sin(angle)
 struct Wave {
@@ -27,7 +27,7 @@ struct Wave {
   double gravity = 0;
   Segment angle = {};
 
-  /// At s in [0, 1] of the stretch.
+  /// At s in [0, 1] of the interval.
   [[nodiscard]] double at(double s) const;
 };
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/path/plan.hpp"
+
+namespace jounce {
+
+/// Hold and resume as functions of a plan (MC_GroupHalt, MC_GroupInterrupt and MC_GroupContinue of PMC600;
+/// HaltGroup and ResumeGroup of HIMC).
+///
+///     const Plan held = halted(motion, 1.2);        // as motion up to 1.2 s, then to rest on the path
+///     const Plan rest = resumed(motion, held);      // from there at rest to the end
+///
+/// The same plan up to `t`, then the earliest rest on the path within the limits, by the law of stations: a corner
+/// is passed at constant velocity, since it has no share of the limits left for a deceleration; every other piece
+/// is used to slow down. The result is never faster than the plan at any place behind `t`. On averages and splines
+/// that run by the law of a window the plan goes on to its next rest. Throws InputError "t" outside [0, duration].
+Plan halted(const Plan& plan, double t);
+
+/// From the rest at the end of `held`, which `halted` made of `plan`, to the end of the plan: never faster than the
+/// plan at any place. Throws InputError "held" where that is the end already.
+Plan resumed(const Plan& plan, const Plan& held);
+
+}  // namespace jounce

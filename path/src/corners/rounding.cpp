@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/corners/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "path/src/corners/blend.hpp"
+#include "path/src/corners/turn.hpp"
+#include "path/src/geometry/pieces.hpp"
+#include "path/src/geometry/vector.hpp"
+#include "path/src/timing/stretch.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double none = PathSettings::none;
+constexpr double tangent =
+    1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
+constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may take
+
+enum class How : std::uint8_t { through, rest, turn, blend };
+
+struct Shape {
+  double trim = 0;
+  double share = 0;  ///< share of a turn
+  double velocity = none;
+  How how = How::through;
+  JointNote note = JointNote::none;
+};
+
+/// Both sides of a joint.
+struct Sides {
+  Point before{}, behind{};            ///< directions
+  Point bend_before{}, bend_behind{};  ///< curvatures
+  bool lines = false;
+};
+
+class Rounding {
+ public:
+  Rounding(const Route& route, const Program& program, const Rates& rates,
+           const std::vector<bool>& stop)
+      : route_(route), program_(program), rates_(rates), stop_(stop), n_(rates.axes) {}
+
+  Rounded run() {
+    const std::size_t count = route_.path.pieces().size();
+    shapes_.resize(count + 1);
+    shapes_[0].how = shapes_[count].how = How::rest;
+    for (std::size_t k = 1; k < count; ++k) shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
+    for (std::size_t k = 1; k < count; ++k) share(k);
+    for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
+    return assembled();
+  }
+
+ private:
+  [[nodiscard]] const PathPiece& piece(std::size_t k) const { return route_.path.pieces()[k]; }
+  [[nodiscard]] const PathSettings& settings(std::size_t k) const {
+    return program_.settings()[piece(k).settings];
+  }
+
+  /// Length of a piece that corners may take.
+  [[nodiscard]] double whole(std::size_t k) const {
+    const PathPiece& p = piece(k);
+    if (p.kind != PieceKind::arc) return p.length;
+    const double sweep = ArcNumbers(route_.path.numbers(k), n_).sweep();
+    return p.length * std::min(1.0, 2 * widest_trim / sweep);
+  }
+
+  void direction(std::size_t k, Point& out) const {
+    const double* step = route_.path.numbers(k) + n_;
+    const double inverse = 1 / piece(k).length;
+    for (std::size_t i = 0; i < n_; ++i) out[i] = step[i] * inverse;
+  }
+
+  [[nodiscard]] Sides sides(std::size_t k) const {
+    Sides s;
+    s.lines = piece(k - 1).kind == PieceKind::line && piece(k).kind == PieceKind::line;
+    if (s.lines) {
+      direction(k - 1, s.before);
+      direction(k, s.behind);
+      return s;
+    }
+    std::array<Jet, max_axes> jet{};
+    route_.path.jets(k - 1, piece(k - 1).length, std::span(jet).first(n_));
+    for (std::size_t i = 0; i < n_; ++i) {
+      s.before[i] = jet[i][1];
+      s.bend_before[i] = jet[i][2];
+    }
+    route_.path.jets(k, 0, std::span(jet).first(n_));
+    for (std::size_t i = 0; i < n_; ++i) {
+      s.behind[i] = jet[i][1];
+      s.bend_behind[i] = jet[i][2];
+    }
+    return s;
+  }
+
+  /// The wished velocity of a joint, and the feeds of both sides.
+  [[nodiscard]] double cap(std::size_t k) const {
+    return std::min({settings(k - 1).velocity, settings(k).velocity, rates_.path.velocity});
+  }
+
+  /// The shape that the settings ask for, within `room` on each side.
+  [[nodiscard]] Shape shape(std::size_t k, double room) const {
+    Shape s;
+    if (route_.joints[k].rests) {
+      s.how = How::rest;
+      return s;
+    }
+    if (route_.joints[k].smooth) return s;
+    const Sides both = sides(k);
+    const Point change = vec::difference(both.behind, both.before);
+    double bend = vec::norm(change, rates_.path_axes);
+    const bool measured = bend > tangent;
+    if (!measured) bend = vec::norm(change, n_);
+    if (!(bend > tangent * vec::norm(both.behind, n_))) return smooth(k, both, room);
+    if (settings(k).corner == Corner::stop || stop_[k]) {
+      s.how = How::rest;
+      return s;
+    }
+    const double together =
+        vec::norm(vec::sum(both.before, both.behind), measured ? rates_.path_axes : n_) / 2;
+    if (!(together > 1e-8)) {
+      s.how = How::rest;
+      s.note = JointNote::turns_back;
+      return s;
+    }
+    return both.lines ? turned(k, both, change, bend, together, room) : blended(k, room);
+  }
+
+  /// Tangent sides: nothing is done, unless the curvature steps and the settings ask for a corner.
+  [[nodiscard]] Shape smooth(std::size_t k, const Sides& both, double room) const {
+    if (both.lines) return {};
+    const double step = vec::distance(both.bend_before, both.bend_behind, n_);
+    const double larger =
+        std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
+    if (step <= tangent * larger) return {};
+    if (settings(k).corner != Corner::stop) return blended(k, room);
+    Shape s;
+    s.note = JointNote::steps;
+    return s;
+  }
+
+  [[nodiscard]] Shape turned(std::size_t k, const Sides& both, const Point& change, double bend,
+                             double cosine, double room) const {
+    TurnRates rates{
+        std::min(rates_.path.normal_acceleration, rates_.path.total_acceleration) / bend,
+        TurnRates::none};
+    double fastest = cap(k);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double d = std::abs(change[i]);
+      const double u = std::max(std::abs(both.before[i]), std::abs(both.behind[i]));
+      if (u > 0) fastest = std::min(fastest, rates_.velocity[i] / u);
+      if (!(d > 0)) continue;
+      rates.acceleration = std::min(rates.acceleration, rates_.acceleration[i] / d);
+      rates.jerk = std::min(rates.jerk, rates_.jerk[i] / d);
+    }
+    const PathSettings& asked = settings(k);
+    const bool bounded = rates.acceleration < none || rates.jerk < none;
+    Turn turn;
+    bool fits = true;
+    if (asked.corner == Corner::curvature) {
+      turn = curved_turn(rates, bend / (cosine * cosine), asked.value);
+      fits = turn.length <= 2 * room;
+      if (!fits) turn = fastest_turn(rates, none, 2 * room);
+    } else if (asked.corner == Corner::velocity) {
+      fastest = std::min(fastest, asked.value);
+      turn = bounded ? least_turn(rates, fastest) : fastest_turn(rates, none, 2 * room);
+      fits = turn.length <= 2 * room;
+      if (!fits) turn = fastest_turn(rates, none, 2 * room);
+    } else {
+      const bool distance = asked.corner == Corner::distance;
+      const double length = distance ? std::min(2 * asked.value, 2 * room) : 2 * room;
+      turn = fastest_turn(rates, distance ? none : asked.value / bend, length);
+      fits = turn.length < 2 * room || (distance && asked.value <= room);
+      // A corner is no larger than its velocity needs.
+      if (bounded && turn.velocity > fastest) {
+        const Turn least = least_turn(rates, fastest);
+        if (least.length <= turn.length) turn = least;
+      }
+    }
+    Shape s;
+    s.how = How::turn;
+    s.trim = turn.length / 2;
+    s.share = turn.share;
+    s.velocity = std::min(turn.velocity, fastest);
+    if (!fits && (asked.corner == Corner::curvature || turn.velocity < fastest))
+      s.note = JointNote::short_sides;
+    return s;
+  }
+
+  /// A blend: its trim by bracketing.
+  [[nodiscard]] Shape blended(std::size_t k, double room) const {
+    const PathSettings& asked = settings(k);
+    double trim = room;
+    bool fits = true;
+    const auto least = [&](auto enough) {  // the least trim with enough(trim), or all
+      if (!(fits = enough(room))) return room;
+      double low = 0;
+      double high = room;
+      for (int i = 0; i < 60 && high - low > 1e-12 * room; ++i) {
+        const double middle = (low + high) / 2;
+        (enough(middle) ? high : low) = middle;
+      }
+      return high;
+    };
+    switch (asked.corner) {
+      case Corner::distance:
+        trim = std::min(asked.value, room);
+        fits = asked.value <= room;
+        break;
+      case Corner::curvature:
+        trim = least([&](double d) {
+          const Blend b = blend_of(route_.path, k - 1, d);
+          return greatest_curvature(b.segments(), rates_.path_axes) <= asked.value;
+        });
+        break;
+      case Corner::velocity:
+        trim = least([&](double d) {
+          return blend_velocity(k, blend_of(route_.path, k - 1, d)) >= asked.value;
+        });
+        break;
+      default:
+        trim = trim_for(k, asked.value, room);
+        fits = trim < room;
+    }
+    Shape s;
+    s.how = How::blend;
+    s.trim = trim;
+    s.velocity = blend_velocity(k, blend_of(route_.path, k - 1, trim));
+    if (asked.corner == Corner::velocity) s.velocity = std::min(s.velocity, asked.value);
+    if (!fits) s.note = JointNote::short_sides;
+    return s;
+  }
+
+  [[nodiscard]] Point corner(std::size_t k) const { return route_.path.point(k, 0); }
+
+  /// The largest trim whose blend is at most `deviation` from the corner. The distance grows with the trim in
+  /// every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
+  [[nodiscard]] double trim_for(std::size_t k, double deviation, double room) const {
+    const Point at = corner(k);
+    const auto over = [&](double d) {
+      return least_distance(blend_of(route_.path, k - 1, d).segments(), at, rates_.path_axes) -
+             deviation;
+    };
+    double high = room;
+    double f_high = over(high);
+    if (f_high <= 0) return room;
+    double low = 0;
+    double f_low = -deviation;
+    for (int i = 0; i < 100 && high - low > 1e-13 * high; ++i) {  // regula falsi, Illinois
+      double middle = low + (high - low) * f_low / (f_low - f_high);
+      if (!(middle > low && middle < high)) middle = (low + high) / 2;
+      const double f = over(middle);
+      if (f <= 0) {
+        low = middle;
+        f_low = f;
+        f_high /= 2;
+        if (f > -1e-13 * deviation) break;
+      } else {
+        high = middle;
+        f_high = f;
+        f_low /= 2;
+      }
+    }
+    return low > 0 ? low : high / 2;
+  }
+
+  [[nodiscard]] double blend_velocity(std::size_t k, const Blend& blend) const {
+    const double speed = greatest_speed(blend.segments(), rates_.path_axes);
+    const double feed = speed > 0 ? cap(k) / std::max(speed, 1.0) : none;
+    return std::min(blend_box(rates_, blend.segments()).velocity, feed);
+  }
+
+  /// Corners at both ends of a piece share its length, in proportion to what they take; one whose other end is at
+  /// rest takes half of it at most, since the law needs a way to leave the rest.
+  [[nodiscard]] double allowed(std::size_t k, std::size_t other, std::size_t side) const {
+    const double length = piece(side).kind == PieceKind::arc ? whole(side) : piece(side).length;
+    const Shape& there = shapes_[other];
+    if (there.how == How::rest) return length / 2;
+    const double sum = wanted_[k] + wanted_[other];
+    return sum > length ? length * (wanted_[k] / sum) : wanted_[k];
+  }
+
+  void share(std::size_t k) {
+    if (wanted_.empty())
+      for (const Shape& s : shapes_) wanted_.push_back(s.trim);
+    if (!(wanted_[k] > 0)) return;
+    const double room = std::min(allowed(k, k - 1, k - 1), allowed(k, k + 1, k));
+    if (wanted_[k] > room) shapes_[k] = shape(k, room);
+    if (shapes_[k].trim > room) shapes_[k].trim = room;  // rounding
+  }
+
+  /// Rests at a corner whose rounding takes longer: compares both sides with and without it, each up to the
+  /// velocity that half of the shorter side allows.
+  void rest_if_faster(std::size_t k) {
+    Shape& s = shapes_[k];
+    if (s.how != How::turn && s.how != How::blend) return;
+    if (settings(k).corner == Corner::velocity) return;
+    const double feed = cap(k);
+    if (s.velocity >= 0.3 * feed) return;
+    const Box before = box(k - 1);
+    const Box behind = box(k);
+    const double a = std::min(before.deceleration, behind.acceleration);
+    const double j = std::min(before.jerk, behind.jerk);
+    const double half = std::min(piece(k - 1).length, piece(k).length) / 2;
+    const double v = std::min(
+        {before.velocity, behind.velocity, entry_velocity(half, 0, Ramp{a, j}).value_or(none)});
+    if (!(v < none) || s.velocity >= v) return;
+    const auto lost = [&](double from) {
+      return 2 * (ramp_time(v - from, a, j) - ramp_distance(from, v, a, j) / v);
+    };
+    if (lost(s.velocity) + 2 * s.trim * (1 / s.velocity - 1 / v) > lost(0)) {
+      s = Shape{};
+      s.how = How::rest;
+      s.note = JointNote::slower;
+    }
+  }
+
+  [[nodiscard]] Box box(std::size_t k) const {
+    if (piece(k).kind == PieceKind::line) {
+      Point u{};
+      direction(k, u);
+      return line_box(rates_, settings(k), u.data());
+    }
+    if (piece(k).kind == PieceKind::arc)
+      return arc_box(rates_, settings(k), route_.path.numbers(k), piece(k).length);
+    return curve_box(rates_, settings(k), derivatives_of(route_.path, k, rates_.path_axes),
+                     run_length(k));
+  }
+
+  /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
+  [[nodiscard]] double run_length(std::size_t k) const { return 20 * piece(k).length; }
+
+  void require_ramps(const Box& b, std::size_t k) const {
+    if (!(b.acceleration < none) || !(b.acceleration > 0))
+      throw InputError("acceleration", b.acceleration,
+                       "an axis that moves, or the path, needs a limit of acceleration")
+          .at({}, piece(k).line);
+  }
+
+  Rounded assembled() {
+    std::vector<Unit> units;
+    const std::size_t count = route_.path.pieces().size();
+    pieces_.reserve(2 * count);
+    numbers_.reserve(5 * n_ * count);
+    units.reserve(2 * count);
+    double start = 0;
+    const auto add_unit = [&](const Box& b, std::size_t joint, double entry, double dwell) {
+      PathPiece& p = pieces_.back();
+      p.start = start;
+      start += p.length;
+      units.push_back({p.length, b, entry, dwell, static_cast<std::uint32_t>(pieces_.size() - 1), 1,
+                       static_cast<std::uint32_t>(joint)});
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      const Shape& here = shapes_[k];
+      if (k > 0) corner_of(k, here, add_unit);
+      const std::size_t before = pieces_.size();
+      append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, pieces_,
+                  numbers_);
+      if (pieces_.size() == before) continue;
+      const Box b = box(k);
+      require_ramps(b, k);
+      const bool rests = here.how == How::rest;
+      add_unit(b, k,
+               rests                               ? 0
+               : here.how == How::through && k > 0 ? cap(k)
+                                                   : none,
+               rests ? route_.joints[k].dwell : 0);
+    }
+    for (const std::int32_t line : route_.empty_lines)
+      joints_.push_back({0, line, JointNote::no_distance, false});
+    return {Path(n_, std::move(pieces_), std::move(numbers_)), std::move(units),
+            std::move(joints_)};
+  }
+
+  template <class AddUnit>
+  void corner_of(std::size_t k, const Shape& s, AddUnit add_unit) {
+    const auto piece_index = static_cast<std::uint32_t>(pieces_.size());
+    if (s.how != How::through || s.note != JointNote::none)
+      joints_.push_back({piece_index, piece(k).line, s.note, s.how == How::rest});
+    if (s.how == How::turn) {
+      Point u{};
+      Point w{};
+      direction(k - 1, u);
+      direction(k, w);
+      const Point from = route_.path.point(k - 1, piece(k - 1).length - s.trim);
+      pieces_.push_back(
+          {0, 2 * s.trim, numbers_.size(), piece(k).line, piece(k).settings, PieceKind::turn});
+      for (const Point& p : {from, u, w})
+        numbers_.insert(numbers_.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(n_));
+      numbers_.push_back(s.share);
+    } else if (s.how == How::blend) {
+      const Blend blend = blend_of(route_.path, k - 1, s.trim);
+      pieces_.push_back(
+          {0, 2 * s.trim, numbers_.size(), piece(k).line, piece(k).settings, PieceKind::blend});
+      numbers_.push_back(5);
+      for (const Segment& f : blend.segments())
+        numbers_.insert(numbers_.end(), f.c.begin(), f.c.begin() + 6);
+      numbers_.push_back(least_distance(blend.segments(), corner(k), rates_.path_axes));
+      numbers_.push_back(distance_from_sides(route_.path, k - 1, blend, rates_.path_axes));
+    } else {
+      return;
+    }
+    Box b;
+    b.constant = true;
+    b.velocity = s.velocity;
+    add_unit(b, k, none, 0);
+  }
+
+  const Route& route_;
+  const Program& program_;
+  const Rates& rates_;
+  const std::vector<bool>& stop_;
+  std::size_t n_;
+  std::vector<Shape> shapes_;
+  std::vector<double> wanted_;
+  std::vector<PathPiece> pieces_;  // parts of the result
+  std::vector<double> numbers_;
+  std::vector<JointMark> joints_;
+};
+
+}  // namespace
+
+Rounded rounded(const Route& route, const Program& program, const Rates& rates,
+                const std::vector<bool>& stop) {
+  return Rounding(route, program, rates, stop).run();
+}
+
+}  // namespace jounce

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/geometry/hull.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace jounce {
+
+std::pair<double, double> hull_of_squares(std::span<const Segment> axes) {
+  std::array<double, 2 * Segment::max_degree + 1> b{};
+  std::size_t n = 0;
+  for (const Segment& f : axes) {
+    const auto degree = static_cast<std::size_t>(f.degree);
+    n = std::max(n, 2 * degree);
+    for (std::size_t i = 0; i <= degree; ++i)
+      for (std::size_t k = 0; k <= degree; ++k) b[i + k] += f.c[i] * f.c[k];
+  }
+  double binomial = 1;
+  for (std::size_t k = 0; k <= n; ++k) {
+    b[k] /= binomial;
+    binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+  }
+  for (std::size_t k = 1; k <= n; ++k)
+    for (std::size_t i = n; i >= k; --i) b[i] += b[i - 1];
+  const auto [low, high] =
+      std::minmax_element(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(n) + 1);
+  return {*low, *high};
+}
+
+std::pair<double, double> hull_of_speed_squared(std::span<const Segment> axes) {
+  std::array<Segment, 9> slope;
+  for (std::size_t i = 0; i < axes.size(); ++i) slope[i] = derivative(axes[i]);
+  return hull_of_squares(std::span(slope).first(axes.size()));
+}
+
+}  // namespace jounce

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+// The numbers of the pieces of a path for n axes.
+//   line     start[n], step[n]
+//   arc      center[n], cosine[n], sine[n], drift[n], phase, sweep:
+//            center + cosine cos(phase + sweep s) + sine sin(phase + sweep s) + drift s
+//   turn     start[n], direction before[n], direction after[n], share
+//   blend    degree, degree + 1 coefficients an axis by s, deviation, distance from the sides
+//   curve    degree, degree + 1 coefficients an axis by s
+//
+// A step and a direction keep their digits however far from 0 the start is.
+namespace jounce {
+
+class ArcNumbers {
+ public:
+  ArcNumbers(const double* data, std::size_t n) : data_(data), n_(n) {}
+  static constexpr std::size_t count(std::size_t n) { return 4 * n + 2; }
+  [[nodiscard]] double center(std::size_t i) const { return data_[i]; }
+  [[nodiscard]] double cosine(std::size_t i) const { return data_[n_ + i]; }
+  [[nodiscard]] double sine(std::size_t i) const { return data_[2 * n_ + i]; }
+  [[nodiscard]] double drift(std::size_t i) const { return data_[3 * n_ + i]; }
+  [[nodiscard]] double phase() const { return data_[4 * n_]; }
+  [[nodiscard]] double sweep() const { return data_[4 * n_ + 1]; }
+
+ private:
+  const double* data_;
+  std::size_t n_;
+};
+
+class TurnNumbers {
+ public:
+  TurnNumbers(const double* data, std::size_t n) : data_(data), n_(n) {}
+  static constexpr std::size_t count(std::size_t n) { return 3 * n + 1; }
+  [[nodiscard]] double start(std::size_t i) const { return data_[i]; }
+  [[nodiscard]] double before(std::size_t i) const { return data_[n_ + i]; }
+  [[nodiscard]] double after(std::size_t i) const { return data_[2 * n_ + i]; }
+  [[nodiscard]] double share() const { return data_[3 * n_]; }
+
+ private:
+  const double* data_;
+  std::size_t n_;
+};
+
+inline std::size_t polynomial_count(std::size_t n, int degree) {
+  return 1 + n * (static_cast<std::size_t>(degree) + 1);
+}
+
+}  // namespace jounce

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/path/program.hpp"
+
+#include <string>
+
+#include "jounce/profiles/error.hpp"
+
+#include "path/src/geometry/vector.hpp"
+
+namespace jounce {
+namespace {
+
+void require_axes(std::size_t axes, std::size_t path_axes) {
+  if (axes < 1 || axes > max_axes)
+    throw InputError("axes", std::to_string(axes), "must be 1 to " + std::to_string(max_axes));
+  if (path_axes > axes)
+    throw InputError("path_axes", std::to_string(path_axes),
+                     "must be at most the number of axes, " + std::to_string(axes));
+}
+
+/// A rate: positive, may be infinite.
+void require_rate(const char* key, double value) {
+  if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
+}
+
+void require_on_axes(const Point& p, std::size_t axes, int line) {
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if (!std::isfinite(p[i]) || (i >= axes && p[i] != 0))
+      throw InputError("to[" + std::to_string(i + 1) + "]", p[i],
+                       i < axes ? "must be finite" : "is beyond the axes of the program")
+          .at({}, line);
+}
+
+}  // namespace
+
+Program::Program(std::size_t axes, const Point& start, std::size_t path_axes)
+    : axes_(axes), path_axes_(path_axes == 0 ? axes : path_axes), start_(start), position_(start) {
+  require_axes(axes_, path_axes_);
+  require_on_axes(start, axes_, 0);
+}
+
+void Program::set(const PathSettings& settings) {
+  require_rate("velocity", settings.velocity);
+  require_rate("acceleration", settings.acceleration);
+  require_rate("deceleration", settings.deceleration);
+  require_rate("jerk", settings.jerk);
+  if (settings.corner != Corner::stop) require_positive("value", settings.value);
+  if (settings_.back() == settings) return;
+  const bool unused = commands_.empty() || commands_.back().settings + 1 != settings_.size();
+  if (unused)
+    settings_.back() = settings;
+  else
+    settings_.push_back(settings);
+}
+
+void Program::line(const Point& to, int line) {
+  require_on_axes(to, axes_, line);
+  commands_.push_back(
+      {numbers_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::line});
+  numbers_.insert(numbers_.end(), to.begin(), to.begin() + static_cast<std::ptrdiff_t>(axes_));
+  position_ = to;
+}
+
+void Program::arc(const Arc& arc, int line) {
+  require_on_axes(arc.to, axes_, line);
+  const double gap = vec::distance(point_at(arc, 0), position_);
+  const double scale = arc.radius + vec::norm(position_);
+  if (!(arc.radius > 0) || !(arc.sweep > 0) || !(gap <= 1e-9 * scale))
+    throw InputError("arc", gap, "must begin at the end of the command before, with a radius > 0")
+        .at({}, line);
+  for (std::size_t i = path_axes_; i < max_axes; ++i)
+    if (arc.e1[i] != 0 || arc.e2[i] != 0)
+      throw InputError("plane", std::to_string(i),
+                       "must be of path axes, the first " + std::to_string(path_axes_))
+          .at({}, line);
+  commands_.push_back(
+      {arcs_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::arc});
+  arcs_.push_back(arc);
+  position_ = arc.to;
+}
+
+void Program::curve(const PathCurve& curve, int line) {
+  require_on_axes(curve.to, axes_, line);
+  const double gap = vec::distance(curve.from, position_);
+  if (curve.axes != axes_ || curve.segments.empty() ||
+      !(gap <= 1e-9 * (curve.length + vec::norm(position_))))
+    throw InputError("curve", gap,
+                     "must have the axes of the program and begin at the end of the command before")
+        .at({}, line);
+  commands_.push_back(
+      {curves_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::curve});
+  curves_.push_back(curve);
+  position_ = curve.to;
+}
+
+void Program::dwell(double seconds, int line) {
+  if (!(seconds >= 0) || !std::isfinite(seconds))
+    throw InputError("dwell", seconds, "must be finite and not negative").at({}, line);
+  commands_.push_back(
+      {numbers_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::dwell});
+  numbers_.push_back(seconds);
+}
+
+}  // namespace jounce

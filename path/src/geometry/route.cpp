@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/geometry/route.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+
+#include "path/src/geometry/pieces.hpp"
+#include "path/src/geometry/vector.hpp"
+
+namespace jounce {
+namespace {
+
+/// Length over the path axes; where these do not move, over all axes.
+double measured(const double* from, const double* to, std::size_t axes, std::size_t path_axes) {
+  const auto norm = [&](std::size_t n) {
+    double s = 0;
+    for (std::size_t i = 0; i < n; ++i) s += (to[i] - from[i]) * (to[i] - from[i]);
+    return std::sqrt(s);
+  };
+  const double length = norm(path_axes);
+  return length > 0 || path_axes == axes ? length : norm(axes);
+}
+
+void append_arc(const Arc& arc, const Point& from, std::size_t axes, std::vector<double>& numbers) {
+  // Both ends exactly: rounding of the formula goes into the center and the drift.
+  const Point begin = point_at(arc, 0);
+  const Point end = point_at(arc, arc.sweep);
+  const auto append = [&](auto component) {
+    for (std::size_t i = 0; i < axes; ++i) numbers.push_back(component(i));
+  };
+  append([&](std::size_t i) { return arc.center[i] + (from[i] - begin[i]); });
+  append([&](std::size_t i) { return arc.radius * arc.e1[i]; });
+  append([&](std::size_t i) { return arc.radius * arc.e2[i]; });
+  append([&](std::size_t i) { return arc.drift[i] + (arc.to[i] - end[i]) - (from[i] - begin[i]); });
+  numbers.push_back(0);
+  numbers.push_back(arc.sweep);
+}
+
+/// True if a line goes on where the last piece, a line under the same settings, points: both are one line.
+bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
+               const std::vector<double>& numbers, std::size_t axes) {
+  if (pieces.empty() || pieces.back().kind != PieceKind::line ||
+      pieces.back().settings != next.settings)
+    return false;
+  const PathPiece& last = pieces.back();
+  double change = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < axes; ++i) {
+    const double u = numbers[last.data + axes + i] / last.length;
+    const double w = numbers[next.data + axes + i] / next.length;
+    change += (w - u) * (w - u);
+    size += u * u;
+  }
+  return change <= 1e-20 * size;
+}
+
+/// The numbers of a curve: all axes have the degree of the highest.
+void append_curve(std::span<const Segment> axes, std::vector<double>& numbers) {
+  int degree = 1;
+  for (const Segment& f : axes) degree = std::max(degree, f.degree);
+  numbers.push_back(degree);
+  for (const Segment& f : axes)
+    numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + degree + 1);
+}
+
+}  // namespace
+
+Route route_of(const Program& program) {
+  const std::size_t n = program.axes();
+  std::vector<PathPiece> pieces;
+  std::vector<double> numbers;
+  std::vector<Joint> joints{{0, true}};
+  std::vector<std::int32_t> empty;
+  pieces.reserve(program.commands().size());
+  joints.reserve(program.commands().size() + 1);
+  numbers.reserve(program.commands().size() * 2 * n);
+  Point at = program.start();
+  double length = 0;
+  bool buffered = false;
+  for (const Program::Command& command : program.commands()) {
+    if (command.kind == Program::Kind::dwell) {
+      joints.back().dwell += program.numbers()[command.data];
+      joints.back().rests = true;
+      continue;
+    }
+    PathPiece piece{length, 0, numbers.size(), command.line, command.settings, PieceKind::line};
+    if (command.kind == Program::Kind::curve) {
+      const PathCurve& curve = program.curves()[command.data];
+      piece.kind = PieceKind::curve;
+      if (program.settings()[command.settings].junction == Junction::buffered)
+        joints.back().rests = true;
+      for (std::size_t k = 0; k < curve.segments.size(); k += n) {
+        piece.start = length;
+        piece.length = curve.segments[k].length;
+        piece.data = numbers.size();
+        append_curve(std::span(curve.segments).subspan(k, n), numbers);
+        length += piece.length;
+        pieces.push_back(piece);
+        joints.push_back({0, false, k + n < curve.segments.size()});
+      }
+      at = curve.to;
+      continue;
+    }
+    buffered = program.settings()[command.settings].junction == Junction::buffered;
+    if (command.kind == Program::Kind::line) {
+      const double* to = program.numbers().data() + command.data;
+      piece.length = measured(at.data(), to, n, program.path_axes());
+      if (!(piece.length > 0)) {
+        empty.push_back(command.line);
+        continue;
+      }
+      numbers.insert(numbers.end(), at.begin(), at.begin() + static_cast<std::ptrdiff_t>(n));
+      for (std::size_t i = 0; i < n; ++i) numbers.push_back(to[i] - at[i]);
+      std::copy_n(to, n, at.begin());
+      if (!buffered && !joints.back().rests && continues(pieces, piece, numbers, n)) {
+        PathPiece& whole = pieces.back();
+        numbers.resize(piece.data);
+        for (std::size_t i = 0; i < n; ++i)
+          numbers[whole.data + n + i] = to[i] - numbers[whole.data + i];
+        whole.length = measured(numbers.data() + whole.data, to, n, program.path_axes());
+        length = whole.start + whole.length;
+        continue;
+      }
+    } else {
+      const Arc& arc = program.arcs()[command.data];
+      piece.kind = PieceKind::arc;
+      piece.length = std::hypot(arc.radius * arc.sweep, vec::norm(arc.drift, program.path_axes()));
+      append_arc(arc, at, n, numbers);
+      at = arc.to;
+    }
+    if (!std::isfinite(piece.length))
+      throw InputError("to", piece.length, "is too far away").at({}, command.line);
+    if (buffered) joints.back().rests = true;
+    length += piece.length;
+    pieces.push_back(piece);
+    joints.push_back({});
+  }
+  if (pieces.empty())
+    throw InputError("program", 0.0, "covers no distance; it needs a line or an arc");
+  joints.back().rests = true;
+  return {Path(n, std::move(pieces), std::move(numbers)), std::move(joints), std::move(empty)};
+}
+
+void append_part(const Path& from, std::size_t k, double u0, double u1,
+                 std::vector<PathPiece>& pieces, std::vector<double>& numbers) {
+  const PathPiece& whole = from.pieces()[k];
+  if (!(u1 - u0 > 1e-12 * whole.length)) return;
+  const std::size_t n = from.axes();
+  const double* data = from.numbers(k);
+  PathPiece piece = whole;
+  piece.data = numbers.size();
+  piece.length = u1 - u0;
+  const double s0 = u0 / whole.length;
+  const double s1 = u1 / whole.length;
+  if (whole.kind == PieceKind::line) {
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[i] + data[n + i] * s0);
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[n + i] * (s1 - s0));
+  } else if (whole.kind == PieceKind::curve) {
+    const int degree = static_cast<int>(data[0]);
+    const auto count = static_cast<std::size_t>(degree) + 1;
+    numbers.push_back(degree);
+    for (std::size_t i = 0; i < n; ++i) {
+      Segment f;
+      f.length = whole.length;
+      f.degree = degree;
+      std::copy_n(data + 1 + i * count, count, f.c.begin());
+      if (u0 > 0 || u1 < whole.length) f = part(f, s0, s1);
+      numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+  } else {
+    const ArcNumbers arc(data, n);
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.center(i) + arc.drift(i) * s0);
+    numbers.insert(numbers.end(), data + n, data + 3 * n);
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.drift(i) * (s1 - s0));
+    numbers.push_back(arc.phase() + arc.sweep() * s0);
+    numbers.push_back(arc.sweep() * (s1 - s0));
+  }
+  pieces.push_back(piece);
+}
+
+}  // namespace jounce

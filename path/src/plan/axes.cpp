@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/path/plan.hpp"
+#include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/curve/over_length.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "path/src/timing/stretch.hpp"
+
+// A stretch of the law within one piece of the path is composed in coordinates of its own, from 0 to the length of the
+// piece: nothing is lost far from the start of the path. At constant velocity the segment of the path is the motion,
+// over another length; on a line the law is, times the direction.
+
+namespace jounce {
+namespace {
+
+/// The law on one piece: its phases, cut where the piece ends.
+struct Cut {
+  std::size_t piece = 0;
+  std::vector<Segment> law;  ///< position from 0 to the length of the piece
+};
+
+/// The place s in [0, 1] at which an ascending segment takes a value.
+double place_of(const Segment& f, double y) {
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (value(f, middle) < y ? low : high) = middle;
+  }
+  return low;
+}
+
+void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>& out) {
+  std::array<LawPhase, 7> phase;
+  const std::size_t count = phases(stretch, phase);
+  out.clear();
+  std::size_t piece = stretch.piece;
+  double begin =
+      path.pieces()[piece].start - stretch.start;  // start of the piece within the stretch
+  out.push_back({piece, {}});
+  for (std::size_t i = 0; i < count; ++i) {
+    Segment rest = segment_of(phase[i]);
+    while (piece + 1 < stretch.piece + stretch.pieces) {
+      const double end = begin + path.pieces()[piece].length;
+      if (value(rest, 1) < end) break;
+      const double s = place_of(rest, end);
+      if (s > 0) out.back().law.push_back(scaled(s < 1 ? part(rest, 0, s) : rest, 1, -begin));
+      begin = end;
+      out.push_back({++piece, {}});
+      if (s < 1) rest = part(rest, s, 1);
+      rest.length = s < 1 ? rest.length : 0;
+      if (!(rest.length > 0)) break;
+    }
+    if (rest.length > 0) out.back().law.push_back(scaled(rest, 1, -begin));
+  }
+}
+
+/// Moves the ends of a cut that are those of its piece, but for the rounding of places far from the start of the
+/// path, onto them: the law is shifted to the start, its last phase stretched to the end at its velocity.
+void snap(Cut& cut, double length, double rounding) {
+  std::vector<Segment>& law = cut.law;
+  const auto travel = [](const Segment& f) { return value(f, 1) - value(f, 0); };
+  // A sliver that cutting left: over no way, at one velocity.
+  std::erase_if(law, [&](const Segment& f) {
+    const double v0 = evaluate(f, 0)[1];
+    const double v1 = evaluate(f, 1)[1];
+    return travel(f) <= rounding && std::abs(v1 - v0) <= 1e-9 * std::max(v0, v1);
+  });
+  if (law.empty()) return;
+  if (std::abs(law.front().c[0]) <= 4 * rounding) {
+    const double shift = -law.front().c[0];
+    for (Segment& f : law) f.c[0] += shift;
+  }
+  Segment& last = law.back();
+  const double missing = length - value(last, 1);
+  if (std::abs(missing) > 8 * rounding) return;
+  const double factor = 1 + missing / travel(last);
+  const double start = last.c[0];
+  last = scaled(last, factor, start * (1 - factor));
+  last.length *= factor;
+}
+
+/// One velocity over the whole of a piece.
+bool is_constant(const std::vector<Segment>& law, double length) {
+  return law.size() == 1 && law.front().degree <= 1 &&
+         std::abs(law.front().c[0]) <= 1e-13 * length &&
+         std::abs(value(law.front(), 1) - length) <= 1e-13 * length;
+}
+
+/// One axis over one cut, appended to `out`; widens `error`.
+void compose(const Path& path, const Cut& cut, std::size_t axis, double tolerance,
+             std::vector<Segment>& pieces, std::vector<Segment>& out, Jet& error) {
+  if (cut.law.empty()) return;
+  pieces.clear();
+  path.segments(cut.piece, axis, pieces);
+  const bool line = pieces.size() == 1 && pieces.front().degree <= 1 && pieces.front().sines == 0;
+  const double length = path.pieces()[cut.piece].length;
+  if (line) {
+    const double start = pieces.front().c[0];
+    const double slope = pieces.front().c[1] / length;
+    for (const Segment& f : cut.law) out.push_back(scaled(f, slope, start));
+    return;
+  }
+  if (is_constant(cut.law, length)) {
+    const double velocity = cut.law.front().c[1] / cut.law.front().length;
+    for (Segment f : pieces) {
+      f.length /= velocity;
+      out.push_back(f);
+    }
+    return;
+  }
+  const double start = value(pieces.front(), 0);
+  for (Segment& f : pieces) f = scaled(f, 1, -start);
+  const Curve<OverLength> outer(pieces, 0, Extrapolation::hold);
+  const Trajectory inner(cut.law);
+  const Fitted<OverTime> fit = composed_within(outer, inner, tolerance);
+  for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
+  for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
+}
+
+}  // namespace
+
+PlanAxes to_axes(const Plan& plan, double tolerance) {
+  require_positive("tolerance", tolerance);
+  const Path& path = plan.path();
+  const std::size_t n = path.axes();
+  std::vector<std::vector<Segment>> axes(n);
+  PlanAxes result;
+  result.error.assign(n, {});
+  std::vector<Cut> cuts;
+  std::vector<Segment> pieces;
+  for (const LawStretch& stretch : plan.law().stretches()) {
+    if (stretch.pieces == 0) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t piece = stretch.piece;
+        const bool begins = stretch.start <= path.pieces()[piece].start;
+        const double at = path.point(piece, begins ? 0 : path.pieces()[piece].length)[i];
+        axes[i].push_back(line(stretch.duration, at, at));
+      }
+      continue;
+    }
+    cut_at_pieces(path, stretch, cuts);
+    for (Cut& cut : cuts) {
+      const double length = path.pieces()[cut.piece].length;
+      snap(cut, length, std::max(1e-13 * length, 1e-15 * stretch.start));
+    }
+    for (const Cut& cut : cuts)
+      for (std::size_t i = 0; i < n; ++i)
+        compose(path, cut, i, tolerance, pieces, axes[i], result.error[i]);
+  }
+  for (std::vector<Segment>& segments : axes)
+    result.curves.emplace_back(std::move(segments), 0, Extrapolation::hold);
+  return result;
+}
+
+}  // namespace jounce

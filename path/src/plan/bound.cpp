@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "jounce/path/plan.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
+
+#include "path/src/timing/box.hpp"
+
+// A bound of the time on a given path without a limit of jerk. B = q'^2, dB/dq = 2 q''. The path is cut into
+// cells. On a cell r' of an axis lies in [p, P] and r'' in [c, C] (exact ranges), so that with p > 0 (or mirrored)
+//
+//   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p     where that is positive,   dB/dq <= 2 (f + s B)
+//   (2)  B(h) <= B(0) e^(2 s h) + f (e^(2 s h) - 1) / s      by comparison of solutions
+//   (3)  on a circle with a bound of the whole acceleration:  B = A R sin(2 q / R + const)
+//   (4)  at a point: for axes i and k with r'_i, r'_k > 0,
+//        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i       since one q'' must satisfy both
+//
+// A forward and a backward pass of (2), (3) under (4) and the velocities give upper bounds of B at the ends of the
+// cells, and the greatest slope within them; the integral of dq / sqrt(B) under these is a lower bound of the
+// time.
+
+namespace jounce {
+namespace {
+
+constexpr double none = PathSettings::none;
+
+/// dB/dq <= 2 (f + s B) over a cell, for each axis that bounds it.
+struct Growth {
+  double f, s;
+};
+
+struct Cell {
+  double length = 0;
+  double most = none;  ///< bound of B over the cell: velocities along the path
+  std::array<Growth, max_axes + 1> up{}, down{};
+  std::size_t ups = 0, downs = 0;
+  double total = none;   ///< bound of the whole acceleration
+  double curvature = 0;  ///< constant, of a circle with unit speed; 0: none
+};
+
+double grown(const Cell& cell, std::span<const Growth> growth, double B) {
+  double most = none;
+  for (const auto& [f, s] : growth) {
+    const double x = 2 * s * cell.length;
+    const double factor = std::abs(x) < 1e-12 ? 2 * cell.length : std::expm1(x) / s;
+    // A slope below 0 is bounded by 0: (1) holds with p only where it is positive.
+    most = std::min(most, f + s * B > 0 ? B * std::exp(x) + f * factor : B);
+  }
+  if (cell.total < none && cell.curvature > 0) {
+    const double peak = cell.total / cell.curvature;
+    const double angle = std::asin(std::min(B / peak, 1.0)) + 2 * cell.curvature * cell.length;
+    most = std::min(most, angle < std::numbers::pi / 2 ? peak * std::sin(angle) : peak);
+  }
+  return most;
+}
+
+/// The greatest dB/dq over a cell where B is from `from` to `cell.most`.
+double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
+  double most = none;
+  for (const auto& [f, s] : growth)
+    most = std::min(most, 2 * (f + std::max(0.0, s > 0 ? s * cell.most : 0.0)));
+  if (cell.total < none) {
+    const double normal = std::min(cell.curvature * from, cell.total);
+    most = std::min(most, 2 * std::sqrt((cell.total - normal) * (cell.total + normal)));
+  }
+  return most;
+}
+
+/// Time over x, with B linear from b0 to b1.
+double linear_time(double x, double b0, double b1) {
+  return x > 0 ? 2 * x / (std::sqrt(b0) + std::sqrt(b1)) : 0;
+}
+
+double least_time(const Cell& cell, double b0, double b1) {
+  const double h = cell.length;
+  const double up = steepest(cell, std::span(cell.up).first(cell.ups), b0);
+  const double down = steepest(cell, std::span(cell.down).first(cell.downs), b1);
+  const double top = cell.most;
+  const double rise = up < none ? std::max(0.0, (top - b0) / up) : 0;
+  const double fall = down < none ? std::max(0.0, (top - b1) / down) : 0;
+  if (rise + fall <= h && top < none)
+    return linear_time(rise, b0, top) + linear_time(fall, top, b1) +
+           (h - rise - fall) / std::sqrt(top);
+  if (up == none || down == none) return 0;
+  const double x = up + down > 0 ? std::clamp((b1 + down * h - b0) / (up + down), 0.0, h) : h;
+  const double peak = b0 + up * x;
+  return linear_time(x, b0, peak) + linear_time(h - x, peak, b1);
+}
+
+class Bound {
+ public:
+  Bound(const Plan& plan, int cells)
+      : plan_(plan),
+        rates_(rates_of(plan.given().limits, plan.path().axes(), plan.given().path_axes)),
+        cells_(cells) {}
+
+  double run() {
+    const Path& path = plan_.path();
+    double time = 0;
+    for (const LawStretch& s : plan_.law().stretches())
+      if (s.pieces == 0) {
+        time += s.duration;
+        rests_.push_back(s.start);
+      }
+    for (const LawStretch& s : plan_.law().stretches())
+      if (s.pieces > 0 && s.v0 == 0) rests_.push_back(s.start);
+    std::sort(rests_.begin(), rests_.end());
+    std::vector<Cell> cells;
+    std::vector<double> caps{0};
+    for (std::size_t k = 0; k < path.pieces().size(); ++k) {
+      if (std::binary_search(rests_.begin(), rests_.end(), path.pieces()[k].start)) caps.back() = 0;
+      append(k, cells, caps);
+    }
+    caps.back() = 0;
+    std::vector<double>& b = caps;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      b[i + 1] =
+          std::min(b[i + 1], grown(cells[i], std::span(cells[i].up).first(cells[i].ups), b[i]));
+    for (std::size_t i = cells.size(); i-- > 0;)
+      b[i] =
+          std::min(b[i], grown(cells[i], std::span(cells[i].down).first(cells[i].downs), b[i + 1]));
+    for (std::size_t i = 0; i < cells.size(); ++i) time += least_time(cells[i], b[i], b[i + 1]);
+    return time;
+  }
+
+ private:
+  void append(std::size_t k, std::vector<Cell>& cells, std::vector<double>& caps) {
+    const Path& path = plan_.path();
+    const PathPiece& piece = path.pieces()[k];
+    const PathSettings& settings = plan_.given().settings[piece.settings];
+    const int count = piece.kind == PieceKind::line ? 1 : cells_;
+    std::array<std::vector<Segment>, max_axes> axes;
+    for (std::size_t i = 0; i < path.axes(); ++i) path.segments(k, i, axes[i]);
+    double feed = std::min(settings.velocity, rates_.path.velocity);
+    if (piece.kind == PieceKind::turn || piece.kind == PieceKind::blend) {
+      // A corner belongs to both commands; the law there is bound by both feeds.
+      if (k > 0)
+        feed = std::min(feed, plan_.given().settings[path.pieces()[k - 1].settings].velocity);
+    }
+    for (int c = 0; c < count; ++c) {
+      Cell cell;
+      cell.length = piece.length / count;
+      cell.most = feed * feed;
+      cell.total = rates_.path.total_acceleration;
+      const double u0 = piece.length * c / count;
+      const double u1 = c + 1 == count ? piece.length : piece.length * (c + 1) / count;
+      for (std::size_t i = 0; i < path.axes(); ++i) add_axis(i, axes[i], u0, u1, cell);
+      const PathLimits& p = rates_.path;
+      const double up = std::min({p.acceleration, settings.acceleration});
+      double down = std::min({p.deceleration, settings.deceleration});
+      if (down == none) down = up;
+      if (up < none) cell.up[cell.ups++] = {up, 0};
+      if (down < none) cell.down[cell.downs++] = {down, 0};
+      curvature_of(k, (u0 + u1) / 2, cell);
+      caps.back() = std::min(caps.back(), cell.most);
+      cells.push_back(cell);
+      caps.push_back(std::min(cell.most, cap_at(k, u1)));
+    }
+  }
+
+  void curvature_of(std::size_t k, double u, Cell& cell) const {
+    if (plan_.path().pieces()[k].kind != PieceKind::arc) return;
+    std::array<Jet, max_axes> jet{};
+    plan_.path().jets(k, u, std::span(jet).first(rates_.axes));
+    double speed = 0;
+    double bend = 0;
+    for (std::size_t i = 0; i < rates_.path_axes; ++i) {
+      speed += jet[i][1] * jet[i][1];
+      bend += jet[i][2] * jet[i][2];
+    }
+    if (std::abs(speed - 1) < 1e-9) cell.curvature = std::sqrt(bend) * (1 - 1e-9);
+  }
+
+  /// (1) of one axis over [u0, u1] of a piece.
+  void add_axis(std::size_t i, const std::vector<Segment>& segments, double u0, double u1,
+                Cell& cell) const {
+    double p = none, P = -none, c = none, C = -none;
+    double start = 0;
+    for (const Segment& f : segments) {
+      const double s0 = std::max(0.0, (u0 - start) / f.length);
+      const double s1 = std::min(1.0, (u1 - start) / f.length);
+      start += f.length;
+      if (!(s0 < s1)) continue;
+      const Segment g = part(f, s0, s1);
+      const Range slope = segment_range(g, 0, g.length, 1);
+      const Range bend = segment_range(g, 0, g.length, 2);
+      p = std::min(p, slope.min.value);
+      P = std::max(P, slope.max.value);
+      c = std::min(c, bend.min.value);
+      C = std::max(C, bend.max.value);
+    }
+    if (P < 0) {
+      std::swap(p, P);
+      p = -p;
+      P = -P;
+      std::swap(c, C);
+      c = -c;
+      C = -C;
+    }
+    const double least = p > 0 ? p : 0;
+    if (least > 0)
+      cell.most = std::min(cell.most, rates_.velocity[i] * rates_.velocity[i] / (least * least));
+    const double A = rates_.acceleration[i];
+    if (!(least > 0) || A == none) return;
+    cell.up[cell.ups++] = {A / least, -c / least};
+    cell.down[cell.downs++] = {A / least, C / least};
+  }
+
+  /// (4), and the velocities of the axes.
+  [[nodiscard]] double cap_at(std::size_t k, double u) const {
+    std::array<Jet, max_axes> jet{};
+    const std::size_t n = rates_.axes;
+    plan_.path().jets(k, u, std::span(jet).first(n));
+    double most = none;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double sign = jet[i][1] < 0 ? -1 : 1;
+      const double p = sign * jet[i][1];
+      const double c = sign * jet[i][2];
+      const double A = rates_.acceleration[i];
+      if (p > 0) most = std::min(most, rates_.velocity[i] * rates_.velocity[i] / (p * p));
+      if (p <= 1e-9 && std::abs(c) > 0) most = std::min(most, (A + p * 1e9 * A) / std::abs(c));
+      for (std::size_t m = 0; m < n; ++m) {
+        const double sign_m = jet[m][1] < 0 ? -1 : 1;
+        const double p_m = sign_m * jet[m][1];
+        const double c_m = sign_m * jet[m][2];
+        if (m == i || p <= 1e-9 || p_m <= 1e-9) continue;
+        const double slope = c_m / p_m - c / p;
+        if (slope > 0) most = std::min(most, (rates_.acceleration[m] / p_m + A / p) / slope);
+      }
+    }
+    const double normal = std::min(rates_.path.normal_acceleration, rates_.path.total_acceleration);
+    if (normal < none && plan_.path().pieces()[k].kind == PieceKind::arc) {
+      Cell cell;
+      curvature_of(k, u, cell);
+      if (cell.curvature > 0) most = std::min(most, normal / cell.curvature);
+    }
+    return most;
+  }
+
+  const Plan& plan_;
+  Rates rates_;
+  int cells_;
+  std::vector<double> rests_;
+};
+
+}  // namespace
+
+double lower_bound(const Plan& plan, int cells) {
+  return Bound(plan, std::max(cells, 1)).run();
+}
+
+}  // namespace jounce

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/path/hold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/moves/move.hpp"
+
+#include "path/src/timing/stations.hpp"
+#include "path/src/timing/stretch.hpp"
+
+// A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
+// D(v, 0) <= L; otherwise D(v, v - x) > L for x >= 2 v / 3, below which D grows with x: one root. If the plan goes
+// from V to e over L and v <= V, then D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the
+// plan, and it rests where the plan rests, at the latest.
+
+namespace jounce {
+namespace {
+
+bool is_corner(const LawStretch& s) {
+  return !s.single_phase && !std::isfinite(s.deceleration);
+}
+
+/// The lowest velocity at the end of a ramp stretch that begins at v.
+double lowest_end(const LawStretch& s, double v) {
+  const auto way = [&](double drop) { return ramp_distance(v, v - drop, s.deceleration, s.jerk); };
+  if (way(v) <= s.length) return 0;
+  double low = 0;
+  double high = 2 * v / 3;
+  if (way(high) <= s.length) return v - high;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (way(middle) <= s.length ? low : high) = middle;
+  }
+  return v - low;
+}
+
+/// Collects stretches of a held law.
+struct Held {
+  std::vector<LawStretch> law;
+
+  [[nodiscard]] double time() const {
+    return law.empty() ? 0 : law.back().time + law.back().duration;
+  }
+
+  void add(LawStretch s) {
+    s.time = time();
+    law.push_back(s);
+  }
+  /// A phase of constant jerk within a stretch, from a place in it.
+  void phase(const LawStretch& whole, double at, double duration, const Motion& m) {
+    if (!(duration > 0)) return;
+    LawStretch s = whole;
+    s.single_phase = true;
+    s.start = whole.start + at;
+    s.duration = duration;
+    s.v0 = m.velocity;
+    s.acceleration = m.acceleration;
+    s.jerk = m.jerk;
+    s.length = duration * (m.velocity + duration * (m.acceleration / 2 + duration * m.jerk / 6));
+    s.v1 = s.peak = m.velocity + duration * (m.acceleration + duration * m.jerk / 2);
+    add(s);
+  }
+  /// The first t seconds of a stretch.
+  void until(const LawStretch& whole, double t) {
+    std::array<LawPhase, 7> phases_of;
+    const std::size_t count = phases(whole, phases_of);
+    double gone = 0;
+    for (std::size_t i = 0; i < count && gone < t; ++i) {
+      const LawPhase& p = phases_of[i];
+      phase(whole, p.position, std::min(p.duration, t - gone),
+            {0, p.velocity, p.acceleration, p.jerk});
+      gone += p.duration;
+    }
+  }
+};
+
+}  // namespace
+
+Plan halted(const Plan& plan, double t) {
+  if (!(t >= 0 && t <= plan.duration()))
+    throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
+  const auto stretches = plan.law().stretches();
+  std::size_t i = plan.law().stretch_at(t);
+  Held held;
+  for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
+  const LawStretch& here = stretches[i];
+  const double into = std::min(t - here.time, here.duration);
+  const auto made = [&] {
+    if (held.law.empty()) held.until(here, std::min(here.duration, 1e-9 * plan.duration()));
+    return Plan(plan.path(), Law(std::move(held.law)), {plan.joints().begin(), plan.joints().end()},
+                plan.stop_duration(), plan.given());
+  };
+  if (here.pieces == 0) {  // in a dwell
+    if (into > 0) {
+      LawStretch rest = here;
+      rest.duration = into;
+      held.add(rest);
+    }
+    return made();
+  }
+  double v = here.v1;
+  const Motion now = motion_in(here, into);
+  if (!here.single_phase && !is_corner(here)) {
+    const MoveResult stopping = stop({now.position, now.velocity, now.acceleration},
+                                     within(Bounds::none, here.deceleration, here.jerk));
+    if (stopping && stopping.profile.end().position <= here.length) {
+      held.until(here, into);
+      double gone = 0;
+      for (std::size_t k = 0; k < stopping.profile.phases(); ++k) {
+        const Profile::Phase phase = stopping.profile.phase(k);
+        const Motion m = stopping.profile.at(gone);
+        held.phase(here, m.position, phase.duration, m);
+        gone += phase.duration;
+      }
+      return made();
+    }
+  }
+  held.add(here);
+  for (++i; i < stretches.size() && v > 0; ++i) {
+    LawStretch s = stretches[i];
+    if (s.single_phase) {
+      v = s.v1;
+    } else {
+      s.v0 = s.peak = v;
+      if (!is_corner(s)) {
+        const double end = lowest_end(s, v);
+        if (end == 0) s.length = ramp_distance(v, 0, s.deceleration, s.jerk);
+        s.v1 = v = end;
+      } else {
+        s.v1 = v;
+      }
+      std::array<LawPhase, 7> phases_of;
+      const std::size_t count = phases(s, phases_of);
+      s.duration = 0;
+      for (std::size_t k = 0; k < count; ++k) s.duration += phases_of[k].duration;
+    }
+    held.add(s);
+    if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
+  }
+  return made();
+}
+
+Plan resumed(const Plan& plan, const Plan& held) {
+  const LawStretch& last = held.law().stretches().back();
+  const double from = last.start + last.length;
+  const auto stretches = plan.law().stretches();
+  const double end = plan.path().length();
+  if (!(from < end * (1 - 1e-14)))
+    throw InputError("held", from, "is at the end of the path; nothing remains");
+  std::vector<LawStretch> law;
+  std::vector<Unit> units;
+  double time = 0;
+  double start = from;
+  const auto flush = [&] {
+    if (units.empty()) return;
+    for (LawStretch s : stations(units)) {
+      s.time += time;
+      s.start += start;
+      law.push_back(s);
+    }
+    time = law.back().time + law.back().duration;
+    start = law.back().start + law.back().length;
+    units.clear();
+  };
+  for (const LawStretch& s : stretches) {
+    const double stretch_end = s.start + s.length;
+    if (stretch_end <= from + 1e-14 * end) continue;
+    if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
+      flush();
+      LawStretch same = s;
+      same.time = time;
+      time += s.duration;
+      start = stretch_end;
+      law.push_back(same);
+      continue;
+    }
+    Unit unit;
+    unit.length = stretch_end - std::max(s.start, from);
+    unit.box = {s.peak, s.acceleration, s.deceleration, s.jerk, is_corner(s)};
+    unit.entry = units.empty() ? PathSettings::none : s.v0;
+    unit.piece = s.piece;
+    unit.pieces = s.pieces;
+    if (s.start < from)
+      while (unit.pieces > 1 && plan.path().pieces()[unit.piece + 1].start <= from) {
+        ++unit.piece;
+        --unit.pieces;
+      }
+    if (!units.empty() && s.v0 == 0) flush();
+    units.push_back(unit);
+  }
+  flush();
+  return {plan.path(),
+          Law(std::move(law)),
+          {plan.joints().begin(), plan.joints().end()},
+          plan.stop_duration(),
+          plan.given()};
+}
+
+}  // namespace jounce

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/timing/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "path/src/timing/window.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr double none = PathSettings::none;
+
+double end_of(const std::vector<LawStretch>& law) {
+  return law.empty() ? none : law.back().time + law.back().duration;
+}
+
+/// The law of a window over the pieces of a run, whose accelerations and jerks are shares of what is left on its
+/// straightest piece; of several shares the fastest. Empty if the axes have no jerk limit.
+class WindowLaw {
+ public:
+  WindowLaw(const Path& path, std::span<const Unit> units, const Rates& rates,
+            const Program& program)
+      : path_(path), rates_(rates), first_(units.front().piece) {
+    for (const Unit& unit : units)
+      for (std::uint32_t k = 0; k < unit.pieces; ++k) {
+        const std::size_t piece = unit.piece + k;
+        const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
+        length_ += path.pieces()[piece].length;
+        bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
+        double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
+        if (unit.box.constant) feed = std::min(feed, unit.box.velocity);
+        feeds_.push_back(feed);
+        entries_.push_back(k == 0 ? unit.entry : none);
+        acceleration_ = std::min({acceleration_, settings.acceleration, settings.deceleration});
+        jerk_ = std::min(jerk_, settings.jerk);
+        for (std::size_t i = 0; i < rates.axes; ++i) {
+          if (!(bounds_.back().first[i] > 0)) continue;
+          acceleration_ = std::min(acceleration_, rates.acceleration[i] / bounds_.back().first[i]);
+          jerk_ = std::min(jerk_, rates.jerk[i] / bounds_.back().first[i]);
+        }
+      }
+    const PathLimits& p = rates.path;
+    acceleration_ = std::min({acceleration_, p.acceleration, p.deceleration, p.total_acceleration});
+    jerk_ = std::min(jerk_, p.jerk);
+  }
+
+  std::vector<LawStretch> run() {
+    if (!(acceleration_ < none) || !(jerk_ < none)) return {};
+    double best = none;
+    double best_a = 0;
+    double best_j = 0;
+    std::vector<RawPhase> phases;
+    for (const double a : {0.9, 0.6, 0.35, 0.2})
+      for (const double j : {0.9, 0.6, 0.35}) {
+        std::vector<RawPhase> next = raw(a * acceleration_, j * jerk_);
+        if (next.empty()) continue;
+        double time = a * acceleration_ / (j * jerk_);
+        for (const RawPhase& p : next) time += p.duration;
+        if (time < best) {
+          best = time;
+          best_a = a * acceleration_;
+          best_j = j * jerk_;
+          phases = std::move(next);
+        }
+      }
+    if (phases.empty()) return {};
+    return stretches(averaged(phases, best_a / best_j, length_));
+  }
+
+ private:
+  [[nodiscard]] std::vector<RawPhase> raw(double acceleration, double jerk) const {
+    std::vector<CappedLength> caps;
+    caps.reserve(bounds_.size());
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const double v =
+          std::min({feeds_[k], entries_[k],
+                    velocity_with(rates_, bounds_[k], acceleration, jerk) * (1 - 1e-12)});
+      if (!(v > 0) || !(v < none)) return {};
+      caps.push_back({path_.pieces()[first_ + k].length, v});
+    }
+    return spread_law(caps, acceleration, acceleration / jerk);
+  }
+
+  [[nodiscard]] std::vector<LawStretch> stretches(const std::vector<LawPhase>& phases) const {
+    std::vector<LawStretch> law;
+    law.reserve(phases.size());
+    double time = 0;
+    std::size_t piece = first_;
+    const std::size_t last = first_ + bounds_.size() - 1;
+    const double origin = path_.pieces()[first_].start;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+      const LawPhase& p = phases[i];
+      LawStretch s;
+      s.single_phase = true;
+      s.time = time;
+      s.duration = p.duration;
+      s.start = p.position;
+      const double h = p.duration;
+      s.length = h * (p.velocity + h * (p.acceleration / 2 + h * p.jerk / 6));
+      s.v0 = p.velocity;
+      s.v1 = s.peak = p.velocity + h * (p.acceleration + h * p.jerk / 2);
+      s.acceleration = p.acceleration;
+      s.jerk = p.jerk;
+      const auto end_of_piece = [&](std::size_t k) {
+        return path_.pieces()[k].start + path_.pieces()[k].length - origin;
+      };
+      while (piece < last && end_of_piece(piece) <= s.start) ++piece;
+      s.piece = static_cast<std::uint32_t>(piece);
+      std::size_t to = piece;
+      while (to < last && end_of_piece(to) < s.start + s.length) ++to;
+      s.pieces = static_cast<std::uint32_t>(to - piece + 1);
+      time += h;
+      law.push_back(s);
+    }
+    law.back().v1 = 0;  // but for rounding
+    return law;
+  }
+
+  const Path& path_;
+  const Rates& rates_;
+  std::size_t first_;
+  std::vector<Derivatives> bounds_;
+  std::vector<double> feeds_, entries_;
+  double acceleration_ = none, jerk_ = none;
+  double length_ = 0;
+};
+
+/// A window pays where ramps cross many pieces of different boxes: on curves.
+bool is_curved(const Path& path, std::span<const Unit> units) {
+  return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
+    return path.pieces()[unit.piece].kind == PieceKind::curve;
+  });
+}
+
+/// The faster law of a run.
+std::vector<LawStretch> fastest(const Path& path, std::span<const Unit> run, const Rates& rates,
+                                const Program& program) {
+  std::vector<Unit> moving(run.begin(), run.end());
+  moving.front().entry = none;
+  std::vector<LawStretch> law = stations(moving);
+  if (!is_curved(path, run)) return law;
+  std::vector<LawStretch> window = WindowLaw(path, moving, rates, program).run();
+  return end_of(window) < end_of(law) ? window : law;
+}
+
+}  // namespace
+
+Laws fastest_law(const Rounded& rounded, const Rates& rates, const Program& program,
+                 const Route& route) {
+  Laws laws;
+  double time = 0;
+  double start = 0;
+  const auto rest = [&](std::uint32_t joint, double dwell, std::uint32_t piece) {
+    laws.rests.push_back({joint, time});
+    if (!(dwell > 0)) return;
+    LawStretch s;
+    s.time = time;
+    s.start = start;
+    s.duration = dwell;
+    s.piece = piece;
+    laws.stretches.push_back(s);
+    time += dwell;
+  };
+  const std::vector<Unit>& units = rounded.units;
+  laws.stretches.reserve(units.size());
+  for (std::size_t i = 0; i < units.size();) {
+    std::size_t last = i + 1;
+    while (last < units.size() && units[last].entry > 0) ++last;
+    const std::span<const Unit> run(units.data() + i, last - i);
+    rest(run.front().joint, run.front().dwell, run.front().piece);
+    const std::uint32_t piece = run.back().piece + run.back().pieces - 1;
+    const auto add = [&](LawStretch s) {
+      s.time += time;
+      s.start += start;
+      laws.stretches.push_back(s);
+    };
+    if (run.size() == 1 && !is_curved(rounded.path, run)) {
+      add(stretch_of(run.front(), 0, 0));
+    } else {
+      for (const LawStretch& s : fastest(rounded.path, run, rates, program)) add(s);
+    }
+    time = laws.stretches.back().time + laws.stretches.back().duration;
+    start = rounded.path.pieces()[piece].start + rounded.path.pieces()[piece].length;
+    i = last;
+  }
+  rest(static_cast<std::uint32_t>(route.joints.size() - 1), route.joints.back().dwell,
+       static_cast<std::uint32_t>(rounded.path.pieces().size() - 1));
+  laws.rests.back().time = time;
+  return laws;
+}
+
+}  // namespace jounce

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/timing/stations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/detail/ramps.hpp"
+
+#include "path/src/timing/stretch.hpp"
+
+// A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that one ramp reaches
+// from v over L. With caps c_k at the stations,
+//
+//   (1)  backward  v_k = min(c_k, F(v_k+1, L_k)),     forward  v_k+1 = min(v_k+1, F(v_k, L_k)).
+//
+// Every stretch is then long enough for its ramp. The forward pass lowers v_k+1 only to F(v_k) >= v_k, where the
+// ramp takes all of L_k. Where it does not lower it and v_k+1 >= v_k, the ramp is shorter, since its distance
+// grows with the larger end. Where v_k+1 < v_k, v_k+1 still has its backward value and v_k is at most its own. A
+// stretch at constant velocity has F(v) = v, for which the same holds.
+//
+// F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, not the fastest one; stations are
+// therefore left out where the boxes of both sides agree, and where one ramp over both sides is faster.
+
+namespace jounce {
+namespace {
+
+constexpr double none = PathSettings::none;
+
+Ramp up(const Box& box) {
+  return {box.acceleration, box.jerk};
+}
+Ramp down(const Box& box) {
+  return {box.deceleration, box.jerk};
+}
+
+/// The greatest velocity of a law from v0 to v1 over L.
+double peak_of(const Box& box, double length, double v0, double v1) {
+  const double least = std::max(v0, v1);
+  if (box.constant) return least;
+  if (box.acceleration == box.deceleration)
+    return std::max(
+        least,
+        peak_velocity(length, {v0, v1, std::max(box.velocity, least)}, up(box)).value_or(least));
+  const auto move = detail::ramped(detail::JerkLaw{box.acceleration, box.jerk}, v0,
+                                   detail::JerkLaw{box.deceleration, box.jerk}, v1,
+                                   std::max(box.velocity, least), length);
+  return move ? v0 + move->dv0 : least;
+}
+
+}  // namespace
+
+LawStretch stretch_of(const Unit& unit, double v0, double v1) {
+  LawStretch s;
+  s.length = unit.length;
+  s.v0 = v0;
+  s.v1 = v1;
+  s.acceleration = unit.box.acceleration;
+  s.deceleration = unit.box.deceleration;
+  s.jerk = unit.box.jerk;
+  s.peak = peak_of(unit.box, unit.length, v0, v1);
+  s.piece = unit.piece;
+  s.pieces = unit.pieces;
+  const double ramps = ramp_distance(v0, s.peak, s.acceleration, s.jerk) +
+                       ramp_distance(s.peak, v1, s.deceleration, s.jerk);
+  const double cruise = s.length - ramps;
+  s.duration = ramp_time(s.peak - v0, s.acceleration, s.jerk) +
+               ramp_time(s.peak - v1, s.deceleration, s.jerk) +
+               (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
+  return s;
+}
+
+namespace {
+
+/// v of (1) at each unit's start and at the end.
+std::vector<double> velocities(const std::vector<Unit>& units) {
+  const std::size_t n = units.size();
+  std::vector<double> v(n + 1);
+  v[n] = 0;
+  for (std::size_t k = n; k-- > 1;) {
+    const Unit& unit = units[k];
+    double cap = std::min(unit.entry, unit.box.velocity);
+    cap = std::min(cap, units[k - 1].box.velocity);
+    v[k] = unit.box.constant ? std::min(cap, v[k + 1])
+           : v[k + 1] >= cap
+               ? cap
+               : std::min(cap,
+                          entry_velocity(unit.length, v[k + 1], down(unit.box)).value_or(v[k + 1]));
+  }
+  v[0] = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (v[k + 1] <= v[k]) continue;
+    const Unit& unit = units[k];
+    v[k + 1] =
+        unit.box.constant
+            ? v[k]
+            : std::min(v[k + 1], entry_velocity(unit.length, v[k], up(unit.box)).value_or(v[k]));
+  }
+  return v;
+}
+
+bool alike(double a, double b) {
+  return a == b || std::abs(a - b) <= 1e-9 * std::max(a, b);
+}
+
+Box both(const Box& a, const Box& b) {
+  return {std::min(a.velocity, b.velocity), std::min(a.acceleration, b.acceleration),
+          std::min(a.deceleration, b.deceleration), std::min(a.jerk, b.jerk), false};
+}
+
+bool alike(const Box& a, const Box& b) {
+  return !a.constant && !b.constant && alike(a.velocity, b.velocity) &&
+         alike(a.acceleration, b.acceleration) && alike(a.deceleration, b.deceleration) &&
+         alike(a.jerk, b.jerk);
+}
+
+Unit joined(const Unit& a, const Unit& b) {
+  Unit unit = a;
+  unit.length += b.length;
+  unit.box = both(a.box, b.box);
+  unit.pieces += b.pieces;
+  return unit;
+}
+
+/// Units whose boxes agree, and between which nothing bounds the velocity, are one.
+std::vector<Unit> without_needless(const std::vector<Unit>& units) {
+  std::vector<Unit> out;
+  out.reserve(units.size());
+  for (const Unit& unit : units) {
+    if (!out.empty() && unit.entry >= unit.box.velocity && unit.entry > 0 &&
+        alike(out.back().box, unit.box))
+      out.back() = joined(out.back(), unit);
+    else
+      out.push_back(unit);
+  }
+  return out;
+}
+
+/// The same for units whose boxes differ, where one ramp over both is faster; empty if there are none.
+std::vector<Unit> with_longer_ramps(const std::vector<Unit>& units, const std::vector<double>& v) {
+  std::vector<Unit> out;
+  std::vector<double> from;  // velocity at the start of each
+  bool changed = false;
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    Unit unit = units[k];
+    double start = v[k];
+    const double end = v[k + 1];
+    while (!out.empty() && !unit.box.constant && !out.back().box.constant && start > 0 &&
+           unit.entry >= unit.box.velocity &&
+           start < std::min(unit.box.velocity, out.back().box.velocity) * (1 - 1e-9)) {
+      const Unit longer = joined(out.back(), unit);
+      if (std::max(from.back(), end) > longer.box.velocity) break;
+      const double direct = ramp_distance(
+          from.back(), end, end > from.back() ? longer.box.acceleration : longer.box.deceleration,
+          longer.box.jerk);
+      if (direct > longer.length) break;
+      if (stretch_of(longer, from.back(), end).duration >
+          stretch_of(out.back(), from.back(), start).duration +
+              stretch_of(unit, start, end).duration)
+        break;
+      unit = longer;
+      start = from.back();
+      out.pop_back();
+      from.pop_back();
+      changed = true;
+    }
+    out.push_back(unit);
+    from.push_back(start);
+  }
+  if (!changed) out.clear();
+  return out;
+}
+
+std::vector<LawStretch> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
+  std::vector<LawStretch> law;
+  law.reserve(units.size());
+  double time = 0;
+  double start = 0;
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    LawStretch s = stretch_of(units[k], v[k], v[k + 1]);
+    s.time = time;
+    s.start = start;
+    time += s.duration;
+    start += s.length;
+    law.push_back(s);
+  }
+  return law;
+}
+
+double end_of(const std::vector<LawStretch>& law) {
+  return law.back().time + law.back().duration;
+}
+
+}  // namespace
+
+std::vector<LawStretch> stations(std::vector<Unit> units) {
+  units = without_needless(units);
+  std::vector<double> v = velocities(units);
+  std::vector<LawStretch> best = timed(units, v);
+  for (int round = 0; round < 3; ++round) {
+    units = with_longer_ramps(units, v);
+    if (units.empty()) break;
+    v = velocities(units);
+    std::vector<LawStretch> next = timed(units, v);
+    if (end_of(next) >= end_of(best)) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace jounce

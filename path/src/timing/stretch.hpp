@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/path/law.hpp"
+
+namespace jounce {
+
+/// Duration and distance of a ramp between two velocities, without acceleration at both ends:
+/// T = 2 sqrt(dv / J) where A is not reached, dv / A + A / J otherwise; D = (v0 + v1) / 2 T.
+double ramp_time(double dv, double acceleration, double jerk);
+double ramp_distance(double v0, double v1, double acceleration, double jerk);
+
+/// Position within a stretch, and its derivatives, t after its start.
+Motion motion_in(const LawStretch& stretch, double t);
+
+/// A phase as a segment.
+Segment segment_of(const LawPhase& phase);
+
+}  // namespace jounce

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/path/plan.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "tests/path/paths.hpp"
+
+namespace jounce::plan_test {
+namespace {
+
+using path_tests::usual;
+
+Program square(Corner corner, double value) {
+  Program p(2);
+  p.set({.velocity = 100, .corner = corner, .value = value});
+  p.line({100, 0}, 1);
+  p.line({100, 100}, 2);
+  p.line({0, 100}, 3);
+  p.line({0, 0}, 4);
+  return p;
+}
+
+// spec/path.md, 3: rows 1 to 4 and 6 to 9.
+
+TEST(Plan, ALineWholeOrInPieces) {
+  Program whole(1);
+  whole.set({.velocity = 100});
+  whole.line({200});
+  EXPECT_NEAR(plan(whole, usual(1)).duration(), 2.2, 1e-12);
+  Program pieces(2);
+  pieces.set({.velocity = 100});
+  for (int i = 1; i <= 2000; ++i) pieces.line({0.1 * i, 0});
+  const Plan cut = plan(pieces, usual(2));
+  EXPECT_NEAR(cut.duration(), 2.2, 1e-9);
+  EXPECT_TRUE(cut.corners().empty());
+  const PlanAxes axes = to_axes(cut);
+  path_tests::expect_whole(cut, axes, pieces);
+  EXPECT_LE(path_tests::worst_ratio(axes, usual(2)), 1 + 1e-12);
+}
+
+TEST(Plan, ASquareWithStops) {
+  EXPECT_NEAR(plan(square(Corner::stop, 0), usual(2)).duration(), 4.8, 1e-12);
+  EXPECT_NEAR(plan(square(Corner::stop, 0), usual(2, 1e5)).duration(), 4.44, 1e-12);
+}
+
+TEST(Plan, ASquareWithTurns) {
+  // The third row in closed form: the share b of the fastest turn solves (4 - k) b^2 - 6 b + 3 = 0, k = 24 J^2 c / A^3,
+  // c = e / |D|. The table has 15.795152, of a share rounded to 0.3877; the root is 4.5e-5 faster.
+  const double offset = 0.05 / std::sqrt(2.0);
+  const double k = 24 * 1e10 * offset / 1e9;
+  const double share = (6 - std::sqrt(36 - 12 * (4 - k))) / (2 * (4 - k));
+  const double length = offset * 24 * (1 - share) / (3 - 6 * share + 4 * share * share);
+  const double v = std::sqrt(1000 * (1 - share) * length);
+  // Legs by ramps from 100 mm/s to v and to rest, T(dv) = dv / A + A / J.
+  const auto lost = [](double from) {
+    return ((100 - from) / 1000 + 0.01) * (1 - (100 + from) / 200);
+  };
+  const double duration = (400 - 3 * length) / 100 + 2 * lost(0) + 6 * lost(v) + 3 * length / v;
+  const struct {
+    double deviation, jerk, velocity, duration;
+  } rows[] = {{1, 1e4, 56.462162, 4.568655},
+              {4, 1e4, 100, 4.2},
+              {0.05, 1e5, v, duration},
+              {4, 1e5, 100, 4.11}};
+  for (const auto& row : rows) {
+    const Program p = square(Corner::deviation, row.deviation);
+    const Plan turned = plan(p, usual(2, row.jerk));
+    EXPECT_NEAR(turned.duration(), row.duration, 5e-7) << row.deviation << " " << row.jerk;
+    ASSERT_EQ(turned.corners().size(), 3u);
+    for (const CornerRecord& c : turned.corners()) {
+      EXPECT_NEAR(c.velocity, row.velocity, 5e-7);
+      EXPECT_NEAR(c.angle, std::numbers::pi / 2, 1e-12);
+      EXPECT_LE(c.deviation, row.deviation * (1 + 1e-12));
+      EXPECT_FALSE(c.stop);
+      EXPECT_EQ(c.note, JointNote::none);
+    }
+    const PlanAxes axes = to_axes(turned);
+    path_tests::expect_whole(turned, axes, p);
+    EXPECT_LE(path_tests::worst_ratio(axes, usual(2, row.jerk)), 1 + 1e-12);
+    EXPECT_EQ(axes.error[0][0], 0);
+  }
+}
+
+TEST(Plan, ATurnThatIsSlowerThanAStopIsAStop) {
+  for (const double deviation : {0.05, 0.1}) {
+    const Plan stopped = plan(square(Corner::deviation, deviation), usual(2));
+    EXPECT_LE(stopped.duration(), 4.8 + 1e-12);
+    EXPECT_NEAR(stopped.stop_duration(), 4.8, 1e-12);
+    for (const CornerRecord& c : stopped.corners()) {
+      EXPECT_TRUE(c.stop);
+      EXPECT_EQ(c.note, JointNote::slower);
+    }
+  }
+}
+
+Program circle(double feed) {
+  Program p(2);
+  p.set({.velocity = feed});
+  p.arc(arc_about({}, {50, 0}, {}, Plane{0, 1}, Rotation::counterclockwise), 1);
+  return p;
+}
+
+TEST(Plan, ACircleKeepsItsLimitsAndItsBound) {
+  const GroupLimits limits = usual(2);
+  const Plan round = plan(circle(100), limits);
+  const PlanAxes axes = to_axes(round, 1e-9);
+  path_tests::expect_whole(round, axes, circle(100));
+  EXPECT_LE(path_tests::worst_ratio(axes, limits),
+            1 + 1e-9);  // a fit: its jerk within its certificate
+  EXPECT_LE(lower_bound(round), round.duration());
+  EXPECT_GT(round.duration(), 3.241727);
+  EXPECT_LT(round.duration(), 3.40);
+}
+
+TEST(Plan, TheBoundOfACircle) {
+  // Rows 6 and 7: the total acceleration is bounded, the jerk is not.
+  GroupLimits limits{.axes = std::vector<Limits>(2), .path = {.total_acceleration = 1000}};
+  const double R = 50;
+  const double whole = std::sqrt(R / 1000) * (2.6220575543 + 3 * std::numbers::pi / 2);
+  EXPECT_NEAR(lower_bound(plan(circle(PathSettings::none), limits), 20000), 1.640032, 2e-6);
+  EXPECT_NEAR(whole, 1.640032, 5e-7);
+  EXPECT_NEAR(lower_bound(plan(circle(100), limits), 20000), 3.241727, 2e-6);
+}
+
+TEST(Plan, AHelixIsAsLongAsItsSpatialCurve) {
+  Program p(3);
+  p.set({.velocity = 100});
+  p.arc(arc_about({}, {50, 0}, {0, 0, 100}, Plane{0, 1}, Rotation::counterclockwise, 4), 1);
+  const Plan screw = plan(p, usual(3));
+  EXPECT_NEAR(screw.path().length(), 1573.976207, 5e-7);
+  std::vector<Jet> jets(3);
+  screw.path().jets(0, 700, jets);
+  double curvature = 0;
+  double speed = 0;
+  for (const Jet& j : jets) {
+    curvature += j[2] * j[2];
+    speed += j[1] * j[1];
+  }
+  EXPECT_NEAR(std::sqrt(curvature), 0.019919270, 5e-10);
+  EXPECT_NEAR(speed, 1, 1e-12);
+  const PlanAxes axes = to_axes(screw, 1e-8);
+  path_tests::expect_whole(screw, axes, p);
+}
+
+TEST(Plan, DwellsAreExact) {
+  Program p(1);
+  p.set({.velocity = 100});
+  p.dwell(0.1234567);
+  p.line({100});
+  p.dwell(0.3);
+  p.dwell(0.0333);
+  p.line({200});
+  p.dwell(0.5);
+  const Plan waits = plan(p, usual(1));
+  EXPECT_NEAR(waits.duration(), 0.1234567 + 1.2 + 0.3333 + 1.2 + 0.5, 1e-12);
+  const PlanAxes axes = to_axes(waits);
+  path_tests::expect_whole(waits, axes, p);
+  EXPECT_EQ(axes.curves[0].at(0.1).position, 0);
+  EXPECT_EQ(axes.curves[0].at(1.4).position, 100);
+}
+
+TEST(Plan, TrapezoidsOfTheSeeds) {
+  // PMC600 8.1 to 8.6 as spec/seed-pmc600-group.md computes them: no jerk limit, tangential acceleration.
+  const auto seed = [](std::size_t n, std::size_t m, double v, double a) {
+    Program p(n, {}, m);
+    p.set({.velocity = v, .acceleration = a});
+    return p;
+  };
+  const GroupLimits four{.axes = std::vector<Limits>(4)};
+  Program line = seed(4, 3, 1000, 1000);
+  line.line({500, 1000, 1000, 2000});
+  EXPECT_NEAR(plan(line, four).duration(), 2.5, 1e-12);
+  Program next = seed(4, 3, 1000, 1000);
+  next.line({1500, 500, 1000, 1000});
+  EXPECT_NEAR(plan(next, four).duration(), 2.870829, 5e-7);
+  const GroupLimits two{.axes = std::vector<Limits>(2)};
+  Program arcs = seed(2, 2, 10000, 20000);
+  arcs.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, Rotation::clockwise));
+  EXPECT_NEAR(plan(arcs, two).duration(), 2.070796, 5e-7);
+  Program second = seed(2, 2, 10000, 20000);
+  second.line({0, 0});
+  Program other(2, {10000, 0});
+  other.set({.velocity = 10000, .acceleration = 20000});
+  other.arc(arc_of_radius({10000, 0}, 10000, {30000, 0}, Plane{0, 1}, Rotation::counterclockwise));
+  EXPECT_NEAR(plan(other, two).duration(), 3.641593, 5e-7);
+  Program lines = seed(2, 2, 1000, 2000);
+  lines.line({1000, 1000});
+  lines.line({3000, 2000});
+  lines.line({4000, 0});
+  EXPECT_NEAR(plan(lines, two).duration(), 7.386350, 5e-6);
+  Program turns = seed(3, 3, 1e4, 2e4);
+  turns.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, Rotation::clockwise, 3));
+  const GroupLimits three{.axes = std::vector<Limits>(3)};
+  EXPECT_NEAR(plan(turns, three).path().length(), 109955.743, 5e-4);
+}
+
+TEST(Plan, BadInputNamesItsLine) {
+  const auto error = [](auto make) {
+    try {
+      make();
+    } catch (const InputError& e) {
+      return std::to_string(e.line()) + ": " + e.key();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(error([] {
+              Program p(2);
+              p.line({1, std::nan("")}, 7);
+            }),
+            "7: to[2]");
+  EXPECT_EQ(error([] {
+              Program p(2);
+              p.line({1, 1, 1}, 8);
+            }),
+            "8: to[3]");
+  EXPECT_EQ(error([] {
+              Program p(1);
+              p.line({5}, 3);
+              plan(p, {.axes = {{.velocity = 1}}});
+            }),
+            "3: acceleration");
+  EXPECT_EQ(error([] {
+              Program p(1);
+              p.line({5}, 4);
+              plan(p, {.axes = {{.position_max = 4, .acceleration = 1}}});
+            }),
+            "4: to[1]");
+  EXPECT_EQ(error([] {
+              Program p(1);
+              p.line({0}, 4);
+              plan(p, usual(1));
+            }),
+            "0: program");
+  EXPECT_EQ(error([] { plan(Program(2), usual(1)); }), "0: axes");
+}
+
+}  // namespace
+}  // namespace jounce::plan_test
