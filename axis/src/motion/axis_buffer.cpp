@@ -66,6 +66,7 @@ MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
   const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
   if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0)
     return replan();
+  return std::nullopt;
 }
 
 /// The state at rest after the last waiting move; nullopt: not available.
