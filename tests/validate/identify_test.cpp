@@ -425,7 +425,7 @@ TEST(Identify, RefusesBadInput) {
 
 TEST(LeastSquares, FindsTheValleyOfRosenbrock) {
   const auto rosenbrock = [](const Eigen::VectorXd& x) {
-    detail::Linearised r{Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
+    detail::Linearized r{Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
     r.residual << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
     r.jacobian << -20 * x[0], 10, -1, 0;
     return std::optional(r);
@@ -450,7 +450,7 @@ TEST(LeastSquares, EndsWhereNoStepIsFinite) {
                                                                               {1e150, 1e-150},
                                                                               {most, most}}) {
     const auto f = [r = residual, s = slope](const Eigen::VectorXd&) {
-      return detail::Linearised{Eigen::Vector2d(r, r), Eigen::Vector2d(s, s)};
+      return detail::Linearized{Eigen::Vector2d(r, r), Eigen::Vector2d(s, s)};
     };
     const auto found = detail::least_squares(f, Eigen::VectorXd::Zero(1), {.max_iterations = 200});
     EXPECT_TRUE(found.x.allFinite()) << residual << " " << slope;
