@@ -50,6 +50,11 @@ inline double worst_ratio(const PlanAxes& axes, const GroupLimits& limits) {
   return worst;
 }
 
+/// The excess of the worst ratio over 1, which a message shows with all its digits.
+inline double excess(const PlanAxes& axes, const GroupLimits& limits) {
+  return worst_ratio(axes, limits) - 1;
+}
+
 /// The plan's axes begin and end at rest at the program's ends, and join up to the acceleration.
 inline void expect_whole(const Plan& plan, const PlanAxes& axes, const Program& program) {
   for (std::size_t i = 0; i < axes.curves.size(); ++i) {

@@ -113,13 +113,18 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, double toleranc
     }
     return;
   }
-  const double start = value(pieces.front(), 0);
-  for (Segment& f : pieces) f = scaled(f, 1, -start);
-  const Curve<OverLength> outer(pieces, 0, Extrapolation::hold);
-  const Trajectory inner(cut.law);
-  const Fitted<OverTime> fit = composed_within(outer, inner, tolerance);
-  for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
-  for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
+  // Each phase relative to its own start: what is fitted to a short one is small, and so is its rounding.
+  std::vector<Segment> relative(pieces.size());
+  for (const Segment& phase : cut.law) {
+    const double start =
+        Curve<OverLength>(pieces, 0, Extrapolation::hold).at(value(phase, 0)).position;
+    std::transform(pieces.begin(), pieces.end(), relative.begin(),
+                   [&](const Segment& f) { return scaled(f, 1, -start); });
+    const Fitted<OverTime> fit = composed_within(
+        Curve<OverLength>(relative, 0, Extrapolation::hold), Trajectory({phase}), tolerance);
+    for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
+    for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
+  }
 }
 
 }  // namespace
