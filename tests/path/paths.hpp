@@ -65,7 +65,7 @@ inline void expect_whole(const Plan& plan, const PlanAxes& axes, const Program& 
         std::max(std::abs(ranges[0].min.value), std::abs(ranges[0].max.value)) + scale;
     EXPECT_NEAR(f.at(0).position, program.start()[i], 4e-16 * size);
     EXPECT_NEAR(f.at(f.end(), Side::left).position, program.position()[i],
-                4e-16 * size + 2 * axes.error[i][0]);
+                1e-14 * (size + plan.path().length()) + 2 * axes.error[i][0]);
     EXPECT_NEAR(f.end(), plan.duration(), 1e-12 * plan.duration());
     const double v = ranges[1].peak().value == 0 ? 1 : std::abs(ranges[1].peak().value);
     EXPECT_NEAR(f.at(0).velocity, 0, 1e-9 * v);

@@ -230,7 +230,7 @@ class Rounding {
     };
     if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
       // A corner is no larger than its velocity needs.
-      const double fastest = std::min({cap(k), box(k - 1).velocity, box(k).velocity}) * (1 - 1e-9);
+      const double fastest = std::min({cap(k), box(k - 1).velocity, box(k).velocity}) * 0.98;
       if (velocity(trim) >= fastest) {
         const double most = trim;
         trim = least(most, [&](double d) { return velocity(d) >= fastest; });
