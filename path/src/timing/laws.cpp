@@ -12,7 +12,7 @@ namespace {
 constexpr double none = PathSettings::none;
 constexpr double reserve = 1 + 1e-9;  ///< for the rounding of times in an average
 
-double end_of(const std::vector<LawStretch>& law) {
+double end_time(const std::vector<LawStretch>& law) {
   return law.empty() ? none : law.back().time + law.back().duration;
 }
 
@@ -142,7 +142,7 @@ std::vector<LawStretch> fastest(const Path& path, std::span<const Unit> run, con
   std::vector<LawStretch> law = stations(moving);
   if (!is_curved(path, run)) return law;
   std::vector<LawStretch> window = WindowLaw(path, moving, rates, program).run();
-  return end_of(window) < end_of(law) ? window : law;
+  return end_time(window) < end_time(law) ? window : law;
 }
 
 }  // namespace

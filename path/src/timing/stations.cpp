@@ -25,8 +25,6 @@
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
-
 Ramp up(const Box& box) {
   return {box.acceleration, box.jerk};
 }
