@@ -49,7 +49,7 @@ void expect_planned(const Program& p, const GroupLimits& limits, const std::vect
   const Plan made = plan(p, limits);
   const PlanAxes axes = to_axes(made);
   path_tests::expect_whole(made, axes, p);
-  EXPECT_LE(path_tests::worst_ratio(axes, limits), 1 + 1e-12);
+  EXPECT_LE(path_tests::excess(axes, limits), 1e-12);
   EXPECT_LE(made.duration(), made.stop_duration());
   for (int i = 0; i <= 500; ++i) {  // sampled: a distance that is found must be allowed
     const double t = made.duration() * i / 500;
@@ -123,8 +123,8 @@ TEST(Window, KeepsItsCapsItsAccelerationAndItsJerk) {
     for (const LawPhase& p : law) {
       EXPECT_NEAR(p.position, q, 1e-9 * whole);
       EXPECT_NEAR(p.velocity, v, 1e-9 * 300);
-      EXPECT_LE(std::abs(p.jerk), a / w * (1 + 1e-12));
-      EXPECT_LE(std::abs(p.acceleration), a * (1 + 1e-12));
+      EXPECT_LE(std::abs(p.jerk), a / w * (1 + 1e-10));
+      EXPECT_LE(std::abs(p.acceleration), a * (1 + 1e-9));  // the reserve of the plan
       const double h = p.duration;
       for (int k = 0; k <= 8; ++k) {
         const double t = h * k / 8;

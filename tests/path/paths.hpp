@@ -50,6 +50,11 @@ inline double worst_ratio(const PlanAxes& axes, const GroupLimits& limits) {
   return worst;
 }
 
+/// The excess of the worst ratio over 1, which a message shows with all its digits.
+inline double excess(const PlanAxes& axes, const GroupLimits& limits) {
+  return worst_ratio(axes, limits) - 1;
+}
+
 /// The plan's axes begin and end at rest at the program's ends, and join up to the acceleration.
 inline void expect_whole(const Plan& plan, const PlanAxes& axes, const Program& program) {
   for (std::size_t i = 0; i < axes.curves.size(); ++i) {
@@ -60,7 +65,7 @@ inline void expect_whole(const Plan& plan, const PlanAxes& axes, const Program& 
         std::max(std::abs(ranges[0].min.value), std::abs(ranges[0].max.value)) + scale;
     EXPECT_NEAR(f.at(0).position, program.start()[i], 4e-16 * size);
     EXPECT_NEAR(f.at(f.end(), Side::left).position, program.position()[i],
-                4e-16 * size + 2 * axes.error[i][0]);
+                1e-14 * (size + plan.path().length()) + 2 * axes.error[i][0]);
     EXPECT_NEAR(f.end(), plan.duration(), 1e-12 * plan.duration());
     const double v = ranges[1].peak().value == 0 ? 1 : std::abs(ranges[1].peak().value);
     EXPECT_NEAR(f.at(0).velocity, 0, 1e-9 * v);

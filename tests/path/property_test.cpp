@@ -99,7 +99,7 @@ TEST(Properties, OfPolylines) {
     const Plan made = plan(p, c.limits);
     const PlanAxes axes = to_axes(made);
     path_tests::expect_whole(made, axes, p);
-    ASSERT_LE(path_tests::worst_ratio(axes, c.limits), 1 + 1e-12);
+    ASSERT_LE(path_tests::excess(axes, c.limits), 1e-12);
     ASSERT_LE(made.duration(), made.stop_duration() * (1 + 1e-12));
     ASSERT_GE(made.duration(), lower_bound(made, 8) * (1 - 1e-12));
     for (const Jet& error : axes.error) EXPECT_EQ(error[0], 0);

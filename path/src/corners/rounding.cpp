@@ -195,11 +195,11 @@ class Rounding {
     const PathSettings& asked = settings(k);
     double trim = room;
     bool fits = true;
-    const auto least = [&](auto enough) {  // the least trim with enough(trim), or all
-      if (!(fits = enough(room))) return room;
+    const auto least = [&](double most, auto enough) {  // the least trim with enough(trim), or all
+      if (!(fits = enough(most))) return most;
       double low = 0;
-      double high = room;
-      for (int i = 0; i < 60 && high - low > 1e-12 * room; ++i) {
+      double high = most;
+      for (int i = 0; i < 60 && high - low > 1e-12 * most; ++i) {
         const double middle = (low + high) / 2;
         (enough(middle) ? high : low) = middle;
       }
@@ -211,19 +211,31 @@ class Rounding {
         fits = asked.value <= room;
         break;
       case Corner::curvature:
-        trim = least([&](double d) {
+        trim = least(room, [&](double d) {
           const Blend b = blend_of(route_.path, k - 1, d);
           return greatest_curvature(b.segments(), rates_.path_axes) <= asked.value;
         });
         break;
       case Corner::velocity:
-        trim = least([&](double d) {
+        trim = least(room, [&](double d) {
           return blend_velocity(k, blend_of(route_.path, k - 1, d)) >= asked.value;
         });
         break;
       default:
         trim = trim_for(k, asked.value, room);
         fits = trim < room;
+    }
+    const auto velocity = [&](double d) {
+      return blend_velocity(k, blend_of(route_.path, k - 1, d));
+    };
+    if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
+      // A corner is no larger than its velocity needs.
+      const double fastest = std::min({cap(k), box(k - 1).velocity, box(k).velocity}) * 0.98;
+      if (velocity(trim) >= fastest) {
+        const double most = trim;
+        trim = least(most, [&](double d) { return velocity(d) >= fastest; });
+        fits = true;
+      }
     }
     Shape s;
     s.how = How::blend;

@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-constexpr double rounded = 1e-9;  // relative: coincident points, a chord of twice the radius
+constexpr double coincident = 1e-9;  // relative: coincident points, a chord of twice the radius
 
 void require_axes(Plane plane) {
   if (plane.first >= max_axes || plane.second >= max_axes || plane.first == plane.second)
@@ -67,7 +67,7 @@ Arc planar(const Point& from, const Point& center, const Point& to, Plane plane,
   arc.center[plane.first] = center[plane.first];
   arc.center[plane.second] = center[plane.second];
   const Point chord = in_plane(vec::difference(to, from), plane);
-  const bool full = vec::norm(chord) <= rounded * arc.radius;
+  const bool full = vec::norm(chord) <= coincident * arc.radius;
   arc.sweep = full ? detail::two_pi : angle_to(arc, in_plane(vec::difference(to, center), plane));
   arc.sweep += detail::two_pi * extra_turns;
   arc.drift = vec::difference(to, from);
@@ -91,7 +91,7 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const double ab = vec::dot(a, b, axes);
   const double largest = std::max(aa, bb);
   const double area2 = aa * bb - ab * ab;  // twice the triangle's area, squared
-  if (!(area2 > detail::square(rounded * largest)) || !(std::min(aa, bb) > 0))
+  if (!(area2 > detail::square(coincident * largest)) || !(std::min(aa, bb) > 0))
     throw InputError(
         "via", number(std::sqrt(aa)),
         "start, via point and end must not coincide or lie on a line; the via point is so far "
@@ -131,7 +131,7 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
     throw InputError("center", number(std::abs(r0 - r1)),
                      "has two radii, " + number(r0) + " to the start and " + number(r1) +
                          " to the end; they may differ by " + number(tolerance));
-  if (c <= rounded * r0) return planar(from, center, to, plane, rotation, extra_turns);
+  if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
   // Onto the bisector of the chord: the shortest way.
   const Point along = vec::scaled(chord, 1 / c);
   const Point middle = vec::sum(from, chord, 0.5);
@@ -152,7 +152,7 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
   const Point chord = in_plane(vec::difference(to, from), plane);
   const double half = vec::norm(chord) / 2;
   const double r = std::abs(radius);
-  if (!(half > 0) || half > r * (1 + rounded))
+  if (!(half > 0) || half > r * (1 + coincident))
     throw InputError("radius", radius,
                      half > 0 ? "is less than half the chord, " + number(half)
                               : std::string("defines no arc between equal points; give a center"));

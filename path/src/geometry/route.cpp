@@ -154,9 +154,11 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   piece.length = u1 - u0;
   const double s0 = u0 / whole.length;
   const double s1 = u1 / whole.length;
+  // A share of the step: the difference of two places within the whole has fewer digits.
+  const double share = piece.length / whole.length;
   if (whole.kind == PieceKind::line) {
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[i] + data[n + i] * s0);
-    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[n + i] * (s1 - s0));
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[n + i] * share);
   } else if (whole.kind == PieceKind::curve) {
     const int degree = static_cast<int>(data[0]);
     const auto count = static_cast<std::size_t>(degree) + 1;
@@ -173,9 +175,9 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
     const ArcNumbers arc(data, n);
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.center(i) + arc.drift(i) * s0);
     numbers.insert(numbers.end(), data + n, data + 3 * n);
-    for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.drift(i) * (s1 - s0));
+    for (std::size_t i = 0; i < n; ++i) numbers.push_back(arc.drift(i) * share);
     numbers.push_back(arc.phase() + arc.sweep() * s0);
-    numbers.push_back(arc.sweep() * (s1 - s0));
+    numbers.push_back(arc.sweep() * share);
   }
   pieces.push_back(piece);
 }

@@ -59,29 +59,22 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   }
 }
 
-/// Moves the ends of a cut that are those of its piece, but for the rounding of places far from the start of the
-/// path, onto them: the law is shifted to the start, its last phase stretched to the end at its velocity.
-void snap(Cut& cut, double length, double rounding) {
-  std::vector<Segment>& law = cut.law;
-  const auto travel = [](const Segment& f) { return value(f, 1) - value(f, 0); };
-  // A sliver that cutting left: over no way, at one velocity.
-  std::erase_if(law, [&](const Segment& f) {
-    const double v0 = evaluate(f, 0)[1];
-    const double v1 = evaluate(f, 1)[1];
-    return travel(f) <= rounding && std::abs(v1 - v0) <= 1e-9 * std::max(v0, v1);
-  });
-  if (law.empty()) return;
-  if (std::abs(law.front().c[0]) <= 4 * rounding) {
-    const double shift = -law.front().c[0];
-    for (Segment& f : law) f.c[0] += shift;
+/// f over s from -left to 1 + right: the same formula on a longer piece.
+Segment widened(const Segment& f, double left, double right) {
+  Segment g = f;
+  const double width = 1 + left + right;
+  g.length *= width;
+  for (int i = 0; i < g.degree; ++i)
+    for (int k = g.degree - 1; k >= i; --k)
+      g.c[static_cast<std::size_t>(k)] -= left * g.c[static_cast<std::size_t>(k) + 1];
+  double power = 1;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(g.degree); ++k, power *= width)
+    g.c[k] *= power;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(g.sines); ++i) {
+    g.sine[i].phase -= left * g.sine[i].angle;
+    g.sine[i].angle *= width;
   }
-  Segment& last = law.back();
-  const double missing = length - value(last, 1);
-  if (std::abs(missing) > 8 * rounding) return;
-  const double factor = 1 + missing / travel(last);
-  const double start = last.c[0];
-  last = scaled(last, factor, start * (1 - factor));
-  last.length *= factor;
+  return g;
 }
 
 /// One velocity over the whole of a piece.
@@ -113,13 +106,26 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, double toleranc
     }
     return;
   }
-  const double start = value(pieces.front(), 0);
-  for (Segment& f : pieces) f = scaled(f, 1, -start);
-  const Curve<OverLength> outer(pieces, 0, Extrapolation::hold);
-  const Trajectory inner(cut.law);
-  const Fitted<OverTime> fit = composed_within(outer, inner, tolerance);
-  for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
-  for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
+  // The law may pass the ends of the piece by the rounding of places; there the formula goes on.
+  constexpr double over = 1.0 / 64;
+  const double begin = -over * pieces.front().length;
+  pieces.front() = widened(pieces.front(), over, 0);
+  pieces.back() = widened(pieces.back(), 0, over);
+  // Each phase relative to its own start: what is fitted to a short one is small, and so is its rounding.
+  std::vector<Segment> relative(pieces.size());
+  const Curve<OverLength> whole(pieces, begin, Extrapolation::hold);
+  for (const Segment& phase : cut.law) {
+    const double start = whole.at(value(phase, 0)).position;
+    std::transform(pieces.begin(), pieces.end(), relative.begin(),
+                   [&](const Segment& f) { return scaled(f, 1, -start); });
+    double scale = 0;
+    for (const Segment& f : relative) scale = std::max(scale, magnitude(f));
+    const Fitted<OverTime> fit =
+        composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold),
+                        Trajectory({phase}), std::max(tolerance, 2e-14 * scale));
+    for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
+    for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
+  }
 }
 
 }  // namespace
@@ -144,10 +150,6 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
       continue;
     }
     cut_at_pieces(path, stretch, cuts);
-    for (Cut& cut : cuts) {
-      const double length = path.pieces()[cut.piece].length;
-      snap(cut, length, std::max(1e-13 * length, 1e-15 * stretch.start));
-    }
     for (const Cut& cut : cuts)
       for (std::size_t i = 0; i < n; ++i)
         compose(path, cut, i, tolerance, pieces, axes[i], result.error[i]);

@@ -168,12 +168,16 @@ Plan resumed(const Plan& plan, const Plan& held) {
   };
   for (const LawStretch& s : stretches) {
     const double stretch_end = s.start + s.length;
-    if (stretch_end <= from + 1e-14 * end) continue;
+    if (stretch_end < from - 1e-14 * end) continue;
+    if (s.pieces > 0 && stretch_end <= from + 1e-14 * end) continue;
     if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
       flush();
       LawStretch same = s;
       same.time = time;
-      time += s.duration;
+      if (s.pieces == 0 && last.pieces == 0 && s.start == last.start)
+        same.duration -= last.duration;
+      if (!(same.duration > 0)) continue;
+      time += same.duration;
       start = stretch_end;
       law.push_back(same);
       continue;

@@ -10,8 +10,9 @@ namespace jounce {
 namespace {
 
 constexpr double none = PathSettings::none;
+constexpr double reserve = 1 + 1e-9;  ///< for the rounding of times in an average
 
-double end_of(const std::vector<LawStretch>& law) {
+double end_time(const std::vector<LawStretch>& law) {
   return law.empty() ? none : law.back().time + law.back().duration;
 }
 
@@ -75,7 +76,7 @@ class WindowLaw {
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const double v =
           std::min({feeds_[k], entries_[k],
-                    velocity_with(rates_, bounds_[k], acceleration, jerk) * (1 - 1e-12)});
+                    velocity_with(rates_, bounds_[k], acceleration * reserve, jerk * reserve)});
       if (!(v > 0) || !(v < none)) return {};
       caps.push_back({path_.pieces()[first_ + k].length, v});
     }
@@ -141,7 +142,7 @@ std::vector<LawStretch> fastest(const Path& path, std::span<const Unit> run, con
   std::vector<LawStretch> law = stations(moving);
   if (!is_curved(path, run)) return law;
   std::vector<LawStretch> window = WindowLaw(path, moving, rates, program).run();
-  return end_of(window) < end_of(law) ? window : law;
+  return end_time(window) < end_time(law) ? window : law;
 }
 
 }  // namespace

@@ -25,8 +25,6 @@
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
-
 Ramp up(const Box& box) {
   return {box.acceleration, box.jerk};
 }
@@ -58,12 +56,22 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
   s.acceleration = unit.box.acceleration;
   s.deceleration = unit.box.deceleration;
   s.jerk = unit.box.jerk;
+  const double least = std::max(v0, v1);
   s.peak = peak_of(unit.box, unit.length, v0, v1);
   s.piece = unit.piece;
   s.pieces = unit.pieces;
-  const double ramps = ramp_distance(v0, s.peak, s.acceleration, s.jerk) +
-                       ramp_distance(s.peak, v1, s.deceleration, s.jerk);
-  const double cruise = s.length - ramps;
+  const auto ramps = [&] {
+    return ramp_distance(v0, s.peak, s.acceleration, s.jerk) +
+           ramp_distance(s.peak, v1, s.deceleration, s.jerk);
+  };
+  // A ramp over a few units in the last place of the velocity is longer or shorter by a large share: the peak is
+  // rounded down until the ramps fit, and the cruise takes up the rest.
+  double way = ramps();
+  for (double back = 2e-16; way > s.length && s.peak > least; back *= 2) {
+    s.peak = std::max(least, s.peak * (1 - back));
+    way = ramps();
+  }
+  const double cruise = s.length - way;
   s.duration = ramp_time(s.peak - v0, s.acceleration, s.jerk) +
                ramp_time(s.peak - v1, s.deceleration, s.jerk) +
                (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
@@ -71,6 +79,11 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
 }
 
 namespace {
+
+/// F, rounded down so that the ramp fits; F is accurate to 1e-14.
+double reached(double length, double v, const Ramp& ramp) {
+  return std::max(v, entry_velocity(length, v, ramp).value_or(v) * (1 - 2e-14));
+}
 
 /// v of (1) at each unit's start and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
@@ -82,19 +95,15 @@ std::vector<double> velocities(const std::vector<Unit>& units) {
     double cap = std::min(unit.entry, unit.box.velocity);
     cap = std::min(cap, units[k - 1].box.velocity);
     v[k] = unit.box.constant ? std::min(cap, v[k + 1])
-           : v[k + 1] >= cap
-               ? cap
-               : std::min(cap,
-                          entry_velocity(unit.length, v[k + 1], down(unit.box)).value_or(v[k + 1]));
+           : v[k + 1] >= cap ? cap
+                             : std::min(cap, reached(unit.length, v[k + 1], down(unit.box)));
   }
   v[0] = 0;
   for (std::size_t k = 0; k < n; ++k) {
     if (v[k + 1] <= v[k]) continue;
     const Unit& unit = units[k];
     v[k + 1] =
-        unit.box.constant
-            ? v[k]
-            : std::min(v[k + 1], entry_velocity(unit.length, v[k], up(unit.box)).value_or(v[k]));
+        unit.box.constant ? v[k] : std::min(v[k + 1], reached(unit.length, v[k], up(unit.box)));
   }
   return v;
 }

@@ -252,11 +252,11 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, dou
     if (const double h = next - t; h > 1e-13 * window) {
       now.duration = h;
       now.jerk = (ahead - behind) / window;
-      // A whole window at one velocity.
-      if (ahead == 0 && behind == 0 && i > 0 && changes[i - 1].time <= t - window * (1 - 1e-9)) {
-        now.acceleration = 0;
-        now.velocity = changes[i - 1].velocity;
+      // A whole window within one phase: its acceleration; at rest or in a cruise its velocity, too.
+      if (ahead == behind && i > 0 && changes[i - 1].time <= t - window * (1 - 1e-9)) {
+        now.acceleration = ahead;
         now.jerk = 0;
+        if (ahead == 0) now.velocity = changes[i - 1].velocity;
       }
       out.push_back(now);
       now.position += h * (now.velocity + h * (now.acceleration / 2 + h * now.jerk / 6));

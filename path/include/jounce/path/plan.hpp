@@ -113,8 +113,9 @@ struct PlanAxes {
       error;  ///< bound of the fit's error by axis: u, u/s, u/s^2, u/s^3; 0 where exact
 };
 
-/// Axes of a plan over time, from 0. Exact on lines, on corners (degree 9) and at constant speed on arcs;
-/// where the speed changes on an arc or a quintic corner a fit of degree 11 within `tolerance` (unit of the axis).
+/// Axes of a plan over time, from 0. Exact on lines, on corners (degree 9) and at constant speed on arcs; where the
+/// speed changes on an arc or a quintic corner a fit of degree 11 within `tolerance` (unit of the axis), or within
+/// rounding where that is coarser.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
 /// A proven lower bound of the duration on this path (jerk not limited): no motion along plan.path() that keeps
