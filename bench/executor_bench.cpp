@@ -13,7 +13,7 @@
 namespace {
 
 using namespace jounce;
-using Kind = Command::Kind;
+using Kind = CommandKind;
 
 AxisConfig config() {
   AxisConfig axis;
@@ -49,7 +49,7 @@ void run(benchmark::State& state, MotionAxis& axis, std::int64_t tick) {
 
 void idle(benchmark::State& state) {
   MotionAxis axis(config());
-  axis.step(0, {.kind = Kind::enable});
+  axis.step(0, {command::Enable{}});
   run(state, axis, 0);
 }
 BENCHMARK(idle);
@@ -57,18 +57,18 @@ BENCHMARK(idle);
 void table_over_time(benchmark::State& state) {
   Job job(1, turning());
   MotionAxis axis(config());
-  axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::arm, .movement = &job});
-  axis.step(2, {.kind = Kind::start});
-  axis.step(3, {.kind = Kind::override_, .factor = static_cast<double>(state.range(0)) / 100});
+  axis.step(0, {command::Enable{}});
+  axis.step(1, {command::Arm{.movement = &job}});
+  axis.step(2, {command::Start{}});
+  axis.step(3, {command::Override{.factor = static_cast<double>(state.range(0)) / 100}});
   run(state, axis, 3);
 }
 BENCHMARK(table_over_time)->Arg(100)->Arg(50);
 
 void move_at_a_velocity(benchmark::State& state) {
   MotionAxis axis(config());
-  axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::move_velocity, .position = 1});
+  axis.step(0, {command::Enable{}});
+  axis.step(1, {command::MoveVelocity{.velocity = 1}});
   run(state, axis, 1);
 }
 BENCHMARK(move_at_a_velocity);
@@ -78,11 +78,11 @@ void a_new_target_each_tick(benchmark::State& state) {
   AxisConfig limits = config();
   limits.limits.jerk = state.range(0) != 0 ? std::optional(1e7) : std::nullopt;
   MotionAxis axis(limits);
-  axis.step(0, {.kind = Kind::enable});
+  axis.step(0, {command::Enable{}});
   std::int64_t tick = 0;
   for (auto _ : state) {
     const double target = ++tick % 2000 < 1000 ? 300 : -300;
-    benchmark::DoNotOptimize(axis.step(tick, {.kind = Kind::move_absolute, .position = target}));
+    benchmark::DoNotOptimize(axis.step(tick, {command::MoveAbsolute{.position = target}}));
   }
 }
 BENCHMARK(a_new_target_each_tick)->Arg(0)->Arg(1)->ArgName("jerk");

@@ -66,9 +66,9 @@ void cycle(benchmark::State& state) {
   std::vector<std::unique_ptr<Job>> jobs;
   for (std::size_t i = 0; i < count; ++i) {
     jobs.push_back(std::make_unique<Job>(i + 1, played));
-    post.mail[i]->commands.push({.kind = Command::Kind::enable});
-    post.mail[i]->commands.push({.kind = Command::Kind::arm, .movement = jobs[i].get()});
-    post.mail[i]->commands.push({.kind = Command::Kind::start});
+    post.mail[i]->commands.push({command::Enable{}});
+    post.mail[i]->commands.push({command::Arm{.movement = jobs[i].get()}});
+    post.mail[i]->commands.push({command::Start{}});
   }
   for (int i = 0; i < 10; ++i) cycle.once();
   Tick tick;

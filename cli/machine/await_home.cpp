@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "cli/common/interrupt.hpp"
@@ -37,7 +37,7 @@ CallOutcome await_home(const std::string& executor, Client& client, Link& link) 
     if (message) {
       const auto& status = std::get<wire::Status>(message->body);
       const bool moves = status.slave_velocity != 0;  // it may still brake, also in a fault
-      const bool under_way = status.state == wire::AxisState::homing || moves;
+      const bool under_way = status.state == State::homing || moves;
       if (!under_way) return outcome_of(status);
     }
     if (interrupt.asked() && !std::exchange(stopped, true))

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 #include "jounce/executor/histogram.hpp"
 
 #include "cli/machine/dashboard_text.hpp"
@@ -23,8 +23,8 @@ std::string within(const wire::Histogram& counts) {
   return std::isinf(us) ? "99.9 % not within 16384 us" : fmt::format("99.9 % within {} us", us);
 }
 
-Tone tone_of(wire::AxisState state) {
-  using State = wire::AxisState;
+Tone tone_of(State state) {
+  using State = State;
   switch (state) {
     case State::disabled:
       return Tone::faint;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
@@ -165,9 +165,10 @@ int print_all(Ear& ear, const MonitorArguments& options) {
 /// Tells the chosen axis what a key asks for; what it says to that, in a few words.
 std::string tell(Ear& ear, const std::string& axis, Wish wish) {
   const char* const word = wish == Wish::stop ? "stop" : wish == Wish::hold ? "hold" : "resume";
-  const auto kind = wish == Wish::hold ? wire::OrderKind::hold : wire::OrderKind::resume;
+  ClientCommand command = command::Hold{};
+  if (wish == Wish::resume) command = command::Resume{};
   const wire::Body body =
-      wish == Wish::stop ? wire::Body(wire::Stop{}) : wire::Body(wire::Order{.kind = kind});
+      wish == Wish::stop ? wire::Body(wire::Stop{}) : wire::Body(wire::message_of(command));
   const wire::Reply reply = operator_command(ear.link().transport(), axis, body, ear.link().key(),
                                              std::chrono::seconds(1));
   if (reply.outcome == wire::Outcome::accepted) return fmt::format("{}: {} accepted", axis, word);

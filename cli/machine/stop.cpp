@@ -23,9 +23,9 @@ struct StopArguments {
 
 /// The state in which the axis has come to rest, as its status says; nothing if it does not in
 /// time.
-std::optional<wire::AxisState> state_at_rest(Transport& link, const std::string& executor,
-                                             Nanos patience, const std::optional<wire::Key>& key) {
-  using State = wire::AxisState;
+std::optional<State> state_at_rest(Transport& link, const std::string& executor, Nanos patience,
+                                   const std::optional<wire::Key>& key) {
+  using State = State;
   for (const Nanos begin = steady_now(); steady_now() - begin < patience;) {
     const auto message =
         next_status(link, executor, std::chrono::milliseconds(100), steady_now, key);

@@ -48,9 +48,9 @@ SwapPlan add_input(StreamPlan& plan, Input input, const StreamVerb& options) {
   if (options.live) {
     added.mode = wire::ArmMode::follow_input;
     added.coupling = coupling.value_or(CouplingSpec{});
-    added.end = options.keep_velocity                      ? wire::CamEnd::keep_velocity
-                : input.spec && stays_in_gear(*input.spec) ? wire::CamEnd::extend
-                                                           : wire::CamEnd::brake;
+    added.end = options.keep_velocity                      ? CamEnd::keep_velocity
+                : input.spec && stays_in_gear(*input.spec) ? CamEnd::extend
+                                                           : CamEnd::brake;
     if (options.at_next_cut) begin_at_cut(plan.tables.back().table, added.coupling);
   }
   return added;
@@ -78,9 +78,9 @@ StreamPlan plan_of(const StreamVerb& options, const std::string& executor, Input
   plan.coupling = first.coupling;
   plan.end = first.end;
   plan.await = !options.no_wait;
-  if (options.at_next_cut) plan.when = wire::StartAt::end_of_table;
+  if (options.at_next_cut) plan.when = StartAt::end_of_table;
   if (!options.start_at.empty()) {
-    plan.when = wire::StartAt::master_position;
+    plan.when = StartAt::master_position;
     plan.position = start_of(options, plan.tables.front().units.x);
   }
   for (const std::string& file : options.swaps)

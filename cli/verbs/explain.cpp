@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/axis/causes.hpp"
 #include "jounce/base/nearest.hpp"
+#include "jounce/command/causes.hpp"
 #include "jounce/controllers/controller_errors.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/rules.hpp"

@@ -10,7 +10,7 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command) {
           .velocity = tick.velocity,
           .acceleration = tick.acceleration,
           .enable = tick.power,
-          .reset = command.kind == Command::Kind::reset && !tick.refused};
+          .reset = command.kind() == CommandKind::reset && !tick.refused};
 }
 
 void NullDrive::command(const DriveSetpoint& setpoint) noexcept {

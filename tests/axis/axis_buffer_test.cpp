@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-Command to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
+AnyCommand to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
   return {.kind = Kind::move_absolute,
           .position = position,
           .dynamics = {.velocity = velocity},
@@ -65,7 +65,7 @@ TEST(AxisBuffer, ABufferedMoveBeginsWhereTheOneBeforeHasEnded) {
 TEST(AxisBuffer, OneThatIsRelativeCountsFromThere) {
   Two axis;
   axis.step(to(50, 100));
-  axis.step({.kind = Kind::move_relative, .position = -20, .buffer = BufferMode::buffered});
+  axis.step({command::MoveRelative{.distance = -20, .buffer = BufferMode::buffered}});
   axis.finish();
   EXPECT_EQ(axis.last.position, 30);
   EXPECT_EQ(axis.last.finished, 2U);
@@ -156,8 +156,7 @@ TEST(AxisBuffer, AMoveBackComesToRestFirst) {
 TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
   Two axis;
   axis.step(to(50, 100));
-  axis.step(
-      {.kind = Kind::move_velocity, .position = 100, .buffer = BufferMode::blending_previous});
+  axis.step({command::MoveVelocity{.velocity = 100, .buffer = BufferMode::blending_previous}});
   Tick tick = axis.run(100);
   for (int i = 0; i < 1000; ++i) {
     tick = axis.step();
@@ -169,7 +168,7 @@ TEST(AxisBuffer, IntoAVelocityItBlendsToo) {
 // PLCopen: after MC_MoveVelocity the next begins when the velocity is reached.
 TEST(AxisBuffer, AfterAVelocityItBeginsWhenThatIsReached) {
   Two axis;
-  axis.step({.kind = Kind::move_velocity, .position = 100});
+  axis.step({command::MoveVelocity{.velocity = 100}});
   axis.step(to(500, 50, BufferMode::buffered));
   Tick tick = axis.run(97);
   EXPECT_EQ(tick.state, State::continuous_motion);
@@ -218,8 +217,7 @@ TEST(AxisBuffer, WhatEndsTheMotionEndsWhatWaitsForIt) {
     axis.step(to(50, 100));
     axis.step(to(80, 100, BufferMode::blending_low));
     axis.run(100);
-    Command command{.kind = kind, .position = 60};
-    const Tick tick = axis.step(command);
+    const Tick tick = axis.step(any({.kind = kind, .position = 60}));
     ASSERT_TRUE(tick.dropped) << name(kind);
     EXPECT_EQ(tick.dropped->cause, Cause::replaced);
     EXPECT_FALSE(axis.run(3000).waiting);
@@ -232,7 +230,7 @@ TEST(AxisBuffer, BehindALiveMasterThereIsNoEndToWaitFor) {
   Two axis;
   Inputs inputs;
   inputs.master = {0, 0, 0, 0};
-  axis.step({.kind = Kind::gear_in, .movement = &gear}, inputs);
+  axis.step({command::Couple{.movement = &gear}}, inputs);
   EXPECT_EQ(refusal(axis.step(to(80, 100, BufferMode::buffered), inputs)), Cause::synchronized);
 }
 
@@ -245,13 +243,13 @@ TEST(AxisBuffer, AnOverrideAndAHoldKeepBothTargets) {
       axis.step(to(100, 100));
       axis.step(to(160, 80, mode));
       axis.run(when);
-      axis.step({.kind = Kind::override_, .factor = 0.5});
+      axis.step({command::Override{.factor = 0.5}});
       axis.run(90);
       axis.tell(Kind::hold);
       axis.run(400);
       axis.tell(Kind::resume);
       axis.run(120);
-      axis.step({.kind = Kind::override_, .factor = 1.5});
+      axis.step({command::Override{.factor = 1.5}});
       axis.finish();
       EXPECT_EQ(axis.last.position, 160) << when;
       EXPECT_EQ(axis.last.finished, 2U) << when;

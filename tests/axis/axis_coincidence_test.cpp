@@ -16,7 +16,7 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(200, 1000)};
 
-Command to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
+AnyCommand to(double position, double velocity, BufferMode buffer = BufferMode::aborting) {
   return {.kind = Kind::move_absolute,
           .position = position,
           .dynamics = {.velocity = velocity},
@@ -27,24 +27,24 @@ Command to(double position, double velocity, BufferMode buffer = BufferMode::abo
 // planned from here, not from where the axis last moved.
 TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
   for (const Command& change :
-       {Command{.kind = Kind::override_, .factor = 0.5}, to(20, 100),
-        to(40, 50, BufferMode::buffered), Command{.kind = Kind::move_additive, .position = 5}}) {
+       {Command{command::Override{.factor = 0.5}}, any(to(20, 100)),
+        any(to(40, 50, BufferMode::buffered)), Command{command::MoveAdditive{.distance = 5}}}) {
     Bench axis(wide);
     axis.tell(Kind::enable);
-    Command later = to(30, 100);
+    AnyCommand later = to(30, 100);
     later.at = 500;
     ASSERT_EQ(refusal(axis.step(later)), Cause::none);
     axis.run(498);
     Tick tick = axis.step(change);
     ASSERT_EQ(tick.tick, 500);
-    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind);
-    EXPECT_EQ(tick.position, 0) << name(change.kind);
+    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind());
+    EXPECT_EQ(tick.position, 0) << name(change.kind());
     tick = axis.step();
     EXPECT_NEAR(tick.position, 1000 * 1e-6 / 2, 1e-12)
-        << name(change.kind) << ": one tick of 1000 u/s^2";
+        << name(change.kind()) << ": one tick of 1000 u/s^2";
     tick = axis.run(2000);
-    EXPECT_EQ(tick.state, State::standstill) << name(change.kind);
-    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind);
+    EXPECT_EQ(tick.state, State::standstill) << name(change.kind());
+    EXPECT_EQ(tick.fault, Cause::none) << name(change.kind());
   }
 }
 
@@ -52,13 +52,13 @@ TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
 TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
   Bench axis({.limits = limits(200, 1000)});
   axis.tell(Kind::enable);
-  Command first = to(100, 50);
+  AnyCommand first = to(100, 50);
   first.dynamics.acceleration = first.dynamics.deceleration = 500;
   axis.step(first);
   axis.run(100);
-  ASSERT_EQ(refusal(axis.step(
-                {.kind = Kind::move_superimposed, .position = 5, .dynamics = {.velocity = 50}})),
-            Cause::none);
+  ASSERT_EQ(
+      refusal(axis.step({command::MoveSuperimposed{.distance = 5, .dynamics = {.velocity = 50}}})),
+      Cause::none);
   axis.run(500);  // it is over
   ASSERT_EQ(refusal(axis.step(to(150, 50, BufferMode::blending_previous))), Cause::none);
   const Tick tick = axis.run(6000);
@@ -75,7 +75,7 @@ TEST(AxisCoincidence, ABlendedMoveIsTakenBackWithoutALeap) {
   config.limits.position_min = -10;
   Bench axis(config);
   axis.tell(Kind::enable);
-  Command first = to(50, 100);
+  AnyCommand first = to(50, 100);
   first.dynamics.acceleration = first.dynamics.deceleration = 200;  // 25 u from 100 u/s
   axis.step(first);
   ASSERT_EQ(refusal(axis.step(to(52, 100, BufferMode::blending_previous))), Cause::none);
@@ -99,15 +99,14 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
     Gear gear(1, 1);
     Inputs inputs;
     inputs.master = {0, 0, 0, 0};
-    axis.step({.kind = Kind::enable}, inputs);
+    axis.step({command::Enable{}}, inputs);
     axis.step(to(50, 100), inputs);
     axis.step(to(80, 100, BufferMode::blending_previous), inputs);
     Tick tick = axis.step({}, inputs);
     while (tick.position + tick.velocity * 1e-3 < 50) tick = axis.step({}, inputs);
     ASSERT_EQ(tick.finished, 0U);
     inputs.positive_switch = true;
-    tick = geared ? axis.step({.kind = Kind::gear_in, .movement = &gear}, inputs)
-                  : axis.step({}, inputs);
+    tick = geared ? axis.step({command::Couple{.movement = &gear}}, inputs) : axis.step({}, inputs);
     EXPECT_EQ(tick.state, State::error_stop);
     EXPECT_EQ(tick.fault, Cause::positive_switch);
     EXPECT_EQ(tick.handed_back[0], geared ? &gear : nullptr);
@@ -119,7 +118,7 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
 TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
   Bench axis(wide);
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
+  axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});
   EXPECT_TRUE(in_motion(axis.step()));
   Inputs silent;
   silent.watchdog = true;
@@ -137,7 +136,7 @@ TEST(AxisCoincidence, ACompareMissesNoPointOfALateStart) {
   axis.axis = MotionAxis({.limits = limits(1e3, 1e5)}, {}, {SwitchesOf::position, points});
   axis.tell(Kind::enable);
   axis.arm(job);
-  axis.step({.kind = Kind::start, .at = 40});
+  axis.step({command::Start{.tick = 40}});
   axis.run(36);
   ASSERT_EQ(axis.tick, 38);
   axis.tick = 79;  // 40 ticks of it are over: 0.8 u

@@ -45,9 +45,9 @@ TEST(AxisCompare, FiresAtTheInstantsOfTheTableItPlays) {
   const TablePtr table = trapezoid_table(30, 100, 1000, 1000);
   Job job(1, table);
   Comparing axis;
-  axis.step_with({.kind = Kind::enable});
-  axis.step_with({.kind = Kind::arm, .movement = &job});
-  axis.step_with({.kind = Kind::start, .at = 40});
+  axis.step_with({command::Enable{}});
+  axis.step_with({command::Arm{.movement = &job}});
+  axis.step_with({command::Start{.tick = 40}});
   while (axis.tick < 500) axis.step_with();
   const auto exact = compared(every_millimetre(), table->curve<OverTime>()).edges;
   ASSERT_EQ(axis.edges.size(), exact.size());
@@ -60,14 +60,14 @@ TEST(AxisCompare, FiresAtTheInstantsOfTheTableItPlays) {
 
 TEST(AxisCompare, BeginsAnewWithEveryMotionFromRest) {
   Comparing axis;
-  axis.step_with({.kind = Kind::enable});
-  axis.step_with({.kind = Kind::move_absolute, .position = 30});
+  axis.step_with({command::Enable{}});
+  axis.step_with({command::MoveAbsolute{.position = 30}});
   for (int i = 0; i < 500; ++i) axis.step_with();
   EXPECT_EQ(axis.edges.size(), 40U);
-  axis.step_with({.kind = Kind::move_absolute, .position = 0.5});
+  axis.step_with({command::MoveAbsolute{.position = 0.5}});
   for (int i = 0; i < 500; ++i) axis.step_with();
   EXPECT_EQ(axis.edges.size(), 42U) << "on the way back it waits for the second point at the first";
-  axis.step_with({.kind = Kind::move_absolute, .position = 30});
+  axis.step_with({command::MoveAbsolute{.position = 30}});
   for (int i = 0; i < 500; ++i) axis.step_with();
   EXPECT_EQ(axis.edges.size(), 82U);
 }
@@ -77,8 +77,8 @@ TEST(AxisCompare, StandsOnTheActualPositionWhereThatIsDeclared) {
   Comparing commanded, actual(SwitchesOf::actual);
   for (Comparing* axis : {&commanded, &actual}) {
     axis->lag = 0.25;
-    axis->step_with({.kind = Kind::enable});
-    axis->step_with({.kind = Kind::move_velocity, .position = 100});
+    axis->step_with({command::Enable{}});
+    axis->step_with({command::MoveVelocity{.velocity = 100}});
     for (int i = 0; i < 180; ++i) axis->step_with();
   }
   ASSERT_GE(actual.edges.size(), 20U);
@@ -88,8 +88,8 @@ TEST(AxisCompare, StandsOnTheActualPositionWhereThatIsDeclared) {
 
 TEST(AxisCompare, ANewCountPassesNothing) {
   Comparing axis;
-  axis.step_with({.kind = Kind::enable});
-  axis.step_with({.kind = Kind::set_position, .position = 10});
+  axis.step_with({command::Enable{}});
+  axis.step_with({command::SetPosition{.position = 10}});
   for (int i = 0; i < 5; ++i) axis.step_with();
   EXPECT_TRUE(axis.edges.empty());
 }

@@ -32,7 +32,7 @@ Inputs drive_at(double position) {
 /// In velocity, 100 u/s, after that many ticks.
 Tick cruise(Bench& bench, std::int64_t ticks = 200, double direction = 1) {
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_velocity, .position = direction * 100});
+  bench.step({command::MoveVelocity{.velocity = direction * 100}});
   return bench.run(ticks);
 }
 
@@ -53,8 +53,7 @@ TEST(AxisFaults, AVelocityMoveStopsBeforeTheSoftLimit) {
     EXPECT_GT(std::abs(tick.position), 50 - 0.1 - 1e-9);  // a tick's way at most
     EXPECT_EQ(tick.reason, tick.fault);
     EXPECT_EQ(bench.tell(Kind::reset).state, State::standstill);
-    EXPECT_EQ(bench.step({.kind = Kind::move_absolute, .position = 0}).state,
-              State::discrete_motion);
+    EXPECT_EQ(bench.step({command::MoveAbsolute{.position = 0}}).state, State::discrete_motion);
   }
 }
 
@@ -67,12 +66,12 @@ TEST(AxisFaults, ALimitSwitchStopsAndBlocksItsDirection) {
   EXPECT_EQ(tick.fault, Cause::positive_switch);
   EXPECT_NEAR(tick.velocity, before.velocity - 2, 1e-9);  // stop_acceleration, 2000 u/s^2
   while (tick.velocity != 0) tick = bench.step({}, on);
-  bench.step({.kind = Kind::reset}, on);
+  bench.step({command::Reset{}}, on);
   const auto move = [&](double distance) {
-    return refusal(bench.step({.kind = Kind::move_relative, .position = distance}, on));
+    return refusal(bench.step({command::MoveRelative{.distance = distance}}, on));
   };
   EXPECT_EQ(move(1), Cause::direction_blocked);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::move_velocity, .position = 1}, on)),
+  EXPECT_EQ(refusal(bench.step({command::MoveVelocity{.velocity = 1}}, on)),
             Cause::direction_blocked);
   EXPECT_EQ(move(-1), Cause::none);
 }
@@ -103,14 +102,13 @@ TEST(AxisFaults, NoPathStartsOntoAnActiveLimitSwitch) {
         const double distance = outwards ? 10 * way : -10 * way;
         const std::unique_ptr<Movement> path =
             pushed ? std::unique_ptr<Movement>(rows(distance)) : dwell_first(distance);
-        EXPECT_EQ(refusal(bench.step({.kind = Kind::arm, .movement = path.get()}, on)),
-                  Cause::none);
-        const Tick tick = bench.step({.kind = Kind::start}, on);
+        EXPECT_EQ(refusal(bench.step({command::Arm{.movement = path.get()}}, on)), Cause::none);
+        const Tick tick = bench.step({command::Start{}}, on);
         EXPECT_EQ(refusal(tick), outwards ? Cause::direction_blocked : Cause::none);
         EXPECT_EQ(tick.state, outwards ? State::standstill : State::discrete_motion);
         // The switch goes on between the acceptance of a start and the start.
         if (!outwards) continue;
-        bench.step({.kind = Kind::start, .at = bench.tick + 5});
+        bench.step({command::Start{.tick = bench.tick + 5}});
         for (int i = 0; i < 3; ++i) bench.step();
         const Tick late = bench.step({}, on);
         ASSERT_TRUE(late.dropped.has_value());
@@ -124,7 +122,7 @@ TEST(AxisFaults, TheFollowingErrorHasAWindowOfTime) {
   config.following_time = 0.01;
   Bench bench(config);
   bench.step({}, drive_at(0));
-  bench.step({.kind = Kind::enable}, drive_at(0));
+  bench.step({command::Enable{}}, drive_at(0));
   for (int i = 0; i < 9; ++i) EXPECT_EQ(bench.step({}, drive_at(2.5)).fault, Cause::none);
   EXPECT_EQ(bench.step({}, drive_at(1.5)).fault, Cause::none) << "back in time";
   Tick tick;
@@ -134,7 +132,7 @@ TEST(AxisFaults, TheFollowingErrorHasAWindowOfTime) {
   EXPECT_FALSE(tick.power);
   // Switched off, the axis is where the drive is; enabled again, it is there still, in its fault.
   EXPECT_EQ(bench.step({}, drive_at(-2.6)).position, -2.6);
-  tick = bench.step({.kind = Kind::enable}, drive_at(-2.6));
+  tick = bench.step({command::Enable{}}, drive_at(-2.6));
   EXPECT_EQ(tick.state, State::error_stop);
   EXPECT_EQ(tick.position, -2.6);
 }
@@ -143,7 +141,7 @@ TEST(AxisFaults, EnablingWaitsForTheDrive) {
   Bench bench(ranged(-500, 500));
   Inputs off;
   off.feedback.ready = false;
-  EXPECT_TRUE(bench.step({.kind = Kind::enable}, off).power);
+  EXPECT_TRUE(bench.step({command::Enable{}}, off).power);
   EXPECT_EQ(bench.step({}, off).state, State::disabled);
   EXPECT_EQ(bench.step().state, State::standstill);
   EXPECT_EQ(bench.step({}, off).fault, Cause::drive_not_ready);
@@ -159,7 +157,7 @@ TEST(AxisFaults, ADriveFaultSwitchesOffAndKeepsItFromBeingEnabled) {
   EXPECT_EQ(tick.fault, Cause::drive_fault);
   EXPECT_EQ(tick.state, State::disabled);
   EXPECT_EQ(tick.velocity, 0);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::enable}, broken)), Cause::drive_fault);
+  EXPECT_EQ(refusal(bench.step({command::Enable{}}, broken)), Cause::drive_fault);
 }
 
 TEST(AxisFaults, TheWatchdogStopsOnThePathAndIsNoFaultAtRest) {
@@ -202,7 +200,7 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
   feed.prefill(1);
   Bench bench({.limits = limits(100, 1000)});
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::arm, .movement = &feed});
+  bench.step({command::Arm{.movement = &feed}});
   Tick tick = bench.tell(Kind::start);
   const auto on_path = [&](double p) { return p >= 0 && p <= 10; };
   while (tick.fault == Cause::none) tick = bench.step();
@@ -242,10 +240,10 @@ TEST(AxisFaults, AnUnderrunOnTheWayToAHigherRateStopsOnThePathToo) {
     config.stop_acceleration = 2.2e4;
     Bench bench(config);
     bench.tell(Kind::enable);
-    bench.step({.kind = Kind::arm, .movement = &feed});
+    bench.step({command::Arm{.movement = &feed}});
     bench.tell(Kind::start);
     bench.run(50);
-    const double granted = bench.step({.kind = Kind::override_, .factor = 2}).override_;
+    const double granted = bench.step({command::Override{.factor = 2}}).override_;
     EXPECT_TRUE(granted >= 1 && granted <= 2) << "what is known allows: " << granted;
     Tick tick = bench.run(1000);
     EXPECT_EQ(tick.fault, Cause::underrun);
@@ -263,7 +261,7 @@ TEST(AxisFaults, AMasterThatIsLostOrLeapsIsBrakedFrom) {
     bench.tell(Kind::enable);
     Inputs inputs;
     inputs.master = {0, 0, 0, 0};
-    bench.step({.kind = Kind::gear_in, .movement = &gear}, inputs);
+    bench.step({command::Couple{.movement = &gear}}, inputs);
     Tick tick;
     for (int k = 1; k <= 50; ++k) {
       inputs.master = {k * k * 0.5e-3, k * 1.0, 1000, 0};
@@ -288,13 +286,13 @@ TEST(AxisFaults, InPositionNeedsTheBandAndItsTime) {
   config.in_position_time = 0.005;
   Bench bench(config);
   bench.step({}, drive_at(0));
-  bench.step({.kind = Kind::enable}, drive_at(0));
+  bench.step({command::Enable{}}, drive_at(0));
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(bench.step({}, drive_at(0.05)).in_position);
   EXPECT_TRUE(bench.step({}, drive_at(0.05)).in_position);
   EXPECT_FALSE(bench.step({}, drive_at(0.2)).in_position) << "at once";
   for (int i = 0; i < 5; ++i) bench.step({}, drive_at(0.05));
   EXPECT_TRUE(bench.step({}, drive_at(0)).in_position);
-  EXPECT_FALSE(bench.step({.kind = Kind::move_relative, .position = 1}, drive_at(0)).in_position);
+  EXPECT_FALSE(bench.step({command::MoveRelative{.distance = 1}}, drive_at(0)).in_position);
 }
 
 }  // namespace

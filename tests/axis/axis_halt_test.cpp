@@ -17,7 +17,7 @@ const AxisConfig wide{.limits = limits(1e3, 1e4)};
 struct Geared : Bench {
   Geared() : Bench(wide) {
     tell(Kind::enable);
-    step({.kind = Kind::gear_in, .movement = &gear}, at_master(0, 10));
+    step({command::Couple{.movement = &gear}}, at_master(0, 10));
     for (int i = 1; i < 50; ++i) step({}, at_master(i * 1e-2, 10));
   }
   Gear gear{1, 1};
@@ -27,7 +27,7 @@ struct Geared : Bench {
 TEST(AxisHalt, OutOfACouplingGoesByDiscreteMotionToStandstill) {
   Geared axis;
   ASSERT_EQ(axis.axis.state(), State::synchronized_motion);
-  Tick tick = axis.step({.kind = Kind::halt, .dynamics = {.deceleration = 1000}});
+  Tick tick = axis.step({command::Halt{.dynamics = {.deceleration = 1000}}});
   EXPECT_EQ(tick.state, State::discrete_motion);
   EXPECT_EQ(tick.job, 0U);
   EXPECT_EQ(refusal(axis.tell(Kind::gear_out)), Cause::not_synchronized);
@@ -39,7 +39,7 @@ TEST(AxisHalt, OutOfACouplingGoesByDiscreteMotionToStandstill) {
 TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
   Bench jog(wide);
   jog.tell(Kind::enable);
-  jog.step({.kind = Kind::move_velocity, .position = 100});
+  jog.step({command::MoveVelocity{.velocity = 100}});
   EXPECT_EQ(jog.run(50).state, State::continuous_motion);
   EXPECT_EQ(jog.tell(Kind::halt).state, State::discrete_motion);
 
@@ -66,9 +66,9 @@ TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
 
 TEST(AxisHalt, IsEndedByAnyOtherMotion) {
   Geared axis;
-  axis.step({.kind = Kind::halt, .dynamics = {.deceleration = 100}});
+  axis.step({command::Halt{.dynamics = {.deceleration = 100}}});
   EXPECT_EQ(refusal(axis.tell(Kind::hold)), Cause::halting);
-  const Tick tick = axis.step({.kind = Kind::move_velocity, .position = 1});
+  const Tick tick = axis.step({command::MoveVelocity{.velocity = 1}});
   EXPECT_FALSE(tick.refused);
   EXPECT_EQ(tick.state, State::continuous_motion);
 }

@@ -36,26 +36,24 @@ struct Held : Bench {
 
 TEST(AxisHold, BrakesWithTheLimitsOfTheAxisWhateverItsMoveAskedFor) {
   Held axis;
-  axis.step({.kind = Kind::move_velocity, .position = 100, .dynamics = {.deceleration = 1e-9}});
+  axis.step({command::MoveVelocity{.velocity = 100, .dynamics = {.deceleration = 1e-9}}});
   axis.run(50);
   axis.tell(Kind::hold);
   EXPECT_LE(axis.rest(), 10);  // 100 u/s by 1e4 u/s^2
   EXPECT_LE(axis.most, 1e4 * (1 + 1e-9));
   axis.tell(Kind::resume);
   EXPECT_EQ(axis.run(50).velocity, 100);
-  axis.step({.kind = Kind::override_, .factor = 0});
+  axis.step({command::Override{.factor = 0}});
   EXPECT_LE(axis.rest(), 10) << "an override of 0 is the same";
 }
 
 TEST(AxisHold, OfAMoveTakesWhatIsSuperimposedWithItAndResumesToTheTargetOfBoth) {
   Held axis;
-  axis.step({.kind = Kind::move_absolute,
-             .position = 100,
-             .dynamics = {.velocity = 100, .acceleration = 5000, .deceleration = 5000}});
+  axis.step({command::MoveAbsolute{
+      .position = 100, .dynamics = {.velocity = 100, .acceleration = 5000, .deceleration = 5000}}});
   axis.run(100);
-  axis.step({.kind = Kind::move_superimposed,
-             .position = 50,
-             .dynamics = {.velocity = 20, .deceleration = 10}});
+  axis.step({command::MoveSuperimposed{.distance = 50,
+                                       .dynamics = {.velocity = 20, .deceleration = 10}}});
   EXPECT_GT(axis.run(50).velocity, 110);
   axis.tell(Kind::hold);
   EXPECT_LE(axis.rest(), 15);
@@ -72,9 +70,8 @@ TEST(AxisHold, OfAPathTakesWhatIsSuperimposedWithItAndGoesOnWithIt) {
   axis.arm(job);
   axis.tell(Kind::start);
   axis.run(500);
-  axis.step({.kind = Kind::move_superimposed,
-             .position = 50,
-             .dynamics = {.velocity = 20, .deceleration = 10}});
+  axis.step({command::MoveSuperimposed{.distance = 50,
+                                       .dynamics = {.velocity = 20, .deceleration = 10}}});
   EXPECT_GT(axis.run(100).velocity, 110);
   axis.tell(Kind::hold);
   EXPECT_LE(axis.rest(), 30);
@@ -94,7 +91,7 @@ TEST(AxisHold, InTheTickOfAnotherOrderTakesNoStep) {
   axis.arm(job);
   axis.tell(Kind::start);
   axis.run(500);
-  const Command up{.kind = Kind::move_superimposed, .position = 50, .dynamics = {.velocity = 100}};
+  const Command up{command::MoveSuperimposed{.distance = 50, .dynamics = {.velocity = 100}}};
   axis.step(up);
   axis.run(100);
   Command again = up;
@@ -111,9 +108,8 @@ TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
   axis.arm(job);
   axis.tell(Kind::start);
   axis.run(105);
-  axis.step({.kind = Kind::move_superimposed,
-             .position = 50,
-             .dynamics = {.velocity = 20, .deceleration = 10}});
+  axis.step({command::MoveSuperimposed{.distance = 50,
+                                       .dynamics = {.velocity = 20, .deceleration = 10}}});
   axis.run(12);
   axis.tell(Kind::hold);
   axis.rest();
@@ -128,28 +124,27 @@ TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
 // for it, and its motion leapt by 122 u in the middle.
 TEST(AxisMoves, AMoveThatNoDoubleHasTheDigitsForIsRefused) {
   Held axis({.limits = limits(1000, 1e4, 1e6)});
-  axis.step({.kind = Kind::move_velocity, .position = 400});
+  axis.step({command::MoveVelocity{.velocity = 400}});
   Tick last = axis.run(200);
-  const Command far{.kind = Kind::move_relative,
-                    .position = 2,
-                    .dynamics = {.velocity = 500, .deceleration = 2e-14}};
+  const Command far{
+      command::MoveRelative{.distance = 2, .dynamics = {.velocity = 500, .deceleration = 2e-14}}};
   const Tick now = axis.step(far);
   EXPECT_EQ(refusal(now), Cause::no_such_move);
   EXPECT_EQ(now.velocity, 400) << "the jog goes on";
-  axis.step({.kind = Kind::halt});
+  axis.step({command::Halt{}});
   for (last = axis.step(); last.state != State::standstill; last = axis.step())
     ASSERT_LT(axis.tick, 1000);
   Command near = far;
-  near.dynamics.deceleration = 1e-6;
+  std::get<command::MoveRelative>(near.what).dynamics.deceleration = 1e-6;
   EXPECT_FALSE(axis.step(near).refused) << "from rest it is only as fast as it can brake";
 }
 
 // Let go of the jog to one side, an operator presses that to the other one.
 TEST(AxisHold, AfterAReleaseTheNextMotionBeginsAtOnceAndAfterAStopNone) {
-  const Command back{.kind = Kind::move_velocity, .position = -100};
+  const Command back{command::MoveVelocity{.velocity = -100}};
   for (const bool stops : {false, true}) {
     Held axis;
-    axis.step({.kind = Kind::move_velocity, .position = 500});
+    axis.step({command::MoveVelocity{.velocity = 500}});
     axis.run(100);
     axis.tell(Kind::release);
     EXPECT_EQ(axis.run(3).state, State::stopping);

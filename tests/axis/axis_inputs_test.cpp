@@ -104,7 +104,7 @@ TEST(AxisInputs, NoNumberOfAMasterBreaksACoupling) {
             inputs.master = {i * 1e-2, 10, 0, 0};
             if (i == at) inputs.master[k] = value;
             Command command;
-            if (i == 0) command = {.kind = Kind::gear_in, .movement = movement.get()};
+            if (i == 0) command = {command::Couple{.movement = movement.get()}};
             tick = bench.step(command, inputs);
             const std::string told = "coupling " + std::to_string(couplings_so_far) + ", value " +
                                      std::to_string(value) + " in " + std::to_string(k);
@@ -144,7 +144,7 @@ TEST(AxisInputs, ADriveThatSaysNonsenseHasFailed) {
       Bench bench({.limits = limits(1e3, 1e5)});
       Inputs inputs;
       bench.tell(Kind::enable);
-      bench.step({.kind = Kind::move_velocity, .position = 1e3});
+      bench.step({command::MoveVelocity{.velocity = 1e3}});
       bench.run(5);
       inputs.feedback.*field = value;
       const Tick tick = bench.step({}, inputs);
@@ -164,7 +164,7 @@ TEST(AxisInputs, AnAxisDoesNotBelieveADriveThatIsBeyondItsReachWhileItIsDisabled
     inputs.feedback.position = value;
     Tick tick = bench.step({}, inputs);
     EXPECT_EQ(tick.position, std::abs(value) <= 0x1p40 ? value : 7) << value;
-    tick = bench.step({.kind = Kind::enable}, inputs);
+    tick = bench.step({command::Enable{}}, inputs);
     EXPECT_EQ(tick.refused.has_value(), std::abs(value) > 0x1p40) << value;
     EXPECT_TRUE(finite(tick));
   }
@@ -200,26 +200,25 @@ TEST(AxisInputs, WithExtremeNumbersAnywhereTheSetpointStaysWithinTheLimits) {
           const auto all = couplings();
           made.push_back(
               all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))]());
-          command = {.kind = Kind::gear_in, .movement = made.back().get()};
+          command = {command::Couple{.movement = made.back().get()}};
           break;
         }
         case 1:
-          command = {.kind = Kind::enable};
+          command = {command::Enable{}};
           break;
         case 2:
-          command = {.kind = Kind::reset};
+          command = {command::Reset{}};
           break;
         case 3:
-          command = {.kind = Kind::move_relative, .position = random.uniform(-20, 20)};
+          command = {command::MoveRelative{.distance = random.uniform(-20, 20)}};
           break;
         case 4:
-          command = {.kind = Kind::move_velocity, .position = 1e3};
+          command = {command::MoveVelocity{.velocity = 1e3}};
           break;
         case 5:
-          command = {
-              .kind = Kind::set_position,
+          command = {command::SetPosition{
               .position =
-                  values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))]};
+                  values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))]}};
           break;
         default:
           break;
@@ -231,11 +230,12 @@ TEST(AxisInputs, WithExtremeNumbersAnywhereTheSetpointStaysWithinTheLimits) {
       ASSERT_LE(std::abs(now.velocity), 500 * (1 + 1e-8)) << place;
       const bool off = now.state == State::disabled;
       ASSERT_TRUE(off || std::abs(now.velocity - before.velocity) <= 40 + 20 + 1e-6) << place;
-      const bool renamed = command.kind == Kind::set_position || before.state == State::disabled;
+      const bool renamed = command.kind() == Kind::set_position || before.state == State::disabled;
       const double moved = renamed ? 0 : now.position - before.position;
       ASSERT_LE(std::abs(moved), 0.5 * (1 + 1e-6) + 1e-11 * std::abs(now.position)) << place;
-      if (before.job != 0 && now.job == 0 && now.fault == Cause::none && !command.movement) {
-        ASSERT_TRUE(command.kind != Kind::none || now.reason != Cause::none ||
+      if (before.job != 0 && now.job == 0 && now.fault == Cause::none &&
+          movement_of(command.what) == nullptr) {
+        ASSERT_TRUE(command.kind() != Kind::none || now.reason != Cause::none ||
                     now.finished > before.finished || now.state == State::continuous_motion)
             << place;
       }

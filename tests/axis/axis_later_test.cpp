@@ -23,7 +23,7 @@ Cause dropped(const Tick& tick) {
 TEST(AxisLater, ACommandWaitsForItsTick) {
   Bench axis(wide);
   axis.tell(Kind::enable);
-  EXPECT_EQ(refusal(axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10})),
+  EXPECT_EQ(refusal(axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50})),
             Cause::none);
   EXPECT_EQ(axis.run(48).state, State::standstill);
   Tick tick = axis.step();
@@ -33,7 +33,7 @@ TEST(AxisLater, ACommandWaitsForItsTick) {
 }
 
 TEST(AxisLater, AsIfItHadComeInThatTick) {
-  const Command move{.kind = Kind::move_relative, .position = 10, .dynamics = {.velocity = 50}};
+  const Command move{command::MoveRelative{.distance = 10, .dynamics = {.velocity = 50}}};
   Bench now(wide), later(wide);
   Command command = move;
   command.at = 20;
@@ -52,7 +52,7 @@ TEST(AxisLater, AsIfItHadComeInThatTick) {
 TEST(AxisLater, ATickThatIsLeftOutIsObeyedInTheNextOne) {
   Bench axis(wide);
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::move_absolute, .at = 10, .position = 10});
+  axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 10});
   axis.tick = 14;
   EXPECT_EQ(axis.step().state, State::discrete_motion);
 }
@@ -61,30 +61,30 @@ TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
   Bench axis(wide);
   axis.tell(Kind::enable);
   axis.run(10);
-  EXPECT_EQ(refusal(axis.step({.kind = Kind::hold, .at = 3})), Cause::no_movement);
-  EXPECT_EQ(refusal(axis.step({.kind = Kind::halt, .at = 3})), Cause::too_late);
-  axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
-  EXPECT_EQ(refusal(axis.step({.kind = Kind::halt, .at = 60})), Cause::buffer_full);
+  EXPECT_EQ(refusal(axis.step({.what = command::Hold{}, .at = 3})), Cause::no_movement);
+  EXPECT_EQ(refusal(axis.step({.what = command::Halt{}, .at = 3})), Cause::too_late);
+  axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});
+  EXPECT_EQ(refusal(axis.step({.what = command::Halt{}, .at = 60})), Cause::buffer_full);
 }
 
 // Nobody waits for its answer any more: it is in what was dropped.
 TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
   Bench axis(wide);
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::move_absolute, .at = 20, .position = 10});
-  axis.step({.kind = Kind::disable});
+  axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 20});
+  axis.step({command::Disable{}});
   Bench other(wide);
   other.tell(Kind::enable);
-  other.step({.kind = Kind::cam_out});
-  other.step({.kind = Kind::move_relative, .at = 5, .position = 1});
-  other.step({.kind = Kind::set_position, .position = 7});
+  other.step({command::CamOut{}});
+  other.step({.what = command::MoveRelative{.distance = 1}, .at = 5});
+  other.step({command::SetPosition{.position = 7}});
   const Tick tick = other.run(2);
   EXPECT_EQ(tick.tick, 5);
   EXPECT_EQ(dropped(tick), Cause::none);
   Bench third({.limits = limits(1e3, 1e5)});
   third.tell(Kind::enable);
-  third.step({.kind = Kind::hold, .at = 9});
-  third.step({.kind = Kind::override_, .at = 9, .factor = 7});
+  third.step({.what = command::Hold{}, .at = 9});
+  third.step({.what = command::Override{.factor = 7}, .at = 9});
   EXPECT_EQ(dropped(third.run(7)), Cause::no_value);
 }
 
@@ -92,7 +92,7 @@ TEST(AxisLater, AStopAFaultAndADisableMakeItVoid) {
   for (const Kind kind : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
     Bench axis(wide);
     axis.tell(Kind::enable);
-    axis.step({.kind = Kind::move_absolute, .at = 50, .position = 10});
+    axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});
     EXPECT_EQ(dropped(axis.tell(kind)), Cause::replaced) << name(kind);
     EXPECT_EQ(axis.run(100).position, 0) << name(kind);
   }
@@ -104,10 +104,10 @@ TEST(AxisLater, AGearGoesInAtItsTick) {
   Inputs inputs;
   inputs.master = {0, 0, 0, 0};
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::gear_in, .movement = &gear, .at = 5}, inputs);
+  axis.step({command::Couple{.movement = &gear, .tick = 5}}, inputs);
   for (int i = 2; i < 5; ++i) EXPECT_EQ(axis.step({}, inputs).state, State::standstill);
   EXPECT_EQ(axis.step({}, inputs).state, State::synchronized_motion);
-  const Tick tick = axis.step({.kind = Kind::gear_in, .movement = &late, .at = 5}, inputs);
+  const Tick tick = axis.step({command::Couple{.movement = &late, .tick = 5}}, inputs);
   EXPECT_EQ(refusal(tick), Cause::too_late);
   EXPECT_EQ(tick.handed_back[0], &late);
 }
@@ -136,11 +136,11 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
   Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
   axis.tell(Kind::enable);
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &rows.path}})), Cause::none);
   ASSERT_EQ(refusal(axis.tell(Kind::start)), Cause::none);
   axis.run(20);
   ASSERT_EQ(refusal(axis.arm(job)), Cause::none) << "nobody knows yet where the rows end";
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Start{.when = end}})), Cause::none);
   rows.add(0.3004, 3, true);  // between two ticks
   Tick tick = axis.step();
   while (tick.job == 1) {
@@ -161,10 +161,10 @@ TEST(AxisSwap, RowsThatEndElsewhereAreTheEnd) {
   Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::arm, .movement = &rows.path});
+  axis.step({command::Arm{.movement = &rows.path}});
   axis.tell(Kind::start);
   axis.arm(job);
-  axis.step({.kind = Kind::start, .start_at = end});
+  axis.step({command::Start{.when = end}});
   Cause why = Cause::none;
   for (int i = 0; i < 200; ++i) {
     const Tick tick = axis.step();
@@ -184,12 +184,12 @@ TEST(AxisSwap, FromATableOntoRowsAndFromRowsOntoRows) {
   second.add(0.1, -2, true);
   Bench axis(wide);
   axis.play(job, 100);
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &first.path})), Cause::none);
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &first.path}})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Start{.when = end}})), Cause::none);
   Tick tick = axis.run(420);
   EXPECT_EQ(tick.job, 2U);
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &second.path})), Cause::none);
-  ASSERT_EQ(refusal(axis.step({.kind = Kind::start, .start_at = end})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &second.path}})), Cause::none);
+  ASSERT_EQ(refusal(axis.step({command::Start{.when = end}})), Cause::none);
   tick = axis.run(300);
   EXPECT_EQ(tick.position, 5 - 2) << "rows count from where the axis stands";
   EXPECT_EQ(tick.finished, 3U);
@@ -205,12 +205,12 @@ TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
     rows.add(0.4, 5);
     Bench axis({.limits = limits(1e3, 5000)});
     axis.tell(Kind::enable);
-    axis.step({.kind = Kind::override_, .factor = 2});
+    axis.step({command::Override{.factor = 2}});
     axis.arm(job);
     axis.tell(Kind::start);
     ASSERT_EQ(axis.run(247 - left).rate, 2);
-    ASSERT_EQ(refusal(axis.step({.kind = Kind::arm, .movement = &rows.path})), Cause::none);
-    Tick tick = axis.step({.kind = Kind::start, .start_at = end});
+    ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &rows.path}})), Cause::none);
+    Tick tick = axis.step({command::Start{.when = end}});
     ASSERT_EQ(refusal(tick), Cause::none);
     Cause why = Cause::none;
     while (tick.job == 1) {
@@ -252,7 +252,7 @@ TEST(AxisLater, AStreamThatIsDeclaredCompleteEndsWithoutAnUnderrun) {
     rows.add(0.2, 8);
     Bench axis(wide);
     axis.tell(Kind::enable);
-    axis.step({.kind = Kind::arm, .movement = &rows.path});
+    axis.step({command::Arm{.movement = &rows.path}});
     axis.tell(Kind::start);
     axis.run(50);
     if (declared) {
@@ -274,7 +274,7 @@ TEST(AxisLater, AfterAnUnderrunItMayBeDeclaredCompleteAndResumed) {
   rows.add(0.1, 5);
   Bench axis(wide);
   axis.tell(Kind::enable);
-  axis.step({.kind = Kind::arm, .movement = &rows.path});
+  axis.step({command::Arm{.movement = &rows.path}});
   axis.tell(Kind::start);
   ASSERT_EQ(axis.run(300).fault, Cause::underrun);
   EXPECT_TRUE(rows.path.fifos().complete());

@@ -41,9 +41,9 @@ Seen watched(Bench& bench, double target, int ticks) {
 TEST(AxisLowered, AnOverrideInFrontOfTheTargetDoesNotPassIt) {
   Bench bench({.limits = limits(926, 6000, 12000)});
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_absolute, .position = 2000});
+  bench.step({command::MoveAbsolute{.position = 2000}});
   while (bench.step().position < 2000 - 265.4) continue;
-  bench.step({.kind = Kind::override_, .factor = 385.0 / 926});
+  bench.step({command::Override{.factor = 385.0 / 926}});
   const Seen seen = watched(bench, 2000, 10'000);
   EXPECT_TRUE(seen.finished);
   EXPECT_EQ(seen.position, 2000);
@@ -67,15 +67,15 @@ void lowered(Random& random, const Kinds& kinds, bool by_command) {
   const double target = random.uniform(1, 100);
   Bench bench(config);
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_absolute, .position = target, .dynamics = d});
+  bench.step({command::MoveAbsolute{.position = target, .dynamics = d}});
   const double way = target * random.uniform(0.02, 0.999);
   while (bench.step().position < way) continue;
   const double factor = random.uniform(0.1, 0.95);
   if (by_command) {
     d.velocity *= factor;
-    bench.step({.kind = Kind::move_absolute, .position = target, .dynamics = d});
+    bench.step({command::MoveAbsolute{.position = target, .dynamics = d}});
   } else {
-    bench.step({.kind = Kind::override_, .factor = factor});
+    bench.step({command::Override{.factor = factor}});
   }
   const Seen seen = watched(bench, target, 3000);
   EXPECT_LE(seen.passes, 1e-9 * target);

@@ -101,7 +101,7 @@ Movement* AxisModel::random_movement(test::Random& random) {
   return (kept_[id] = std::move(kept)).movement.get();
 }
 
-Command AxisModel::random_command(test::Random& random) {
+AnyCommand AxisModel::random_command(test::Random& random) {
   struct Weight {
     Kind kind;
     double share;
@@ -129,7 +129,7 @@ Command AxisModel::random_command(test::Random& random) {
                                       Weight{Kind::gear_in, 0.004},
                                       Weight{Kind::gear_out, 0.001},
                                       Weight{Kind::cam_out, 0.0005}};
-  Command command;
+  AnyCommand command;
   double at = random.uniform(0, 1);
   for (const auto& weight : weights) {
     if (at < weight.share) {
@@ -210,7 +210,7 @@ std::string AxisModel::check_motion(const Command& command, const Tick& now) con
   const double elapsed = static_cast<double>(now.skipped + 1) * tick;
   if (std::abs(now.velocity) > v_most * (1 + 1e-8)) return broken("velocity", now.velocity, v_most);
   const bool renamed =
-      (command.kind == Command::Kind::set_position || command.kind == Command::Kind::home) &&
+      (command.kind() == CommandKind::set_position || command.kind() == CommandKind::home) &&
       !now.refused;
   const bool led = last_.state == State::disabled;  // by the drive
   if (renamed || led) return {};
@@ -220,7 +220,7 @@ std::string AxisModel::check_motion(const Command& command, const Tick& now) con
   if (now.fault != Cause::none && (last_.fault == Cause::none || now.velocity == 0) &&
       (freezes(now.fault, config_) || now.state == State::disabled || now.skipped > 90))
     return {};
-  if (command.kind == Command::Kind::abort || now.state == State::disabled) return {};
+  if (command.kind() == CommandKind::abort || now.state == State::disabled) return {};
   if (std::abs(now.acceleration) > a_most * (1 + 1e-8))
     return broken("acceleration", now.acceleration, a_most);
   const double joint = *config_.limits.acceleration * tick;
@@ -238,7 +238,7 @@ std::string AxisModel::check_motion(const Command& command, const Tick& now) con
 }
 
 std::string AxisModel::check_faults(const Command& command, const Tick& now) const {
-  const bool reset = command.kind == Command::Kind::reset;
+  const bool reset = command.kind() == CommandKind::reset;
   if (last_.fault != Cause::none && !reset && now.fault != last_.fault)
     return "a fault was not latched";
   if (now.state == State::error_stop && !is_fault(now.fault)) return "error_stop without a fault";
@@ -247,7 +247,7 @@ std::string AxisModel::check_faults(const Command& command, const Tick& now) con
   if (is_motion(last_.state) && now.state == State::disabled && now.fault == Cause::none)
     return "disabled in motion without a fault";
   if (last_.state == State::disabled && is_motion(now.state) &&
-      command.kind != Command::Kind::enable)
+      command.kind() != CommandKind::enable)
     return "moves without having been enabled";
   if (last_.state == State::error_stop && !reset && is_motion(now.state))
     return "moves on without a reset";

@@ -9,6 +9,7 @@
 
 #include "jounce/axis/axis.hpp"
 
+#include "axis/any_command.hpp"
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
@@ -36,7 +37,7 @@ class AxisModel {
   std::set<Cause> faults;
 
  private:
-  Command random_command(test::Random& random);
+  AnyCommand random_command(test::Random& random);
   Movement* random_movement(test::Random& random);
   Inputs random_inputs(test::Random& random);
 
@@ -62,7 +63,7 @@ class AxisModel {
     Feed* feed = nullptr;
   };
   std::map<std::uint64_t, Kept> kept_;
-  Command command_;
+  AnyCommand command_;
   Inputs inputs_;
   Tick last_;
 };

@@ -22,7 +22,7 @@ struct Moves : Bench {
   explicit Moves(const AxisConfig& config = pulses) : Bench(config) { tell(Kind::enable); }
 
   Tick move(Kind kind, double position, const MoveDynamics& dynamics = brisk) {
-    const Tick now = step({.kind = kind, .position = position, .dynamics = dynamics});
+    const Tick now = step(any({.kind = kind, .position = position, .dynamics = dynamics}));
     EXPECT_FALSE(now.refused) << now.refused->text();
     return now;
   }
@@ -111,7 +111,7 @@ TEST(AxisMoves, Figure59StopLocks) {
   Moves moves;
   moves.move(Kind::move_velocity, 3000);
   moves.run(1000);
-  Tick tick = moves.step({.kind = Kind::stop, .dynamics = {.deceleration = 10'000}});
+  Tick tick = moves.step({command::Stop{.dynamics = {.deceleration = 10'000}}});
   EXPECT_EQ(tick.state, State::stopping);
   for (const Kind kind : {Kind::move_absolute, Kind::move_velocity, Kind::halt, Kind::hold})
     EXPECT_EQ(refusal(moves.tell(kind)), Cause::stopping);
@@ -127,7 +127,7 @@ TEST(AxisMoves, Figure510HaltMayBeInterrupted) {
   Moves moves;
   moves.move(Kind::move_velocity, 3000);
   moves.run(1000);
-  moves.step({.kind = Kind::halt, .dynamics = {.deceleration = 10'000}});
+  moves.step({command::Halt{.dynamics = {.deceleration = 10'000}}});
   const Tick slow = moves.until([](const Tick& t) { return t.velocity < 1500; });
   EXPECT_GT(slow.velocity, 0);
   EXPECT_GT(moves.move(Kind::move_velocity, 3000).velocity, slow.velocity);
@@ -211,7 +211,7 @@ TEST(AxisMoves, WhatIsNotGivenIsTheLimitAndBeyondItIsRefused) {
   moves.move(Kind::move_velocity, -1e5, {});
   EXPECT_EQ(moves.run(200).velocity, -1e5);
   const auto refused = [&](const MoveDynamics& d, double to = 1) {
-    return refusal(moves.step({.kind = Kind::move_absolute, .position = to, .dynamics = d}));
+    return refusal(moves.step({command::MoveAbsolute{.position = to, .dynamics = d}}));
   };
   EXPECT_EQ(refused({.velocity = 1.1e5}), Cause::velocity_limit);
   EXPECT_EQ(refused({.acceleration = 1.1e6}), Cause::acceleration_limit);
@@ -248,11 +248,10 @@ TEST(AxisMoves, AJogAtZeroIsNoDirection) {
   on.positive_switch = on.negative_switch = true;
   for (const double zero : {0.0, -0.0}) {
     Moves moves;
-    EXPECT_EQ(refusal(moves.step({.kind = Kind::move_velocity, .position = zero}, on)),
-              Cause::none);
+    EXPECT_EQ(refusal(moves.step({command::MoveVelocity{.velocity = zero}}, on)), Cause::none);
   }
   Moves moves;
-  EXPECT_EQ(refusal(moves.step({.kind = Kind::move_velocity, .position = -1.1e5})),
+  EXPECT_EQ(refusal(moves.step({command::MoveVelocity{.velocity = -1.1e5}})),
             Cause::velocity_limit);
 }
 
@@ -264,11 +263,13 @@ TEST(AxisMoves, ADynamicsOfZeroIsRefused) {
                           Kind::move_superimposed, Kind::move_velocity, Kind::halt, Kind::stop})
     for (double MoveDynamics::*const value : all)
       for (const double zero : {0.0, -0.0}) {
-        if (kind == Kind::move_velocity && value == all[0]) continue;  // it has no meaning there
+        const bool stops = kind == Kind::halt || kind == Kind::stop;
+        if (kind == Kind::move_velocity && value == all[0]) continue;  // it has none
+        if (stops && (value == all[0] || value == all[1])) continue;
         Moves moves;
         moves.move(Kind::move_absolute, 6000);
         moves.run(100);
-        Command command{.kind = kind, .position = 10};
+        AnyCommand command{.kind = kind, .position = 10};
         command.dynamics.*value = zero;
         const Tick now = moves.step(command);
         EXPECT_EQ(refusal(now), Cause::not_positive) << name(kind);
@@ -280,7 +281,7 @@ TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {
   Moves moves;
   moves.move(Kind::move_absolute, 10'000);
   moves.run(1000);
-  moves.step({.kind = Kind::override_, .factor = 0.5});
+  moves.step({command::Override{.factor = 0.5}});
   EXPECT_EQ(moves.run(500).velocity, 1500);
   moves.tell(Kind::hold);
   Tick held = moves.run(500);
@@ -289,10 +290,10 @@ TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {
   EXPECT_EQ(moves.run(500).position, held.position);
   moves.tell(Kind::resume);
   EXPECT_EQ(moves.run(500).velocity, 1500);
-  moves.step({.kind = Kind::override_, .factor = 1});
+  moves.step({command::Override{.factor = 1}});
   EXPECT_EQ(moves.finish().position, 10'000);
   EXPECT_EQ(moves.ticks.back().finished, 1U);
-  EXPECT_EQ(refusal(moves.step({.kind = Kind::override_, .factor = 2.01})), Cause::no_value);
+  EXPECT_EQ(refusal(moves.step({command::Override{.factor = 2.01}})), Cause::no_value);
 }
 
 TEST(AxisMoves, AModuloAxisGoesTheWayThatIsAskedFor) {
@@ -300,7 +301,7 @@ TEST(AxisMoves, AModuloAxisGoesTheWayThatIsAskedFor) {
   const auto end = [&](double from, double to, Direction direction) {
     config.position = from;
     Moves moves(config);
-    moves.step({.kind = Kind::move_absolute, .position = to, .direction = direction});
+    moves.step({command::MoveAbsolute{.position = to, .direction = direction}});
     return moves.finish().position;
   };
   EXPECT_NEAR(end(350, 10, Direction::shortest), 370, 1e-9);
@@ -314,7 +315,7 @@ TEST(AxisMoves, AMoveTakesOverFromATableWithoutALeap) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   Tick last = bench.run(250);  // 5 u/s, 20 u/s^2
-  Tick tick = bench.step({.kind = Kind::move_absolute, .position = -1});
+  Tick tick = bench.step({command::MoveAbsolute{.position = -1}});
   EXPECT_EQ(tick.handed_back[0], &job);
   while (tick.state == State::discrete_motion) {
     ASSERT_LE(std::abs(tick.velocity - last.velocity), 0.02 * (1 + 1e-9));
@@ -329,7 +330,7 @@ TEST(AxisMoves, TargetsBeyondTheRangeAreRefused) {
   AxisConfig config = pulses;
   config.limits.position_max = 5000;
   Moves moves(config);
-  const Tick tick = moves.step({.kind = Kind::move_absolute, .position = 5001});
+  const Tick tick = moves.step({command::MoveAbsolute{.position = 5001}});
   EXPECT_EQ(refusal(tick), Cause::position_limit);
   EXPECT_EQ(tick.refused->limit, 5000);
   moves.move(Kind::move_absolute, 5000);

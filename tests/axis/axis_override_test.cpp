@@ -24,10 +24,10 @@ struct Rolling : Bench {
     feed.prefill(known);
     feed.supply = supply;
     tell(Kind::enable);
-    step({.kind = Kind::arm, .movement = &feed});
+    step({command::Arm{.movement = &feed}});
     tell(Kind::start);
   }
-  Tick override_by(double factor) { return step({.kind = Kind::override_, .factor = factor}); }
+  Tick override_by(double factor) { return step({command::Override{.factor = factor}}); }
 
   static constexpr double reach = 10, w = 15;  // 150 u/s, 2250 u/s^2: twice as fast is possible
   Feed feed{1, 0, reach, w};

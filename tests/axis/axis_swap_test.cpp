@@ -39,8 +39,7 @@ TablePtr run_up(double T, double amplitude) {
 
 void start_at_end(Bench& bench, Job& job) {
   ASSERT_EQ(refusal(bench.arm(job)), Cause::none);
-  ASSERT_EQ(refusal(bench.step({.kind = Kind::start, .start_at = StartAt::end_of_table})),
-            Cause::none);
+  ASSERT_EQ(refusal(bench.step({command::Start{.when = StartAt::end_of_table}})), Cause::none);
 }
 
 TEST(AxisSwap, ARepeatingTableGoesOverIntoAnotherAtItsWrapWithoutAStop) {
@@ -123,11 +122,11 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
   Bench bench({.limits = limits(1e3, 1e5)});
   bench.play(a, 50);
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
-  ASSERT_EQ(refusal(bench.step(
-                {.kind = Kind::start, .start_at = StartAt::master_position, .position = 225})),
-            Cause::none);
+  ASSERT_EQ(
+      refusal(bench.step({command::Start{.when = StartAt::master_position, .position = 225}})),
+      Cause::none);
   Tick tick = bench.step();
-  while (tick.job == 1) tick = bench.step({.kind = Kind::set_position, .position = 1});
+  while (tick.job == 1) tick = bench.step({command::SetPosition{.position = 1}});
   EXPECT_EQ(tick.job, 2U);
   EXPECT_EQ(refusal(tick), Cause::synchronized) << "the swap does not obey this tick's command";
   EXPECT_NEAR(tick.master, 225, 0.72);  // passed within the tick, and the master goes on
@@ -154,9 +153,9 @@ TEST(AxisSwap, AMasterThatRepeatsPassesNothingWhereItLeaps) {
   Bench bench({.limits = limits(1e3, 1e5)});
   bench.play(a, 300);  // the master is at 216
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
-  ASSERT_EQ(refusal(bench.step(
-                {.kind = Kind::start, .start_at = StartAt::master_position, .position = 180})),
-            Cause::none);
+  ASSERT_EQ(
+      refusal(bench.step({command::Start{.when = StartAt::master_position, .position = 180}})),
+      Cause::none);
   Tick tick = bench.step();
   double before = tick.master;
   for (; tick.job == 1; tick = bench.step()) before = tick.master;
@@ -183,9 +182,9 @@ TEST(AxisSwap, CamsThatMeetAreJoinedAtSpeedOnBothPathsToTheLastTick) {
   bench.play(a, 500);
   // Where it begins is looked at when the master comes there.
   ASSERT_EQ(refusal(bench.arm(b)), Cause::none);
-  ASSERT_EQ(refusal(bench.step(
-                {.kind = Kind::start, .start_at = StartAt::master_position, .position = 405})),
-            Cause::none);
+  ASSERT_EQ(
+      refusal(bench.step({command::Start{.when = StartAt::master_position, .position = 405}})),
+      Cause::none);
   Tick tick = bench.step();
   for (; tick.state == State::synchronized_motion; tick = bench.step()) {
     const Table& cam_now = tick.job == 1 ? *first : *second;
@@ -212,10 +211,10 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
   Bench bench({.limits = limits(500, 2e4)});
   bench.play(a, 500);
   bench.arm(b);
-  bench.step({.kind = Kind::start, .start_at = StartAt::master_position, .position = 405});
+  bench.step({command::Start{.when = StartAt::master_position, .position = 405}});
   Tick tick = bench.step();
   // A command of that very tick has an answer of its own.
-  while (tick.waiting) tick = bench.step({.kind = Kind::set_position, .position = 1});
+  while (tick.waiting) tick = bench.step({command::SetPosition{.position = 1}});
   EXPECT_EQ(refusal(tick), Cause::synchronized);
   ASSERT_TRUE(tick.dropped);
   EXPECT_EQ(tick.dropped->cause, Cause::start_position);
@@ -248,8 +247,7 @@ TEST(AxisSwap, AStartWaitsForALiveMaster) {
     inputs.master = {m, 100, 0, 0};
     return inputs;
   };
-  bench.step({.kind = Kind::start, .start_at = StartAt::master_position, .position = 7.25},
-             master(7));
+  bench.step({command::Start{.when = StartAt::master_position, .position = 7.25}}, master(7));
   EXPECT_TRUE(bench.step({}, master(7.1)).waiting);
   EXPECT_EQ(bench.step({}, master(7.2)).state, State::standstill);
   const Tick tick = bench.step({}, master(7.3));  // passed half a tick ago
@@ -263,7 +261,7 @@ TEST(AxisSwap, AnOverrideOnAPathIsTheSamePathAtAnotherTime) {
   Bench bench({.limits = limits(100, 2e4)});
   bench.play(a, 100);
   for (const double factor : {0.4, 1.9, 0.0, 1.0}) {
-    const Tick told = bench.step({.kind = Kind::override_, .factor = factor});
+    const Tick told = bench.step({command::Override{.factor = factor}});
     EXPECT_NEAR(told.override_,
                 factor == 1.9 ? highest_rate(a.peaks(), bench.axis.config()) : factor, 1e-12);
     EXPECT_NEAR(bench.run(400).rate, told.override_, 1e-12);

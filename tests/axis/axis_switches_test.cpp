@@ -18,7 +18,7 @@ using test::constant_master;
 using test::limits;
 using test::pmc600_cam;
 using test::trapezoid_table;
-using Kind = Command::Kind;
+using Kind = CommandKind;
 
 CamSwitchSpec range(double first, double last, std::optional<double> period = {}) {
   return {.switches = {{.first_on_position = first, .last_on_position = last}},
@@ -82,11 +82,11 @@ TEST(AxisSwitches, StandThroughAFaultAndMoveWithANewPosition) {
   bench.tell(Kind::enable);
   EXPECT_EQ(bench.tell(Kind::abort).switches.outputs, 1U);
   bench.tell(Kind::reset);
-  const Tick moved = bench.step({.kind = Kind::set_position, .position = 0});
+  const Tick moved = bench.step({command::SetPosition{.position = 0}});
   EXPECT_EQ(moved.switches.outputs, 0U);
   ASSERT_EQ(moved.switches.count, 1U);
   EXPECT_EQ(moved.switches.edge[0].time, 0);
-  const Tick beyond = bench.step({.kind = Kind::set_position, .position = 100});
+  const Tick beyond = bench.step({command::SetPosition{.position = 100}});
   EXPECT_EQ(beyond.switches.count, 0U);  // 40 to 60 was not passed
 }
 

@@ -293,7 +293,7 @@ TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
   EXPECT_EQ(bench.step().fault, Cause::none);
   EXPECT_EQ(bench.step().position, before);
   EXPECT_EQ(refusal(bench.arm(next)), Cause::start_position);  // it stands in mid-path
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::set_position, .position = 0})), Cause::none);
+  EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = 0}})), Cause::none);
   EXPECT_EQ(refusal(bench.arm(next)), Cause::none);
 }
 
@@ -361,15 +361,15 @@ TEST(MotionAxis, SkippedTicksAreLeftOutOfTheMotion) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
   Job job(1, move);
   MotionAxis axis({.limits = limits(10, 20)});
-  axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::arm, .movement = &job});
-  axis.step(2, {.kind = Kind::start});
+  axis.step(0, {command::Enable{}});
+  axis.step(1, {command::Arm{.movement = &job}});
+  axis.step(2, {command::Start{}});
   axis.step(1000);  // 998 ticks late on the first: beyond the default gap
   EXPECT_EQ(axis.state(), State::error_stop);
 
-  axis.step(1001, {.kind = Kind::reset});
-  EXPECT_EQ(refusal(axis.step(1002, {.kind = Kind::arm, .movement = &job})), Cause::none);
-  axis.step(1003, {.kind = Kind::start});
+  axis.step(1001, {command::Reset{}});
+  EXPECT_EQ(refusal(axis.step(1002, {command::Arm{.movement = &job}})), Cause::none);
+  axis.step(1003, {command::Start{}});
   const Tick late = axis.step(1053);
   EXPECT_EQ(late.skipped, 49);
   EXPECT_EQ(late.position, move->jet(0.05)[0]);
@@ -385,7 +385,7 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(job);
-  Tick tick = bench.step({.kind = Kind::start, .at = 10});
+  Tick tick = bench.step({command::Start{.tick = 10}});
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_TRUE(tick.waiting);
   tick = bench.axis.step(9);
@@ -399,7 +399,7 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   other.tell(Kind::enable);
   other.run(5);
   other.arm(job);
-  tick = other.step({.kind = Kind::start, .at = 3});
+  tick = other.step({command::Start{.tick = 3}});
   EXPECT_EQ(refusal(tick), Cause::too_late);
   EXPECT_EQ(tick.refused->value, 3);
 }
@@ -410,7 +410,7 @@ TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
     Bench bench(wide);
     bench.tell(Kind::enable);
     bench.arm(job);
-    bench.step({.kind = Kind::start, .at = 10});
+    bench.step({command::Start{.tick = 10}});
     const Tick tick = bench.tell(kind);
     EXPECT_FALSE(tick.waiting);
     EXPECT_TRUE(handed_back(tick, job));
@@ -427,7 +427,7 @@ TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
   EXPECT_TRUE(handed_back(bench.tell(Kind::disarm), job));
   EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
   bench.arm(job);
-  bench.step({.kind = Kind::start, .at = 10});
+  bench.step({command::Start{.tick = 10}});
   EXPECT_TRUE(bench.tell(Kind::disarm).waiting);
   EXPECT_EQ(bench.run(10).state, State::discrete_motion);
 }
@@ -484,15 +484,15 @@ TEST(MotionAxis, SetPositionNeedsAStandstillAndANumber) {
   Bench bench(wide);
   bench.tell(Kind::enable);
   bench.arm(job);
-  EXPECT_EQ(bench.step({.kind = Kind::set_position, .position = 3}).position, 3);
+  EXPECT_EQ(bench.step({command::SetPosition{.position = 3}}).position, 3);
   const Tick tick = bench.tell(Kind::start);
   EXPECT_EQ(refusal(tick), Cause::not_at_start);
   EXPECT_EQ(tick.refused->value, 0);
   EXPECT_EQ(tick.refused->limit, 3);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::set_position, .position = NAN})), Cause::no_value);
-  bench.step({.kind = Kind::set_position, .position = 0});
+  EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = NAN}})), Cause::no_value);
+  bench.step({command::SetPosition{.position = 0}});
   bench.tell(Kind::start);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::set_position, .position = 0})), Cause::in_motion);
+  EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = 0}})), Cause::in_motion);
 }
 
 }  // namespace

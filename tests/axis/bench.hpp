@@ -8,9 +8,11 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/job.hpp"
 
+#include "axis/any_command.hpp"
+
 namespace jounce::test {
 
-using Kind = Command::Kind;
+using Kind = CommandKind;
 
 inline Limits limits(double velocity, double acceleration) {
   Limits limits;
@@ -45,8 +47,8 @@ struct Bench {
   Tick step(const Command& command = {}, const Inputs& inputs = {}) {
     return axis.step(++tick, command, inputs);
   }
-  Tick tell(Kind kind) { return step({.kind = kind}); }
-  Tick arm(Movement& movement) { return step({.kind = Kind::arm, .movement = &movement}); }
+  Tick tell(Kind kind) { return step(any({.kind = kind})); }
+  Tick arm(Movement& movement) { return step({command::Arm{.movement = &movement}}); }
   Tick run(std::int64_t ticks) {
     Tick last;
     for (std::int64_t i = 0; i < ticks; ++i) last = step();

@@ -25,7 +25,7 @@ using googol::push;
 Bench moving(FifoPath& path, const AxisConfig& config) {
   Bench bench(config);
   bench.tell(Kind::enable);
-  EXPECT_FALSE(bench.step({.kind = Kind::arm, .movement = &path}).refused);
+  EXPECT_FALSE(bench.step({command::Arm{.movement = &path}}).refused);
   EXPECT_FALSE(bench.tell(Kind::start).refused);
   return bench;
 }
@@ -70,7 +70,7 @@ TEST(FifoPath, TablesAreKeptAndPlayedAgainInLoops) {
   EXPECT_EQ(now.state, State::standstill);
   EXPECT_EQ(now.position, 0);
   path.fifos().set_loops(0);
-  bench.step({.kind = Kind::arm, .movement = &path});
+  bench.step({command::Arm{.movement = &path}});
   bench.tell(Kind::start);
   now = bench.run(100 * 256 + 64);
   EXPECT_NEAR(now.position, 16, 1e-9);
@@ -358,8 +358,8 @@ TEST(FifoFollow, ThatEndsAtARatioBrakesWithinTheLimits) {
       inputs.master = {speed * static_cast<double>(++bench.tick) * 1e-3, speed, 0, 0};
       return bench.axis.step(bench.tick, command, inputs);
     };
-    ASSERT_FALSE(step({.kind = Kind::arm, .movement = &follow}).refused);
-    Tick before = step({.kind = Kind::start});
+    ASSERT_FALSE(step({command::Arm{.movement = &follow}}).refused);
+    Tick before = step({command::Start{}});
     double fastest = 0;
     double left = 0;
     for (int k = 0; k < 4000; ++k) {

@@ -37,9 +37,9 @@ Outcome play(double known, std::int64_t when, std::int64_t late, const Command& 
   MotionAxis axis(config);
   Feed feed(1, 0, reach, w);
   feed.prefill(known);
-  axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::arm, .movement = &feed});
-  Tick tick = axis.step(2, {.kind = Kind::start});
+  axis.step(0, {command::Enable{}});
+  axis.step(1, {command::Arm{.movement = &feed}});
+  Tick tick = axis.step(2, {command::Start{}});
   while (tick.tick < when && tick.fault == Cause::none) tick = axis.step(tick.tick + 1);
   Inputs inputs;
   inputs.watchdog = watchdog;
@@ -54,18 +54,18 @@ Outcome play(double known, std::int64_t when, std::int64_t late, const Command& 
 }
 
 TEST(LateStop, StaysOnWhatIsKnownWhateverIsToldInThatCycle) {
-  const Command told[] = {{},
-                          {.kind = Kind::stop},
-                          {.kind = Kind::halt},
-                          {.kind = Kind::hold},
-                          {.kind = Kind::override_, .factor = 0},
-                          {.kind = Kind::override_, .factor = 0.5},
-                          {.kind = Kind::override_, .factor = 0.95},
-                          {.kind = Kind::override_, .factor = 1.5}};
+  const AnyCommand told[] = {{},
+                             {.kind = Kind::stop},
+                             {.kind = Kind::halt},
+                             {.kind = Kind::hold},
+                             {.kind = Kind::override_, .factor = 0},
+                             {.kind = Kind::override_, .factor = 0.5},
+                             {.kind = Kind::override_, .factor = 0.95},
+                             {.kind = Kind::override_, .factor = 1.5}};
   constexpr double known = 0.3;  // s
   int moved = 0;
   for (const double jerk : {0.0, 1e5})
-    for (const Command& command : told)
+    for (const AnyCommand& command : told)
       for (const bool watchdog : {false, true})
         for (const std::int64_t late : {0, 1, 3, 10, 40, 90})
           for (std::int64_t when = 120; when < 300; when += 7) {
@@ -87,17 +87,17 @@ TEST(LateStop, GoesOnFromThereWhenMoreHasCome) {
   MotionAxis axis({.limits = limits(500, 2000)});
   Feed feed(1, 0, reach, w);
   feed.prefill(0.3);
-  axis.step(0, {.kind = Kind::enable});
-  axis.step(1, {.kind = Kind::arm, .movement = &feed});
-  Tick tick = axis.step(2, {.kind = Kind::start});
+  axis.step(0, {command::Enable{}});
+  axis.step(1, {command::Arm{.movement = &feed}});
+  Tick tick = axis.step(2, {command::Start{}});
   while (tick.tick < 150) tick = axis.step(tick.tick + 1);
-  tick = axis.step(tick.tick + 80, {.kind = Kind::hold});
+  tick = axis.step(tick.tick + 80, {command::Hold{}});
   for (int i = 0; i < 500; ++i) tick = axis.step(tick.tick + 1);
   ASSERT_EQ(tick.velocity, 0);
   ASSERT_EQ(tick.fault, Cause::none) << "a hold is no underrun";
   const double stood = tick.position;
   feed.prefill(10);
-  tick = axis.step(tick.tick + 1, {.kind = Kind::resume});
+  tick = axis.step(tick.tick + 1, {command::Resume{}});
   double most = stood;
   for (int i = 0; i < 1500; ++i) {
     tick = axis.step(tick.tick + 1);

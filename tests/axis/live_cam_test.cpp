@@ -101,7 +101,7 @@ TablePtr open_ended() {
 struct Coupled : Bench {
   explicit Coupled(const AxisConfig& config, std::function<Jet(double)> of)
       : Bench(config), master(std::move(of)) {
-    step({.kind = Kind::enable});
+    step({command::Enable{}});
   }
   Tick step(const Command& command = {}) {
     Inputs inputs;
@@ -114,10 +114,9 @@ struct Coupled : Bench {
     return last;
   }
   /// Armed and started as the command says.
-  Tick begin(Movement& movement, Command start = {}) {
-    EXPECT_FALSE(step({.kind = Kind::arm, .movement = &movement}).refused);
-    start.kind = Kind::start;
-    return step(start);
+  Tick begin(Movement& movement, const command::Start& start = {}) {
+    EXPECT_FALSE(step({command::Arm{.movement = &movement}}).refused);
+    return step({start});
   }
 
   std::function<Jet(double)> master;
@@ -188,7 +187,7 @@ TEST(LiveCam, AtAMasterPositionItIsJudgedThere) {
   const double there = cam_table->jet(100)[0];
   LiveCam cam(1, cam_table);
   Coupled bench({.limits = limits(3000, 2e5), .position = there}, steady(200));
-  Tick now = bench.begin(cam, {.start_at = StartAt::master_position, .position = 460});
+  Tick now = bench.begin(cam, {.when = StartAt::master_position, .position = 460});
   EXPECT_FALSE(now.refused) << now.refused->text();
   EXPECT_TRUE(now.waiting);
   while (now.master < 459 && bench.tick < 2298) now = bench.step();
@@ -209,7 +208,7 @@ TEST(LiveCam, AtAMasterPositionWhereItCannotBeginItIsDroppedThere) {
   LiveCam wrong_way(2, pmc600_cam(), ramp(StartMode::ramp_in_neg));
   for (LiveCam* each : {&cam, &wrong_way}) {
     Coupled bench({.limits = limits(3000, 2e5), .position = -17}, steady(200));
-    Tick now = bench.begin(*each, {.start_at = StartAt::master_position, .position = 40});
+    Tick now = bench.begin(*each, {.when = StartAt::master_position, .position = 40});
     ASSERT_FALSE(now.refused);
     std::optional<Refusal> dropped;
     while (bench.tick < 250) {
@@ -239,9 +238,9 @@ TEST(LiveCam, TakesOverWhereAPassOfTheOneBeforeEnds) {
   const CouplingSpec at_cut{.master_absolute = false, .slave_period = 360};
   LiveCam second(2, knife(300), at_cut);
   Coupled bench({.limits = limits(1e4, 1e6)}, steady(1000));
-  Tick now = bench.begin(first, {.start_at = StartAt::master_position, .position = 250});
+  Tick now = bench.begin(first, {.when = StartAt::master_position, .position = 250});
   now = bench.run(600);  // master 0.6 m: between the cuts at 500 and 750
-  now = bench.begin(second, {.start_at = StartAt::end_of_table});
+  now = bench.begin(second, {.when = StartAt::end_of_table});
   ASSERT_FALSE(now.refused) << now.refused->text();
   double v = now.velocity;
   for (int k = 0; k < 1500; ++k) {

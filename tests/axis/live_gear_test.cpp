@@ -69,14 +69,14 @@ TEST(LiveGear, IsEngagedAndLeftByAnAxis) {
     inputs.master = steady(1000)(static_cast<double>(bench.tick + 1) * 1e-3);
     return bench.axis.step(++bench.tick, command, inputs);
   };
-  step({.kind = Kind::enable});
-  EXPECT_FALSE(step({.kind = Kind::gear_in, .movement = &gear}).refused);
+  step({command::Enable{}});
+  EXPECT_FALSE(step({command::Couple{.movement = &gear}}).refused);
   Tick now;
   for (int k = 0; k < 200; ++k) now = step();
   EXPECT_EQ(now.state, State::synchronized_motion);
   EXPECT_NEAR(now.velocity, 500, 1e-9);
   EXPECT_EQ(now.progress, Progress::running);
-  EXPECT_FALSE(step({.kind = Kind::gear_out}).refused);
+  EXPECT_FALSE(step({command::GearOut{}}).refused);
   now = step();
   EXPECT_EQ(now.state, State::continuous_motion);
   EXPECT_NEAR(now.velocity, 500, 1e-9);
@@ -92,8 +92,8 @@ TEST(LiveGear, LeavesASuperimposedMoveWhatItsRampDoesNotUse) {
                       .acceleration = 5000,
                       .deceleration = 5000,
                       .jerk = 1e5 * share});
-    axis.step({.kind = Kind::gear_in, .movement = &gear}, at_master(0, 300));
-    const Command up{.kind = Kind::move_superimposed, .position = 10};
+    axis.step({command::Couple{.movement = &gear}}, at_master(0, 300));
+    const Command up{command::MoveSuperimposed{.distance = 10}};
     const Tick engaging = axis.step(up, at_master(0.3, 300));
     EXPECT_EQ(refusal(engaging), share == 1 ? Cause::jerk_limit : Cause::none);
     for (int i = 2; i < 500; ++i) axis.step({}, at_master(0.3 * i, 300));

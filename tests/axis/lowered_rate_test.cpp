@@ -20,15 +20,14 @@ using namespace test;
 struct Lowering {
   Lowering() {
     bench.play(fast);
-    bench.step({.kind = Kind::override_, .factor = 2});
+    bench.step({command::Override{.factor = 2}});
     EXPECT_EQ(bench.run(300).rate, 2);
     arm();
     EXPECT_LT(bench.run(2).rate, 2);
   }
   void arm() {
     bench.arm(slow);
-    EXPECT_EQ(refusal(bench.step({.kind = Kind::start, .start_at = StartAt::end_of_table})),
-              Cause::none);
+    EXPECT_EQ(refusal(bench.step({command::Start{.when = StartAt::end_of_table}})), Cause::none);
   }
 
   Job fast{1, there_and_back(0, 10, 2, Extrapolation::wrap)};    // 58 u/s^2
@@ -57,7 +56,7 @@ TEST(LoweredRate, AHoldAndAnOverrideAreTaken) {
   EXPECT_EQ(tick.job, 1U);
   EXPECT_EQ(tick.rate, 0);
   Lowering slower;
-  EXPECT_EQ(refusal(slower.bench.step({.kind = Kind::override_, .factor = 0.5})), Cause::none);
+  EXPECT_EQ(refusal(slower.bench.step({command::Override{.factor = 0.5}})), Cause::none);
   tick = slower.bench.run(200);
   EXPECT_EQ(tick.job, 1U);
   EXPECT_EQ(tick.rate, 0.5);
@@ -77,14 +76,13 @@ TEST(LoweredRate, GoesUpAgainWhereAnotherIsArmedInstead) {
 TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
   Bench bench{{.limits = limits(1, 10)}};
   bench.tell(Kind::enable);
-  bench.step({.kind = Kind::move_absolute,
-              .position = 2,
-              .dynamics = {.velocity = 0.5, .acceleration = 5, .deceleration = 5}});
+  bench.step({command::MoveAbsolute{
+      .position = 2, .dynamics = {.velocity = 0.5, .acceleration = 5, .deceleration = 5}}});
   bench.run(200);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 0.3})), Cause::none);
+  EXPECT_EQ(refusal(bench.step({command::MoveSuperimposed{.distance = 0.3}})), Cause::none);
   bench.run(150);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::in_motion);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 0.5})), Cause::none);
+  EXPECT_EQ(refusal(bench.step({command::Override{.factor = 2}})), Cause::in_motion);
+  EXPECT_EQ(refusal(bench.step({command::Override{.factor = 0.5}})), Cause::none);
   const Tick tick = bench.run(10'000);
   EXPECT_EQ(tick.fault, Cause::none);
   EXPECT_NEAR(tick.position, 2.3, 1e-9);
@@ -94,12 +92,12 @@ TEST(LoweredRate, NorOnAPath) {
   Bench bench{{.limits = limits(100, 1000)}};
   Job table(1, there_and_back(0, 10, 2, Extrapolation::wrap));
   bench.play(table, 100);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::move_superimposed, .position = 1})), Cause::none);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::in_motion);
+  EXPECT_EQ(refusal(bench.step({command::MoveSuperimposed{.distance = 1}})), Cause::none);
+  EXPECT_EQ(refusal(bench.step({command::Override{.factor = 2}})), Cause::in_motion);
   const Tick tick = bench.run(1000);
   EXPECT_EQ(tick.fault, Cause::none);
   EXPECT_EQ(tick.rate, 1);
-  EXPECT_EQ(refusal(bench.step({.kind = Kind::override_, .factor = 2})), Cause::none) << "over";
+  EXPECT_EQ(refusal(bench.step({command::Override{.factor = 2}})), Cause::none) << "over";
 }
 
 }  // namespace

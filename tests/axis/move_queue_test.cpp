@@ -20,7 +20,7 @@ using namespace test;
 
 constexpr double a = 1000;  // u/s^2
 
-Command to(double position, double velocity, BufferMode buffer) {
+AnyCommand to(double position, double velocity, BufferMode buffer) {
   return {.kind = Kind::move_absolute,
           .position = position,
           .dynamics = {.velocity = velocity},
@@ -138,7 +138,7 @@ TEST(MoveQueue, EveryTargetIsMetInOrder) {
       targets.push_back((targets.empty() ? 0 : targets.back()) + by);
       told += " " + std::to_string(by) + " at " + std::to_string(v) + " mode " +
               std::to_string(static_cast<int>(mode)) + ";";
-      Command move = to(by, v, mode);
+      AnyCommand move = to(by, v, mode);
       move.kind = Kind::move_relative;
       before = axis.step(move);
       ASSERT_FALSE(before.refused) << told;
@@ -201,7 +201,7 @@ TEST(MoveQueue, DisarmTakesAllBackAndAMoveReplacesThem) {
     axis.step(to(50, 100, BufferMode::aborting));
     for (int i = 1; i <= 4; ++i) axis.step(to(50 + 10 * i, 100, BufferMode::blending_high));
     axis.run(100);
-    const Tick told = axis.step({.kind = kind, .position = 40});
+    const Tick told = axis.step(any({.kind = kind, .position = 40}));
     ASSERT_TRUE(told.dropped) << name(kind);
     EXPECT_EQ(told.dropped->cause, Cause::replaced);
     EXPECT_EQ(told.dropped->value, 60) << "the first of them";

@@ -51,7 +51,7 @@ class Operator {
   Tick step() {
     const std::int64_t ticks = 1 + (random_.below(100) == 0 ? random_.below(6) : 0);
     tick_ += ticks;
-    const Command command = random_.below(pause_) == 0 ? order() : Command{};
+    const AnyCommand command = random_.below(pause_) == 0 ? order() : AnyCommand{};
     Inputs inputs;
     inputs.master = master(static_cast<double>(ticks) * 1e-3);
     const Tick now = axis_.step(tick_, command, inputs);
@@ -132,16 +132,16 @@ class Operator {
     return (movements_[id] = std::move(made)).get();
   }
 
-  Command order() {
+  AnyCommand order() {
     if (last_.state == State::disabled) return {.kind = Kind::enable};
     if (last_.state == State::error_stop && random_.below(3) != 0) return {.kind = Kind::reset};
     if (last_.armed != 0 && random_.below(2) == 0)
       return {.kind = Kind::start, .start_at = static_cast<StartAt>(random_.below(3) / 2)};
     static constexpr std::array rare{Kind::abort, Kind::disable, Kind::set_position, Kind::home};
-    Kind kind = static_cast<Kind>(1 + random_.below(static_cast<int>(command_kinds) - 1));
+    Kind kind = static_cast<Kind>(1 + random_.below(static_cast<int>(axis_kinds) - 1));
     for (const Kind seldom : rare)
       if (kind == seldom && random_.below(5) != 0) kind = Kind::move_absolute;
-    Command command{.kind = kind, .position = place(), .factor = random_.uniform(0, 1.3)};
+    AnyCommand command{.kind = kind, .position = place(), .factor = random_.uniform(0, 1.3)};
     if (random_.below(4) == 0) command.factor = 1;
     if (kind == Kind::set_position || kind == Kind::home)
       command.position = random_.uniform(-10, 10);
@@ -201,7 +201,7 @@ TEST(RandomOrders, TheLogKeepsTheLimits) {
     stopped += static_cast<int>(tick.stopped);
     for (const auto& [kind, count] : hand.told()) told[kind] += count;
   }
-  EXPECT_EQ(told.size(), command_kinds - 1) << "every kind was obeyed";
+  EXPECT_EQ(told.size(), axis_kinds - 1) << "every kind was obeyed";
   EXPECT_GT(finished, 2 * runs);
   EXPECT_GT(stopped, runs);
   EXPECT_GT(limits_met, runs);

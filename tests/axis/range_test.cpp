@@ -68,8 +68,8 @@ TEST(Range, AJogThatBeginsJustBeforeTheLimitComesToRestThere) {
     for (const double room : {1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1})
       for (const int late : {0, 30}) {
         Watched axis(between(-300, 300, limits));
-        axis.step({.kind = Kind::set_position, .position = 300 - room});
-        axis.step({.kind = Kind::move_velocity, .position = 500});
+        axis.step({command::SetPosition{.position = 300 - room}});
+        axis.step({command::MoveVelocity{.velocity = 500}});
         axis.tick += late;
         const Tick tick = axis.run(200);
         EXPECT_EQ(tick.velocity, 0) << room << ' ' << late;
@@ -81,9 +81,9 @@ TEST(Range, AJogThatBeginsJustBeforeTheLimitComesToRestThere) {
 // A stop is lost below, but the axis still moves up: it went down to the limit, slowly.
 TEST(Range, AFaultThatMovesAwayFromTheLimitRestsWhereItIs) {
   Watched axis(between(-300, 300, curves));
-  axis.step({.kind = Kind::set_position, .position = -295});
+  axis.step({command::SetPosition{.position = -295}});
   Gear gear(1, 1);
-  axis.step({.kind = Kind::gear_in, .movement = &gear}, at_master(0, 5));
+  axis.step({command::Couple{.movement = &gear}}, at_master(0, 5));
   for (int i = 1; i < 100; ++i) axis.step({}, at_master(5e-3 * i, 5));
   Inputs turns = at_master(0.5, 5);
   turns.master[2] = -9900;
@@ -101,10 +101,9 @@ TEST(Range, AMoveBlendsIntoAJogOnlyAsFastAsTheAxisCanStopInside) {
       for (const double target : {299.0, 299.9999, 250.0, 300.0}) {
         Watched axis(between(-300, 300, limits));
         const MoveDynamics slow{.velocity = 500, .deceleration = 4000};
-        axis.step({.kind = Kind::move_absolute, .position = sign * target, .dynamics = slow});
-        const Tick jog = axis.step({.kind = Kind::move_velocity,
-                                    .position = sign * 500,
-                                    .buffer = BufferMode::blending_previous});
+        axis.step({command::MoveAbsolute{.position = sign * target, .dynamics = slow}});
+        const Tick jog = axis.step({command::MoveVelocity{
+            .velocity = sign * 500, .buffer = BufferMode::blending_previous}});
         const Tick& tick = axis.rest();
         EXPECT_LE(axis.high, 300 + 1e-9);
         EXPECT_GE(axis.low, -300 - 1e-9);
@@ -118,7 +117,7 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
   for (const Limits& limits : {trapezoids, curves})
     for (const double velocity : {500.0, 37.0, -500.0, -0.3}) {
       Watched axis(between(-1, 30, limits));
-      axis.step({.kind = Kind::move_velocity, .position = velocity});
+      axis.step({command::MoveVelocity{.velocity = velocity}});
       const Tick& tick = axis.rest();
       const Cause cause = velocity > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit;
       EXPECT_EQ(tick.fault, cause);
@@ -127,11 +126,10 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
       EXPECT_LE(axis.high, 30 + 1e-9);
       EXPECT_GE(axis.low, -1 - 1e-9);
       axis.tell(Kind::reset);
-      EXPECT_EQ(refusal(axis.step({.kind = Kind::move_velocity, .position = velocity})),
+      EXPECT_EQ(refusal(axis.step({command::MoveVelocity{.velocity = velocity}})),
                 Cause::position_limit)
           << "it stands there";
-      EXPECT_EQ(refusal(axis.step({.kind = Kind::move_velocity, .position = -velocity})),
-                Cause::none);
+      EXPECT_EQ(refusal(axis.step({command::MoveVelocity{.velocity = -velocity}})), Cause::none);
     }
 }
 
@@ -139,9 +137,9 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
 TEST(Range, AStopBesideTheLimitStaysInside) {
   for (int when = 0; when < 200; ++when) {
     Watched axis(between(-300, 300, curves));
-    axis.step({.kind = Kind::move_absolute, .position = 300});
+    axis.step({command::MoveAbsolute{.position = 300}});
     while (axis.step().position < 200) continue;
-    axis.step({.kind = Kind::move_absolute, .position = 0});
+    axis.step({command::MoveAbsolute{.position = 0}});
     for (int i = 0; i < when; ++i) axis.last = axis.step();
     axis.high = axis.last.position;
     axis.tell(Kind::stop);
@@ -161,7 +159,7 @@ TEST(Range, LeavingAPathAtItsTurningPointStaysInside) {
       Job job(1, there_and_back(0, 20, 0.32, Extrapolation::wrap));
       axis.play(job, when);
       const Tick told =
-          axis.step({.kind = kind, .position = kind == Kind::move_velocity ? -100.0 : 0.0});
+          axis.step(any({.kind = kind, .position = kind == Kind::move_velocity ? -100.0 : 0.0}));
       axis.high = told.position;
       axis.rest();
       ASSERT_LE(axis.high, 20 + 1e-8) << name(kind) << " at " << when;
@@ -171,16 +169,16 @@ TEST(Range, LeavingAPathAtItsTurningPointStaysInside) {
 TEST(Range, SlowStopsFollowersAndRowsAreStoppedAtTheLimit) {
   for (const Limits& limits : {trapezoids, curves}) {
     Watched halt(between(-300, 300, limits));
-    halt.step({.kind = Kind::move_velocity, .position = 500});
+    halt.step({command::MoveVelocity{.velocity = 500}});
     halt.run(300);
-    halt.step({.kind = Kind::halt, .dynamics = {.deceleration = 100}});
+    halt.step({command::Halt{.dynamics = {.deceleration = 100}}});
     EXPECT_NEAR(halt.rest().position, 300, 1e-9);
     EXPECT_LE(halt.high, 300 + 1e-9);
 
     Watched follower(between(-300, 300, limits));
     LiveGear gear(1, {.numerator = 1, .denominator = 1, .acceleration = 5000});
     double m = 0;
-    follower.step({.kind = Kind::gear_in, .movement = &gear}, at_master(m, 400));
+    follower.step({command::Couple{.movement = &gear}}, at_master(m, 400));
     for (int i = 0; i < 5000; ++i) {
       const Tick tick = follower.step({}, at_master(m += 0.4, 400));
       ASSERT_LE(tick.position, 300 + 1e-9);
@@ -243,11 +241,10 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
     for (const double distance : {20.0, -20.0}) {
       Bench axis(config);
       axis.tell(Kind::enable);
-      axis.step({.kind = Kind::move_absolute, .position = 100, .dynamics = below});
+      axis.step({command::MoveAbsolute{.position = 100, .dynamics = below}});
       Tick last = axis.run(when);
       if (last.state == State::standstill) break;
-      ASSERT_EQ(refusal(axis.step({.kind = Kind::move_superimposed, .position = distance})),
-                Cause::none);
+      ASSERT_EQ(refusal(axis.step({command::MoveSuperimposed{.distance = distance}})), Cause::none);
       for (int i = 0; i < 1500; ++i) {
         const Tick tick = axis.step();
         ASSERT_LE(std::abs(tick.velocity), 1000 * (1 + 1e-9));
@@ -260,9 +257,9 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
     }
   Bench full(config);
   full.tell(Kind::enable);
-  full.step({.kind = Kind::move_absolute, .position = 100, .dynamics = {.velocity = 500}});
+  full.step({command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 500}}});
   full.run(20);
-  EXPECT_EQ(refusal(full.step({.kind = Kind::move_superimposed, .position = 1})),
+  EXPECT_EQ(refusal(full.step({command::MoveSuperimposed{.distance = 1}})),
             Cause::acceleration_limit)
       << "the move below takes all of it";
 }

@@ -17,7 +17,7 @@ using testing::Not;
 
 wire::Status moving() {
   wire::Status s;
-  s.state = wire::AxisState::synchronized_motion;
+  s.state = State::synchronized_motion;
   s.progress = wire::Progress::running;
   s.tick = 4711;
   s.cycle_ns = 1'000'000;
@@ -146,7 +146,7 @@ TEST(Dashboard, GivesTheTerminalNoControlCharacterOfAnybody) {
 
 TEST(Dashboard, SaysAFaultInWordsWithItsNumber) {
   std::vector<Watched> axes = two_axes();
-  axes[0].status->state = wire::AxisState::error_stop;
+  axes[0].status->state = State::error_stop;
   axes[0].status->last_error = 6;
   const auto rows = dashboard(axes, {.width = 120, .now = 1s});
   EXPECT_THAT(text_of(rows), HasSubstr("6 following_error: The following error was above"));

@@ -33,7 +33,7 @@ TEST(DriveSetpoint, SaysWhatTheTickAsks) {
   tick.velocity = 3;
   tick.acceleration = -7;
   tick.power = true;
-  const DriveSetpoint asked = drive_setpoint(tick, {.kind = Command::Kind::set_position});
+  const DriveSetpoint asked = drive_setpoint(tick, {command::SetPosition{}});
   EXPECT_EQ(asked.tick, 12);
   EXPECT_EQ(asked.time, 0.012);
   EXPECT_EQ(asked.position, 5) << "where it was before it was called 40";
@@ -41,9 +41,9 @@ TEST(DriveSetpoint, SaysWhatTheTickAsks) {
   EXPECT_EQ(asked.acceleration, -7);
   EXPECT_TRUE(asked.enable);
   EXPECT_FALSE(asked.reset);
-  EXPECT_TRUE(drive_setpoint(tick, {.kind = Command::Kind::reset}).reset);
+  EXPECT_TRUE(drive_setpoint(tick, {command::Reset{}}).reset);
   tick.refused = Refusal{.cause = Cause::not_enabled};
-  EXPECT_FALSE(drive_setpoint(tick, {.kind = Command::Kind::reset}).reset);
+  EXPECT_FALSE(drive_setpoint(tick, {command::Reset{}}).reset);
 }
 
 TEST(RecordingDrive, KeepsTheLastAndPassesOn) {

@@ -54,7 +54,7 @@ struct Stage {
                  std::shared_ptr<AxisDrive> behind = nullptr)
       : bench(config),
         drive(behind ? behind : std::make_shared<NullDrive>(at - spec.encoder_offset), spec, tick) {
-    step({.kind = Kind::enable});
+    step({command::Enable{}});
     step();
   }
 
@@ -69,10 +69,9 @@ struct Stage {
     if (watch) watch();
     return now;
   }
-  const Tick& home(int method, const HomingChoice& more = {}) {
-    HomingChoice choice = more;
-    choice.method = method;
-    return step({.kind = Kind::home, .position = as_configured, .homing = choice});
+  const Tick& home(int method, command::Home more = {}) {
+    more.method = method;
+    return step({more});
   }
   /// To the end of the homing, or of what came in its place.
   void finish(int most = 200'000) {
@@ -290,10 +289,11 @@ TEST(Homing, TheOrderChangesWhatIsConfigured) {
   Stage stage(machine(cam), -50);
   double fastest = 0;
   stage.watch = [&] { fastest = std::max(fastest, std::abs(stage.now.velocity)); };
-  stage.step({.kind = Kind::home,
-              .position = 40,
-              .dynamics = {.velocity = 20, .acceleration = 100},
-              .homing = {.method = 24, .index_velocity = 1}});
+  stage.step({command::Home{.offset = 40,
+                            .method = 24,
+                            .search_velocity = 20,
+                            .index_velocity = 1,
+                            .acceleration = 100}});
   stage.finish();
   ASSERT_TRUE(stage.now.homed);
   EXPECT_NEAR(stage.now.position - 40, stage.at() - 10, 1e-9);
@@ -308,7 +308,7 @@ void expect_failed(Stage& stage, Cause cause) {
   EXPECT_EQ(stage.now.fault, cause) << name(stage.now.fault);
   EXPECT_FALSE(stage.now.homed);
   EXPECT_EQ(stage.now.velocity, 0);
-  stage.step({.kind = Kind::reset});
+  stage.step({command::Reset{}});
   EXPECT_EQ(stage.step().state, State::standstill);
 }
 
@@ -367,10 +367,10 @@ TEST(Homing, RefusesWhatItCannotDo) {
   Stage stage(machine(cam), 0);
   const auto with = [](int method, const MoveDynamics& dynamics = {},
                        double index = as_configured) {
-    return Command{.kind = Kind::home,
-                   .position = as_configured,
-                   .dynamics = dynamics,
-                   .homing = {.method = method, .index_velocity = index}};
+    return Command{command::Home{.method = method,
+                                 .search_velocity = dynamics.velocity,
+                                 .index_velocity = index,
+                                 .acceleration = dynamics.acceleration}};
   };
   for (const int method : {15, 16, 31, 32, 36, 38, -1, 1000})
     EXPECT_EQ(refused(stage, with(method)), Cause::no_such_method) << method;
@@ -418,7 +418,8 @@ TEST(Homing, NothingElseMovesTheAxisMeanwhile) {
   for (const Kind kind : {Kind::home, Kind::set_position, Kind::move_absolute, Kind::move_relative,
                           Kind::move_velocity, Kind::move_additive, Kind::move_superimposed,
                           Kind::hold, Kind::resume, Kind::finish, Kind::start}) {
-    EXPECT_EQ(refusal(stage.step({.kind = kind, .position = 1})), Cause::in_motion) << name(kind);
+    EXPECT_EQ(refusal(stage.step(any({.kind = kind, .position = 1}))), Cause::in_motion)
+        << name(kind);
     EXPECT_EQ(stage.now.state, State::homing);
   }
   stage.finish();
@@ -434,8 +435,8 @@ TEST(Homing, StopAndHaltEndItAtRestWithinTheLimits) {
       stage.home(23);
       for (int i = 0; i < after; ++i) stage.step();
       ASSERT_EQ(stage.now.state, State::homing);
-      stage.step({.kind = kind});
-      EXPECT_EQ(refusal(stage.step({.kind = Kind::move_relative, .position = 1})) == Cause::none,
+      stage.step(any({.kind = kind}));
+      EXPECT_EQ(refusal(stage.step({command::MoveRelative{.distance = 1}})) == Cause::none,
                 stage.before.state == State::standstill);
       stage.finish();
       EXPECT_EQ(stage.now.fault, Cause::none);
@@ -450,7 +451,7 @@ TEST(Homing, AStopOrHaltWithALowDecelerationEndsItAsTheAxisStops) {
     stage.home(18);
     for (int i = 0; i < 500; ++i) stage.step();
     const double at = stage.at();
-    stage.step({.kind = kind, .dynamics = {.deceleration = 0.1}});
+    stage.step(any({.kind = kind, .dynamics = {.deceleration = 0.1}}));
     stage.finish();
     EXPECT_EQ(stage.now.fault, Cause::none);
     EXPECT_LT(stage.at() - at, fast * fast / (2 * acceleration) + fast * acceleration / jerk);
@@ -459,7 +460,7 @@ TEST(Homing, AStopOrHaltWithALowDecelerationEndsItAsTheAxisStops) {
 
 TEST(Homing, AnOverrideAboveOneDoesNotSpeedItUp) {
   Stage stage(machine(cam), -50);
-  stage.step({.kind = Kind::override_, .factor = 2});
+  stage.step({command::Override{.factor = 2}});
   stage.watch = [&] { expect_within_limits(stage); };
   stage.home(23);
   stage.finish();
@@ -471,7 +472,7 @@ TEST(Homing, ADriveFaultEndsTheHomeAlsoWhereThePowerIsOff) {
   stage.home(23);
   stage.finish();
   ASSERT_TRUE(stage.now.homed);
-  stage.step({.kind = Kind::disable});
+  stage.step({command::Disable{}});
   Inputs inputs;
   inputs.feedback = stage.drive.feedback();
   inputs.feedback.fault = true;
@@ -482,7 +483,7 @@ TEST(Homing, AStopNearALimitSwitchIsNoFault) {
   Stage stage(machine(cam), 60);
   stage.home(23);
   while (stage.now.state == State::homing && stage.at() < 100.05) stage.step();
-  stage.step({.kind = Kind::stop});
+  stage.step({command::Stop{}});
   stage.finish();
   EXPECT_EQ(stage.now.fault, Cause::none) << name(stage.now.fault);
   EXPECT_EQ(stage.now.reason, Cause::stopped);
@@ -492,12 +493,12 @@ TEST(Homing, AnAbortAndADisableEndIt) {
   Stage aborted(machine(cam), -50);
   aborted.home(23);
   for (int i = 0; i < 300; ++i) aborted.step();
-  aborted.step({.kind = Kind::abort});
+  aborted.step({command::Abort{}});
   expect_failed(aborted, Cause::aborted);
   Stage disabled(machine(cam), -50);
   disabled.home(23);
   for (int i = 0; i < 300; ++i) disabled.step();
-  disabled.step({.kind = Kind::disable});
+  disabled.step({command::Disable{}});
   EXPECT_EQ(disabled.now.state, State::disabled);
   EXPECT_FALSE(disabled.now.homed);
 }
@@ -505,11 +506,11 @@ TEST(Homing, AnAbortAndADisableEndIt) {
 TEST(Homing, OverrideSlowsItDownAndHoldsItAtZero) {
   Stage stage(machine(cam), -50);
   stage.home(23);
-  stage.step({.kind = Kind::override_, .factor = 0});
+  stage.step({command::Override{.factor = 0}});
   for (int i = 0; i < 500; ++i) stage.step();
   EXPECT_EQ(stage.now.velocity, 0);
   EXPECT_EQ(stage.now.state, State::homing);
-  stage.step({.kind = Kind::override_, .factor = 0.5});
+  stage.step({command::Override{.factor = 0.5}});
   for (int i = 0; i < 300; ++i) stage.step();
   EXPECT_NEAR(stage.now.velocity, fast / 2, 1e-9);
   stage.finish();
@@ -523,10 +524,10 @@ TEST(Homing, AnOverrideOfZeroKeepsItsAcceleration) {
   for (int i = 0; i < 300; ++i) stage.step();
   ASSERT_NE(stage.now.velocity, 0);
   stage.watch = [&] { expect_within_limits(stage); };
-  stage.step({.kind = Kind::override_, .factor = 0});
+  stage.step({command::Override{.factor = 0}});
   for (int i = 0; i < 500; ++i) stage.step();
   EXPECT_EQ(stage.now.velocity, 0);
-  stage.step({.kind = Kind::override_, .factor = 1});
+  stage.step({command::Override{.factor = 1}});
   stage.finish();
   EXPECT_TRUE(stage.now.homed);
 }
@@ -536,9 +537,8 @@ TEST(Homing, AfterwardsThePositionRangeHolds) {
   stage.home(23);
   stage.finish();
   ASSERT_TRUE(stage.now.homed);
-  EXPECT_EQ(refusal(stage.step({.kind = Kind::move_absolute, .position = 21})),
-            Cause::position_limit);
-  stage.step({.kind = Kind::move_velocity, .position = -100});
+  EXPECT_EQ(refusal(stage.step({command::MoveAbsolute{.position = 21}})), Cause::position_limit);
+  stage.step({command::MoveVelocity{.velocity = -100}});
   stage.finish();
   EXPECT_EQ(stage.now.fault, Cause::negative_soft_limit);
   EXPECT_NEAR(stage.now.position, -20, 1e-6);
@@ -548,9 +548,9 @@ TEST(Homing, WhatRequiresAHomeIsRefusedBefore) {
   AxisConfig config = config_of();
   config.require_home = true;
   Stage stage(machine(cam), 40, config);
-  const Command absolute{.kind = Kind::move_absolute, .position = 5};
+  const Command absolute{command::MoveAbsolute{.position = 5}};
   EXPECT_EQ(refusal(stage.step(absolute)), Cause::not_homed);
-  EXPECT_EQ(refusal(stage.step({.kind = Kind::move_relative, .position = 1})), Cause::none);
+  EXPECT_EQ(refusal(stage.step({command::MoveRelative{.distance = 1}})), Cause::none);
   stage.finish();
   stage.home(24);
   stage.finish();

@@ -21,6 +21,7 @@
 
 #include <unistd.h>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/drive/machine_sensors.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/client.hpp"
@@ -38,8 +39,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::Random;
-using wire::OrderKind;
 
+constexpr int client_commands = std::variant_size_v<ClientCommand>;
 constexpr int orders_each = 1000;   // of one executor
 std::vector<std::string> left_out;  // names of kinds, to look for what else there is
 
@@ -176,28 +177,31 @@ double place(Random& random, const Bounds& b) {
 }
 
 /// A homing by any method, and by numbers that are none; mostly by one that searches where there are switches.
-std::array<double, 8> home_values(Random& random, const Bounds& b) {
+CommandValues home_values(Random& random, const Bounds& b) {
   const int method = b.machine && random.below(8) != 0 ? 1 + random.below(34) : random.below(40);
   const auto seldom = [&](double some) { return random.below(4) == 0 ? some : NAN; };
-  return wire::values(OrderKind::home,
-                      {random.below(3) == 0 ? NAN : place(random, b), static_cast<double>(method),
-                       seldom(share(random, b.velocity)), seldom(share(random, b.velocity) * 0.2),
-                       seldom(share(random, b.acceleration)), seldom(random.uniform(0.05, 3)),
-                       seldom(b.velocity * random.uniform(0.01, 2))});
+  return CommandValues{random.below(3) == 0 ? NAN : place(random, b),
+                       static_cast<double>(method),
+                       seldom(share(random, b.velocity)),
+                       seldom(share(random, b.velocity) * 0.2),
+                       seldom(share(random, b.acceleration)),
+                       seldom(random.uniform(0.05, 3)),
+                       seldom(b.velocity * random.uniform(0.01, 2))};
 }
 
 /// `state`: what the axis does now.
-wire::Order order_of(Random& random, const Bounds& b, State state) {
-  wire::Order order{.kind = static_cast<OrderKind>(random.below(wire::order_kinds))};
+wire::Command order_of(Random& random, const Bounds& b, State state) {
+  wire::Command order{.kind = *kind_of_number(random.below(client_commands))};
   // Half of all orders move: otherwise what is in motion would be rare.
   if (random.below(2) == 0)
-    order.kind = static_cast<OrderKind>(8 + random.below(5));
+    order.kind = *kind_of_number(8 + random.below(5));
   else if (random.below(6) == 0)
-    order.kind = OrderKind::enable;
-  if (b.machine && state == State::standstill && random.below(4) == 0) order.kind = OrderKind::home;
+    order.kind = CommandKind::enable;
+  if (b.machine && state == State::standstill && random.below(4) == 0)
+    order.kind = CommandKind::home;
   // A coupling with something on top of it would be rare, too.
   if (state == State::synchronized_motion && random.below(3) == 0)
-    order.kind = OrderKind::move_superimposed;
+    order.kind = CommandKind::move_superimposed;
   auto& value = order.value;
   const double j = b.jerk.value_or(b.acceleration * 10);
   const auto rates = [&](std::size_t first) {
@@ -208,38 +212,38 @@ wire::Order order_of(Random& random, const Bounds& b, State state) {
   };
   const double mode = random.below(2) == 0 ? 0 : random.below(6);
   switch (order.kind) {
-    case OrderKind::move_absolute:
+    case CommandKind::move_absolute:
       value[0] = place(random, b);
       rates(1);
       value[5] = random.below(3) - 1;
       value[6] = mode;
       break;
-    case OrderKind::move_relative:
-    case OrderKind::move_additive:
-    case OrderKind::move_superimposed:
+    case CommandKind::move_relative:
+    case CommandKind::move_additive:
+    case CommandKind::move_superimposed:
       value[0] = place(random, b) * random.uniform(0, 1);
       rates(1);
-      if (order.kind == OrderKind::move_relative) value[5] = mode;
+      if (order.kind == CommandKind::move_relative) value[5] = mode;
       break;
-    case OrderKind::move_velocity:
+    case CommandKind::move_velocity:
       rates(0);
       if (std::isnan(value[0])) value[0] = 0;  // a velocity of 0 is rest, and has to be given
       value[0] *= random.below(2) == 0 ? 1 : -1;
       value[4] = mode;
       value[5] = random.below(4) == 0 ? 1 : 0;  // hold-to-run
       break;
-    case OrderKind::halt:
+    case CommandKind::halt:
       value[0] = share(random, b.acceleration);
       value[1] = share(random, j);
       break;
-    case OrderKind::override_:
+    case CommandKind::override_:
       value[0] = random.below(4) == 0 ? nasty(random) : random.uniform(0, 2);
       break;
-    case OrderKind::gear_in:
-    case OrderKind::gear_in_pos:
+    case CommandKind::gear_in:
+    case CommandKind::gear_in_pos:
       value[0] = random.below(9) - 4;
       value[1] = random.below(6);
-      if (order.kind == OrderKind::gear_in) {
+      if (order.kind == CommandKind::gear_in) {
         value[2] = share(random, b.acceleration);
         value[3] = share(random, b.acceleration);
         value[4] = share(random, j);
@@ -249,23 +253,22 @@ wire::Order order_of(Random& random, const Bounds& b, State state) {
         value[4] = random.uniform(0, 100);
       }
       break;
-    case OrderKind::home:
+    case CommandKind::home:
       value = home_values(random, b);
       break;
     default:
-      for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
+      for (std::size_t i = 0; i < info(order.kind).fields.size(); ++i)
         value[i] = random.below(3) == 0 ? nasty(random) : place(random, b);
-      if (order.kind == OrderKind::set_position) value[1] = random.below(2);
+      if (order.kind == CommandKind::set_position) value[1] = random.below(2);
   }
   if (random.below(20) == 0) value[static_cast<std::size_t>(random.below(8))] = nasty(random);
   return order;
 }
 
-std::string words_of(const wire::Order& order, std::size_t axis) {
+std::string words_of(const wire::Command& order, std::size_t axis) {
   std::ostringstream text;
   text.precision(17);
-  text << (axis == 0 ? "feeder " : "knife ") << wire::name(order.kind) << " at " << order.at
-       << " [";
+  text << (axis == 0 ? "feeder " : "knife ") << name(order.kind) << " at " << order.at << " [";
   for (const double value : order.value) text << value << ' ';
   text << ']';
   return text.str();
@@ -276,21 +279,21 @@ double given(double magnitude) {
   return magnitude > 0 ? magnitude : 0;
 }
 
-Accepted accepted(const wire::Order& order, const HomingSpec& homing) {
+Accepted accepted(const wire::Command& order, const HomingSpec& homing) {
   using What = Accepted::What;
   const auto& v = order.value;
   switch (order.kind) {
-    case OrderKind::enable:
-    case OrderKind::reset:
-    case OrderKind::queue_switch:
-    case OrderKind::queue_clear:
-    case OrderKind::queue_end:
+    case CommandKind::enable:
+    case CommandKind::reset:
+    case CommandKind::queue_switch:
+    case CommandKind::queue_clear:
+    case CommandKind::queue_end:
       return {.what = What::other};
-    case OrderKind::disable:
+    case CommandKind::disable:
       return {.what = What::disables};
-    case OrderKind::set_position:
+    case CommandKind::set_position:
       return {.what = What::places};
-    case OrderKind::home: {
+    case CommandKind::home: {
       const auto chosen = [&](std::size_t i, double own) { return std::isnan(v[i]) ? own : v[i]; };
       return {
           .what = What::homes,
@@ -301,32 +304,32 @@ Accepted accepted(const wire::Order& order, const HomingSpec& homing) {
           .home = chosen(0, homing.offset),
           .timeout = chosen(5, homing.timeout)};
     }
-    case OrderKind::hold:
+    case CommandKind::hold:
       return {.what = What::rests};
-    case OrderKind::halt:
+    case CommandKind::halt:
       return {.what = What::rests, .acceleration = given(v[0]), .jerk = given(v[1])};
-    case OrderKind::move_velocity: {
+    case CommandKind::move_velocity: {
       const double a = std::min(v[1] > 0 ? v[1] : HUGE_VAL, v[2] > 0 ? v[2] : HUGE_VAL);
       const bool rests = v[0] == 0 && v[4] == 0;
       return {.what = rests ? What::rests : What::moves,
               .acceleration = std::isinf(a) ? 0 : a,
               .jerk = given(v[3])};
     }
-    case OrderKind::move_absolute:
-    case OrderKind::move_relative:
-    case OrderKind::move_additive:
-    case OrderKind::move_superimposed: {
+    case CommandKind::move_absolute:
+    case CommandKind::move_relative:
+    case CommandKind::move_additive:
+    case CommandKind::move_superimposed: {
       const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
       return {.what = What::moves, .acceleration = std::isinf(a) ? 0 : a, .jerk = given(v[4])};
     }
-    case OrderKind::gear_in: {
+    case CommandKind::gear_in: {
       const double a = std::min(v[2] > 0 ? v[2] : HUGE_VAL, v[3] > 0 ? v[3] : HUGE_VAL);
       return {.what = What::moves,
               .acceleration = std::isinf(a) ? 0 : a,
               .jerk = given(v[4]),
               .ratio = std::abs(v[0] / v[1])};
     }
-    case OrderKind::gear_in_pos:
+    case CommandKind::gear_in_pos:
       return {.what = What::moves, .ratio = HUGE_VAL};
     default:
       return {.what = What::moves};
@@ -415,8 +418,8 @@ class Episode {
     } else if (what == 3) {
       static_cast<void>(client.release());
     } else {
-      const wire::Order order = timed(wanted(axis), axis);
-      if (std::count(left_out.begin(), left_out.end(), wire::name(order.kind)) > 0) return;
+      const wire::Command order = timed(wanted(axis), axis);
+      if (std::count(left_out.begin(), left_out.end(), name(order.kind)) > 0) return;
       give(axis, client, order);
       if (random_.below(20) == 0) give(axis, client, order);
     }
@@ -428,20 +431,20 @@ class Episode {
   }
 
   /// Often what brings an axis back that takes nothing else now.
-  wire::Order wanted(std::size_t axis) {
+  wire::Command wanted(std::size_t axis) {
     const State state = site_.last(axis).state;
     const bool idle = random_.below(2) == 0;
-    if (idle && state == State::disabled) return {.kind = OrderKind::enable};
-    if (idle && state == State::error_stop) return {.kind = OrderKind::reset};
-    wire::Order order = order_of(random_, drawn_.bounds[axis], state);
+    if (idle && state == State::disabled) return {.kind = CommandKind::enable};
+    if (idle && state == State::error_stop) return {.kind = CommandKind::reset};
+    wire::Command order = order_of(random_, drawn_.bounds[axis], state);
     if (axis == 1 && state == State::standstill && random_.below(3) == 0) {
-      order = {.kind = OrderKind::gear_in};
+      order = {.kind = CommandKind::gear_in};
       order.value = {double(random_.below(5) - 2), double(1 + random_.below(3)), NAN, NAN, NAN};
     }
     return order;
   }
 
-  wire::Order timed(wire::Order order, std::size_t axis) {
+  wire::Command timed(wire::Command order, std::size_t axis) {
     if (random_.below(15) == 0) order.at = site_.last(axis).tick + random_.below(200) - 20;
     return order;
   }
@@ -456,7 +459,7 @@ class Episode {
     ++taken;
   }
 
-  void give(std::size_t axis, Client& client, const wire::Order& order) {
+  void give(std::size_t axis, Client& client, const wire::Command& order) {
     const std::int64_t sent = tick(axis);
     const CallOutcome outcome = client.tell(order);
     if (outcome.error == StreamError::refused) return;
@@ -477,7 +480,7 @@ class Episode {
     note(axis, done, sent, words_of(order, axis));
     accepted_[axis].back().answered = std::max(order.at, by);
     // Where a table adopts the position, its start names it.
-    if (order.kind == OrderKind::start) also(axis, Accepted::What::places);
+    if (order.kind == CommandKind::start_table) also(axis, Accepted::What::places);
   }
 
   void also(std::size_t axis, Accepted::What what) {
@@ -536,11 +539,10 @@ class Episode {
     site_.advance(300ms);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Client& client = *clients_[axis][0];
-      give(axis, client, {.kind = OrderKind::reset});
-      give(axis, client, {.kind = OrderKind::enable});
+      give(axis, client, {.kind = CommandKind::reset});
+      give(axis, client, {.kind = CommandKind::enable});
       site_.advance(5ms);
-      give(axis, client,
-           {.kind = OrderKind::home, .value = wire::values(OrderKind::home, {0, 37})});
+      give(axis, client, wire::message_of(command::Home{.offset = 0, .method = 37}));
       static_cast<void>(client.release());
       static_cast<void>(clients_[axis][1]->release());
     }
@@ -601,9 +603,10 @@ class Episode {
   }
 
   void operators(std::size_t axis) {
-    constexpr OrderKind kinds[] = {OrderKind::hold, OrderKind::resume, OrderKind::override_};
-    wire::Order order{.kind = kinds[random_.below(3)]};
-    if (order.kind == OrderKind::override_) order.value[0] = random_.uniform(-0.1, 2.1);
+    constexpr CommandKind kinds[] = {CommandKind::hold, CommandKind::resume,
+                                     CommandKind::override_};
+    wire::Command order{.kind = kinds[random_.below(3)]};
+    if (order.kind == CommandKind::override_) order.value[0] = random_.uniform(-0.1, 2.1);
     const std::int64_t sent = tick(axis);
     const wire::Reply reply = operator_command(site_.link, drawn_.axes[axis].receiver.executor,
                                                order, {}, 100ms, site_.clock);

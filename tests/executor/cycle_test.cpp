@@ -20,10 +20,10 @@ const AxisConfig config{.limits = limits(10, 20)};
 TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Rig rig(config);
-  rig.mail.commands.push({.kind = Kind::enable});
-  rig.mail.commands.push({.kind = Kind::arm, .id = 5, .movement = &job});
-  rig.mail.commands.push({.kind = Kind::arm, .id = 6});
-  rig.mail.commands.push({.kind = Kind::start, .id = 7});
+  rig.mail.commands.push({command::Enable{}});
+  rig.mail.commands.push({.what = command::Arm{.movement = &job}, .id = 5});
+  rig.mail.commands.push({.what = command::Arm{}, .id = 6});
+  rig.mail.commands.push({.what = command::Start{}, .id = 7});
   EXPECT_EQ(rig.next().state, State::standstill);
   EXPECT_EQ(rig.next().armed, 1U);
   EXPECT_EQ(rig.next().armed, 1U);
@@ -49,10 +49,10 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
   Job job(1, move);
   Rig rig(config);
-  rig.tell({.kind = Kind::enable});
-  rig.tell({.kind = Kind::arm, .movement = &job});
-  rig.tell({.kind = Kind::start});  // tick 2
-  rig.pacer.delay = 999'999;        // a little less than a period: late for nothing
+  rig.tell({command::Enable{}});
+  rig.tell({command::Arm{.movement = &job}});
+  rig.tell({command::Start{}});  // tick 2
+  rig.pacer.delay = 999'999;     // a little less than a period: late for nothing
   EXPECT_EQ(rig.next().tick, 3);
   rig.pacer.delay = 4'200'000;
   const Tick late = rig.next();  // due at 4, woken at 8.2
@@ -76,15 +76,15 @@ TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
   Cycle cycle{machine, pacer, post, {.patience = 10}};
   Tick tick;
   const auto turn = [&](bool alive, const Command& command = {}) {
-    if (command.kind != Kind::none) {
+    if (command.kind() != Kind::none) {
       ASSERT_TRUE(post.mail[0]->commands.push(command));
     }
     post.vitals.alive += alive ? 1 : 0;
     cycle.once();
     ASSERT_TRUE(post.mail[0]->ticks.pop(tick));
   };
-  turn(true, {.kind = Kind::enable});
-  turn(true, {.kind = Kind::move_velocity, .position = 100});
+  turn(true, {command::Enable{}});
+  turn(true, {command::MoveVelocity{.velocity = 100}});
   for (int i = 0; i < 50; ++i) turn(true);
   for (int i = 0; i < 10; ++i) turn(false);
   EXPECT_EQ(tick.velocity, 100) << "within its patience";

@@ -305,10 +305,10 @@ std::string flood(Site& site, const Sender& owner, std::int32_t from, std::int32
   Rejects rejects;
   for (std::int32_t i = from; i <= to; ++i) {
     if (i < to)
-      send_message(site.link,
-                   {"feeder", 1,
-                    wire::Order{.command = i, .kind = wire::OrderKind::override_, .value = {0.5}},
-                    owner.challenge()});
+      send_message(
+          site.link,
+          {"feeder", 1, wire::Command{.command = i, .kind = CommandKind::override_, .value = {0.5}},
+           owner.challenge()});
     site.dispatcher.turn(0ns);
     while (const auto message = next_message(site.link, 0ns, rejects))
       if (const auto* reply = std::get_if<wire::Reply>(&message->body)) reason = reply->reason;
@@ -369,7 +369,7 @@ TEST(Dispatcher, PublishesWhatTheAxisDoes) {
   }
   ASSERT_GE(published.size(), 5U);
   const wire::Status& now = published.back();
-  EXPECT_EQ(now.state, wire::AxisState::discrete_motion);
+  EXPECT_EQ(now.state, State::discrete_motion);
   EXPECT_EQ(now.cycle_ns, 1'000'000);
   EXPECT_TRUE(std::isnan(now.master_position));
   EXPECT_EQ(now.slave_velocity, 100);

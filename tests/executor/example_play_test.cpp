@@ -49,7 +49,7 @@ struct Follower : Site {
     const StreamOutcome outcome = stream({.executor = "feeder", .tables = {{*table, over_time}}});
     ASSERT_TRUE(outcome.ok()) << outcome.reason;
   }
-  StreamOutcome couple(const TablePtr& cam, wire::CamEnd end = wire::CamEnd::brake) {
+  StreamOutcome couple(const TablePtr& cam, CamEnd end = CamEnd::brake) {
     return stream({.executor = "knife",
                    .tables = {{*cam, over_master}},
                    .mode = wire::ArmMode::follow_input,
@@ -162,15 +162,15 @@ class Hand {
     tell(wire::Start{});
   }
   void queue_switch() {
-    tell(wire::Order{.kind = wire::OrderKind::queue_switch,
-                     .value = {static_cast<double>(queue_.queue)}});
+    tell(wire::Command{.kind = CommandKind::queue_switch,
+                       .value = {static_cast<double>(queue_.queue)}});
   }
 
   /// Of what was taken from it by a switch, messages count again from the next one on.
   void clear(int bank) {
-    tell(wire::Order{.kind = wire::OrderKind::queue_clear,
-                     .value = {static_cast<double>(queue_.queue), static_cast<double>(bank),
-                               static_cast<double>(seq_[static_cast<std::size_t>(bank)])}});
+    tell(wire::Command{.kind = CommandKind::queue_clear,
+                       .value = {static_cast<double>(queue_.queue), static_cast<double>(bank),
+                                 static_cast<double>(seq_[static_cast<std::size_t>(bank)])}});
   }
 
   template <class Body>
@@ -346,7 +346,7 @@ TEST(ExamplePlay, Pmc600Example44) {
   const StreamOutcome outcome =
       site.couple(table(Domain::master, Interpolation::linear, Extrapolation::refuse,
                         {{0, 5000, 10000}, {0, 5000, 7000}, {}, {}}),
-                  wire::CamEnd::keep_velocity);
+                  CamEnd::keep_velocity);
   ASSERT_TRUE(outcome.ok()) << outcome.reason;
   double last = 0;
   site.each_tick = [&](const Tick& feeder, const Tick& knife) {
@@ -549,8 +549,8 @@ TEST(Queue, DeclaredCompleteItEndsWithoutAnUnderrun) {
     hand.fill(0, {{0.5, 100}, {1.0, 0, PtType::stop}});
     hand.arm_and_start();
     if (declared)
-      hand.tell(wire::Order{.kind = wire::OrderKind::queue_end,
-                            .value = {static_cast<double>(wire::first_queue)}});
+      hand.tell(wire::Command{.kind = CommandKind::queue_end,
+                              .value = {static_cast<double>(wire::first_queue)}});
     hand.wait(1500ms);
     EXPECT_EQ(site.knife().fault, declared ? Cause::none : Cause::underrun);
     EXPECT_EQ(site.knife().finished, declared ? 1U : 0U);

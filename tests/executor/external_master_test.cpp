@@ -336,7 +336,7 @@ TEST(ExternalMasterRun, ACamStartsWhereTheMasterPassesAPosition) {
                          {{800, 1300, 1800}, {0, 400, 0}, {0, 0, 0}, {0, 0, 0}});
   StreamPlan plan;
   plan.coupling = {.slave_absolute = false};
-  plan.when = wire::StartAt::master_position;
+  plan.when = StartAt::master_position;
   plan.position = 800;
   const StreamOutcome outcome = site.couple(cam, plan);
   ASSERT_TRUE(outcome.ok()) << outcome.reason;

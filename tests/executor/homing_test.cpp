@@ -120,11 +120,11 @@ TEST(OrderedHoming, ItsEndIsInTheStatus) {
   };
   EXPECT_FALSE(status().homed);
   ASSERT_TRUE(site.client.search_home().ok());
-  EXPECT_EQ(status().state, wire::AxisState::homing);
+  EXPECT_EQ(status().state, State::homing);
   EXPECT_EQ(status().progress, wire::Progress::running);
   site.finish();
   EXPECT_TRUE(status().homed);
-  EXPECT_EQ(status().state, wire::AxisState::standstill);
+  EXPECT_EQ(status().state, State::standstill);
   EXPECT_EQ(status().finished, 1);
   ASSERT_TRUE(site.client.search_home().ok());
   EXPECT_FALSE(status().homed) << "it searches anew";
@@ -178,11 +178,11 @@ TEST(OrderedHoming, StopsByAnOperatorAndBySilence) {
 TEST(OrderedHoming, WhatIsNotGivenOrWrong) {
   Slide site(slide(-50));
   const auto refused = [&](std::initializer_list<double> values) {
-    wire::Order order{.kind = wire::OrderKind::home,
-                      .value = wire::values(wire::OrderKind::home, values)};
-    return site.client.tell(order).reason;
+    wire::Command home = wire::message_of(command::Home{});
+    std::copy(values.begin(), values.end(), home.value.begin());
+    return site.client.tell(home).reason;
   };
-  const double nan = Pacing::not_given;
+  const double nan = as_configured;
   EXPECT_NE(refused({nan, 99}).find("no_such_method"), std::string::npos);
   EXPECT_NE(refused({nan, 2.5}).find("method"), std::string::npos);
   EXPECT_NE(refused({nan, 24, 0}).find("search velocity must be greater than 0"),

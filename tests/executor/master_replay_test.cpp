@@ -98,13 +98,13 @@ class RecordedRun {
   }
   /// Moves that wait and are taken back: something is dropped every now and then.
   void tell(std::int64_t k, Post& post) {
-    Command command{.kind = Command::Kind::none};
-    if (k == 10) command.kind = Command::Kind::enable;
-    if (k > 10 && k % 100 == 0) command = {.kind = Kind::move_relative, .position = 1};
+    Command command;
+    if (k == 10) command = {command::Enable{}};
+    if (k > 10 && k % 100 == 0) command = {command::MoveRelative{.distance = 1}};
     if (k > 10 && k % 100 == 3)
-      command = {.kind = Kind::move_relative, .position = 2, .buffer = BufferMode::buffered};
-    if (k > 10 && k % 100 == 6) command.kind = Command::Kind::disarm;
-    if (command.kind != Command::Kind::none) {
+      command = {command::MoveRelative{.distance = 2, .buffer = BufferMode::buffered}};
+    if (k > 10 && k % 100 == 6) command = {command::Disarm{}};
+    if (command.kind() != CommandKind::none) {
       EXPECT_TRUE(post.mail[0]->commands.push(command));
     }
   }

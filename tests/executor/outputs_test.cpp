@@ -123,42 +123,39 @@ TEST(Outputs, OfAnotherListOrAnotherSwitchDiffer) {
 TEST(Orders, BufferedAndAtATickPassOverTheWireAndAreReplayed) {
   Recorded site;
   Client client(site.link, "feeder", {}, site.clock);
-  using wire::OrderKind;
-  ASSERT_TRUE(client.order(OrderKind::move_absolute, {20, 100, 2000, 2000}).ok());
+  ASSERT_TRUE(client.command(command::MoveAbsolute{20, {100, 2000, 2000}}).ok());
   ASSERT_TRUE(
-      client.order(OrderKind::move_relative, {10, 50, 2000, 2000, Pacing::not_given, 2}).ok());
+      client.command(command::MoveRelative{10, {50, 2000, 2000}, BufferMode::blending_low}).ok());
   site.advance(1s);
   EXPECT_EQ(site.last().position, 30);
   EXPECT_EQ(site.last().finished, 2U);
   const std::int64_t at = site.last().tick + 400;
-  ASSERT_TRUE(client.order(OrderKind::move_absolute, {40}, at).ok());
+  ASSERT_TRUE(client.command(command::MoveAbsolute{40}, at).ok());
   while (site.last().tick < at - 1) {
     site.advance(1ms);
     ASSERT_EQ(site.last().position, 30);
   }
   site.advance(300ms);
   EXPECT_EQ(site.last().position, 40);
-  EXPECT_EQ(client.order(OrderKind::halt, {}, 3).cause, static_cast<int>(Cause::too_late));
+  EXPECT_EQ(client.command(command::Halt{}, 3).cause, static_cast<int>(Cause::too_late));
   EXPECT_TRUE(site.replayed().same());
 }
 
 // As `jounce order` gives them: each in a session of its own, which ends.
 TEST(Orders, ThatWaitOutlastTheSessionThatGaveThem) {
   Recorded site;
-  using wire::OrderKind;
-  const auto order = [&](OrderKind kind, std::initializer_list<double> value,
-                         std::int64_t at = -1) {
+  const auto order = [&](const ClientCommand& command, std::int64_t at = -1) {
     Client client(site.link, "feeder", {}, site.clock);
-    EXPECT_TRUE(client.order(kind, value, at).ok());
+    EXPECT_TRUE(client.command(command, at).ok());
     EXPECT_TRUE(client.release().ok());
     site.advance(5ms);
   };
-  order(OrderKind::move_absolute, {20, 100, 2000, 2000});
-  order(OrderKind::move_relative, {10, 50, 2000, 2000, Pacing::not_given, 1});
+  order(command::MoveAbsolute{20, {100, 2000, 2000}});
+  order(command::MoveRelative{10, {50, 2000, 2000}, BufferMode::buffered});
   site.advance(1s);
   EXPECT_EQ(site.last().position, 30);
   EXPECT_EQ(site.last().finished, 2U);
-  order(OrderKind::move_absolute, {40}, site.last().tick + 200);
+  order(command::MoveAbsolute{40}, site.last().tick + 200);
   site.advance(500ms);
   EXPECT_EQ(site.last().position, 40);
 }

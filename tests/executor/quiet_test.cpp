@@ -69,17 +69,17 @@ TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
   Job too_fast(3, there_and_back(0, 1000, 1, Extrapolation::hold));
   Rig rig;
   const std::vector<Command> script{
-      {.kind = Kind::enable, .id = 1},
-      {.kind = Kind::arm, .id = 2, .movement = &too_fast},
-      {.kind = Kind::arm, .id = 3, .movement = &cam},
-      {.kind = Kind::start, .id = 4, .at = 1600},
-      {.kind = Kind::stop, .id = 5},
-      {.kind = Kind::set_position, .id = 6, .position = 0},
-      {.kind = Kind::arm, .id = 7, .movement = &move},
-      {.kind = Kind::start, .id = 8},
-      {.kind = Kind::abort, .id = 9},
-      {.kind = Kind::reset, .id = 10},
-      {.kind = Kind::disable, .id = 11},
+      {.what = command::Enable{}, .id = 1},
+      {.what = command::Arm{.movement = &too_fast}, .id = 2},
+      {.what = command::Arm{.movement = &cam}, .id = 3},
+      {.what = command::Start{.tick = 1600}, .id = 4},
+      {.what = command::Stop{}, .id = 5},
+      {.what = command::SetPosition{.position = 0}, .id = 6},
+      {.what = command::Arm{.movement = &move}, .id = 7},
+      {.what = command::Start{}, .id = 8},
+      {.what = command::Abort{}, .id = 9},
+      {.what = command::Reset{}, .id = 10},
+      {.what = command::Disable{}, .id = 11},
   };
   std::vector<State> states;
   std::size_t edges = 0;
@@ -128,10 +128,10 @@ TEST(Quiet, MastersFromOutsideMakeNoNoise) {
     }
     return noise_of_cycles;
   };
-  for (std::size_t i = 0; i < 2; ++i) post.mail[i]->commands.push({.kind = Kind::enable});
+  for (std::size_t i = 0; i < 2; ++i) post.mail[i]->commands.push({command::Enable{}});
   EXPECT_EQ(run(200, 1, true), Noise{});
-  post.mail[0]->commands.push({.kind = Kind::gear_in, .id = 1, .movement = &gear});
-  post.mail[1]->commands.push({.kind = Kind::gear_in, .id = 1, .movement = &other});
+  post.mail[0]->commands.push({.what = command::Couple{.movement = &gear}, .id = 1});
+  post.mail[1]->commands.push({.what = command::Couple{.movement = &other}, .id = 1});
   EXPECT_EQ(run(1000, 1, true), Noise{});
   EXPECT_FALSE(post.masters[0]->read()->lost());
   EXPECT_FALSE(post.masters[1]->read()->lost());

@@ -107,28 +107,28 @@ class Recorded : public ::testing::Test {
 
 TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
   start({.log = path("run.lcmlog")}, 2);
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::enable}, 1);
-  tell({.kind = Kind::arm, .movement = cam(7)});
-  tell({.kind = Kind::start});
+  tell({command::Enable{}});
+  tell({command::Enable{}}, 1);
+  tell({command::Arm{.movement = cam(7)}});
+  tell({command::Start{}});
   run(100);
-  tell({.kind = Kind::arm, .movement = cam(7, 1)}, 1);  // the same number on another axis
-  tell({.kind = Kind::start, .at = tick_ + 20}, 1);
+  tell({command::Arm{.movement = cam(7, 1)}}, 1);  // the same number on another axis
+  tell({command::Start{.tick = tick_ + 20}}, 1);
   run(200);
   tick_ += 13;  // a late cycle
   run(50);
-  tell({.kind = Kind::stop}, 1);
+  tell({command::Stop{}}, 1);
   run(300);
-  tell({.kind = Kind::start});  // refused: nothing is armed
-  tell({.kind = Kind::set_position, .position = 12.5});
-  tell({.kind = Kind::abort});
+  tell({command::Start{}});  // refused: nothing is armed
+  tell({command::SetPosition{.position = 12.5}});
+  tell({command::Abort{}});
   run(5);
-  tell({.kind = Kind::reset});
-  tell({.kind = Kind::move_absolute, .position = 90, .dynamics = {.velocity = 300}});
+  tell({command::Reset{}});
+  tell({command::MoveAbsolute{.position = 90, .dynamics = {.velocity = 300}}});
   run(40);
-  tell({.kind = Kind::override_, .factor = 0.3});
+  tell({command::Override{.factor = 0.3}});
   run(40);
-  tell({.kind = Kind::halt});
+  tell({command::Halt{}});
   run(100);
   EXPECT_FALSE(std::filesystem::exists(path("run.lcmlog"))) << "not before it is closed";
   recorder_->close();
@@ -148,17 +148,14 @@ TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
 
 TEST_F(Recorded, MovesThatWaitAndBlendAreReplayedToo) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
+  tell({command::Enable{}});
   for (const BufferMode mode :
        {BufferMode::buffered, BufferMode::blending_low, BufferMode::blending_high}) {
-    tell({.kind = Kind::move_relative, .position = 40, .dynamics = {.velocity = 400}});
-    tell({.kind = Kind::move_relative,
-          .position = 30,
-          .dynamics = {.velocity = 600},
-          .buffer = mode});
+    tell({command::MoveRelative{.distance = 40, .dynamics = {.velocity = 400}}});
+    tell({command::MoveRelative{.distance = 30, .dynamics = {.velocity = 600}, .buffer = mode}});
     run(300);
   }
-  tell({.kind = Kind::move_relative, .at = tick_ + 20, .position = 5});
+  tell({.what = command::MoveRelative{.distance = 5}, .at = tick_ + 20});
   run(100);
   recorder_->close();
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
@@ -168,8 +165,8 @@ TEST_F(Recorded, MovesThatWaitAndBlendAreReplayedToo) {
 
 TEST_F(Recorded, LcmsOwnReaderReadsIt) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::arm, .movement = cam(1)});
+  tell({command::Enable{}});
+  tell({command::Arm{.movement = cam(1)}});
   run(10);
   recorder_->close();
   lcm::LogFile log(path("run.lcmlog").string(), "r");
@@ -191,9 +188,9 @@ TEST_F(Recorded, LcmsOwnReaderReadsIt) {
 
 TEST_F(Recorded, TheFirstDifferenceIsFound) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::arm, .movement = cam(1)});
-  tell({.kind = Kind::start});
+  tell({command::Enable{}});
+  tell({command::Arm{.movement = cam(1)}});
+  tell({command::Start{}});
   run(200);
   recorder_->close();
   // One bit of the position of one tick, by our own events: the last digit.
@@ -226,9 +223,9 @@ TEST_F(Recorded, TheFirstDifferenceIsFound) {
 
 TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::arm, .movement = cam(1)});
-  tell({.kind = Kind::start});
+  tell({command::Enable{}});
+  tell({command::Arm{.movement = cam(1)}});
+  tell({command::Start{}});
   run(50);
   recorder_->close();
   const std::string whole = bytes_of(path("run.lcmlog"));
@@ -252,9 +249,9 @@ TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
 
 TEST_F(Recorded, WhatIsDamagedIsAnErrorOrADifferenceAndNeverACrash) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::arm, .movement = cam(1)});
-  tell({.kind = Kind::start});
+  tell({command::Enable{}});
+  tell({command::Arm{.movement = cam(1)}});
+  tell({command::Start{}});
   run(20);
   recorder_->close();
   const std::string whole = bytes_of(path("run.lcmlog"));
@@ -328,7 +325,7 @@ TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
 TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
   std::string bytes;
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
+  tell({command::Enable{}});
   (void)cam(1);
   recorder_->close();
   bytes = bytes_of(path("run.lcmlog"));
@@ -351,9 +348,9 @@ TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
 
 TEST_F(Recorded, AMovementThatIsNotInTheRecordEndsTheReplayAndIsSaid) {
   start({.log = path("run.lcmlog")});
-  tell({.kind = Kind::enable});
+  tell({command::Enable{}});
   Job unknown(5, test::there_and_back(0, 10, 1, Extrapolation::hold));
-  tell({.kind = Kind::arm, .movement = &unknown});
+  tell({command::Arm{.movement = &unknown}});
   run(10);
   recorder_->close();
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
@@ -388,10 +385,10 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
 
 TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
   start({.log = "/dev/full"});
-  tell({.kind = Kind::enable});
+  tell({command::Enable{}});
   run(5000);
-  tell({.kind = Kind::arm, .movement = cam(1)});
-  tell({.kind = Kind::start});
+  tell({command::Arm{.movement = cam(1)}});
+  tell({command::Start{}});
   run(100);
   EXPECT_EQ(motions_[0]->state(), State::synchronized_motion);
   recorder_->close();
@@ -402,12 +399,12 @@ TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
 // Each file that cannot be written is reported, once, whatever failed before it.
 TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
   start({.log = "/dev/full", .black_box = "/dev/full"});
-  tell({.kind = Kind::enable});
+  tell({command::Enable{}});
   run(5000);
   EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten);
   for (int i = 0; i < 2; ++i) {
-    tell({.kind = Kind::abort});
-    tell({.kind = Kind::reset});
+    tell({command::Abort{}});
+    tell({command::Reset{}});
     run(10);
   }
   EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten | wire::black_box_unwritten);
@@ -419,12 +416,12 @@ TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
 
 TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
   start({.black_box = path("box.lcmlog"), .black_box_cycles = 50}, 2);
-  tell({.kind = Kind::enable});
-  tell({.kind = Kind::arm, .movement = cam(1)});
-  tell({.kind = Kind::start});
+  tell({command::Enable{}});
+  tell({command::Arm{.movement = cam(1)}});
+  tell({command::Start{}});
   run(200);
   EXPECT_FALSE(std::filesystem::exists(path("box.lcmlog")));
-  tell({.kind = Kind::abort});
+  tell({command::Abort{}});
   ASSERT_TRUE(std::filesystem::exists(path("box.lcmlog")));
   const std::string box = bytes_of(path("box.lcmlog"));
   std::vector<RecordedCycle> seen;
@@ -443,8 +440,8 @@ TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
     EXPECT_EQ(seen[i].tick.tick, seen[i - 1].tick.tick + 1);
   run(20);
   EXPECT_EQ(bytes_of(path("box.lcmlog")), box) << "a fault that stays is not another one";
-  tell({.kind = Kind::reset});
-  tell({.kind = Kind::abort});
+  tell({command::Reset{}});
+  tell({command::Abort{}});
   EXPECT_NE(bytes_of(path("box.lcmlog")), box) << "a new one is";
 }
 
@@ -455,19 +452,44 @@ TEST_F(Recorded, BadPathsAndNumbersAreRefusedAtOnce) {
       << "before a fault comes";
 }
 
+// Each kind with fields that no default has: nothing of it is lost, and an old reader finds it in the same field.
+TEST(RecordedEvents, EveryCommandComesBack) {
+  constexpr MoveDynamics dynamics{1.5, 2.5, 3.5, 4.5};
+  const Command commands[] = {{},
+                              {command::Enable{}},
+                              {command::Start{StartAt::master_position, -1, 460}},
+                              {command::Start{.tick = 1600}},
+                              {command::Stop{{3.5, 4.5}}},
+                              {command::SetPosition{12.5, true}},
+                              {.what = command::Override{0.3}, .at = 400},
+                              {command::Home{12, 24, 1.5, 5.5, 2.5, 6.5, 7.5}},
+                              {command::MoveRelative{-3, dynamics, BufferMode::blending_high}},
+                              {.what = command::MoveAdditive{-3, dynamics}, .at = 7},
+                              {command::MoveSuperimposed{-3, dynamics}},
+                              {command::MoveVelocity{-3, {2.5, 3.5, 4.5}, BufferMode::buffered}},
+                              {command::Halt{{3.5, 4.5}}},
+                              {command::Couple{.tick = 99}}};
+  for (const Command& command : commands) {
+    const std::string bytes = encoded(RecordedCycle{.command = command});
+    const auto back = std::get<RecordedCycle>(*decoded("JOUNCE.cycle", bytes));
+    EXPECT_EQ(back.command.kind(), command.kind());
+    EXPECT_EQ(back.command.at, command.at);
+    EXPECT_EQ(encoded(back), bytes) << name(command.kind());
+    if (command.kind() == Kind::enable || command.kind() == Kind::none) continue;
+    RecordedCycle bare{.command = {*made<AxisCommand>(command.kind())}};
+    EXPECT_NE(encoded(bare), bytes) << name(command.kind());
+  }
+}
+
 TEST(RecordedEvents, ComeBackAsTheyWere) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   RecordedCycle cycle{.axis = 3, .movement = 99};
-  cycle.command = {.kind = Kind::move_absolute,
-                   .id = 77,
-                   .start_at = StartAt::master_position,
+  cycle.command = {.what = command::MoveAbsolute{.position = -0.1,
+                                                 .dynamics = {1.1, 2.2, 3.3, 4.4},
+                                                 .direction = Direction::negative,
+                                                 .buffer = BufferMode::blending_next},
                    .at = 12345,
-                   .position = -0.1,
-                   .relative = true,
-                   .factor = 0.3,
-                   .dynamics = {1.1, 2.2, 3.3, 4.4},
-                   .direction = Direction::negative,
-                   .homing = {.method = 1000, .index_velocity = 5.5, .timeout = nan}};
+                   .id = 77};
   cycle.inputs = {
       .master = {1.5, -2.5, nan, 4.5},
       .feedback = {.position = 0.1, .velocity = nan, .torque = -0.7, .ready = false, .fault = true},
@@ -482,10 +504,13 @@ TEST(RecordedEvents, ComeBackAsTheyWere) {
   cycle.tick.refused = Refusal{Cause::not_armed, 1, nan, 3};
   const auto back = std::get<RecordedCycle>(*decoded("JOUNCE.cycle", encoded(cycle)));
   EXPECT_EQ(encoded(back), encoded(cycle));
-  EXPECT_EQ(back.command.direction, Direction::negative);
-  EXPECT_EQ(back.command.dynamics.deceleration, 3.3);
-  EXPECT_EQ(back.command.homing.method, 1000);
-  EXPECT_EQ(back.command.homing.index_velocity, 5.5);
+  const auto& move = std::get<command::MoveAbsolute>(back.command.what);
+  EXPECT_EQ(move.position, -0.1);
+  EXPECT_EQ(move.direction, Direction::negative);
+  EXPECT_EQ(move.dynamics.deceleration, 3.3);
+  EXPECT_EQ(move.buffer, BufferMode::blending_next);
+  EXPECT_EQ(back.command.at, 12345);
+  EXPECT_EQ(back.command.id, 77U);
   EXPECT_TRUE(back.inputs.feedback.sensors.positive.on);
   EXPECT_EQ(back.inputs.feedback.sensors.positive.edge, -0.3);
   EXPECT_FALSE(back.inputs.feedback.sensors.negative.wired);

@@ -207,7 +207,7 @@ class Recorded : public Site {
   }
 
   CallOutcome order(Client& client) {
-    const Pacing pacing{.velocity = random_.uniform(10, 900)};
+    const MoveDynamics pacing{.velocity = random_.uniform(10, 900)};
     switch (random_.below(13)) {
       case 0:
         return client.move_absolute(random_.uniform(-50, 50), pacing);

@@ -18,7 +18,6 @@ namespace {
 
 using namespace test;
 using namespace std::chrono_literals;
-using wire::OrderKind;
 
 const Units over_time{.x = "s", .position = "mm"};
 
@@ -58,7 +57,7 @@ TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
   Two site;
   ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
   const wire::Reply reply = operator_command(
-      site.link, "feeder", wire::Order{.kind = OrderKind::override_, .value = {0.5}}, {}, 2s,
+      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {0.5}}, {}, 2s,
       site.clock);
   EXPECT_EQ(reply.outcome, wire::Outcome::accepted) << reply.reason;
   site.advance(200ms);
@@ -107,8 +106,8 @@ TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
   site.advance(10ms);
   Job job(77, there_and_back(0, 1, 1, Extrapolation::hold));
   Mail& mail = *site.post.mail[1];
-  mail.commands.push({.kind = Kind::arm, .movement = &job});
-  mail.commands.push({.kind = Kind::start});
+  mail.commands.push({command::Arm{.movement = &job}});
+  mail.commands.push({command::Start{}});
   site.cycle.once();
   site.cycle.once();
   Tick last;

@@ -37,7 +37,7 @@ StreamPlan at_460(const TablePtr& cam, const CouplingSpec& coupling = {}) {
           .tables = {{*cam, {"mm", "mm"}}},
           .mode = wire::ArmMode::follow_input,
           .coupling = coupling,
-          .when = wire::StartAt::master_position,
+          .when = StartAt::master_position,
           .position = 460,
           .await = true};
 }
@@ -112,7 +112,7 @@ TEST(StartOutcome, AnAbsoluteCamIsComparedModulo) {
     axes[1].axis.position = 1000;
     Site site(axes);
     StreamPlan plan = at_460(pmc600_cam());
-    plan.when = wire::StartAt::tick;
+    plan.when = StartAt::tick;
     plan.position = 0;
     const StreamOutcome outcome = site.stream(plan);
     EXPECT_EQ(outcome.started, turn != 0) << outcome.reason;

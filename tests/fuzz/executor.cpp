@@ -17,7 +17,6 @@ namespace jounce::fuzz {
 namespace {
 
 using namespace std::chrono_literals;
-using wire::OrderKind;
 
 constexpr double fastest = 1000;  // u/s
 
@@ -91,12 +90,13 @@ class Owned {
     return (source.byte() - 128.0) * (kind == 1 ? 1 : 10);
   }
   void order(Source& source) {
-    wire::Order order{.kind = static_cast<OrderKind>(source.below(wire::order_kinds))};
-    order.value = wire::values(order.kind, {});
-    for (std::size_t i = 0; i < wire::arity(order.kind); ++i)
+    wire::Command order{.kind = *kind_of_number(
+                            static_cast<int>(source.below(std::variant_size_v<ClientCommand>)))};
+    order.value = values_of(command_of(order.kind));
+    for (std::size_t i = 0; i < info(order.kind).fields.size(); ++i)
       if (source.below(2) != 0) order.value[i] = value(source);
     if (source.below(4) == 0) order.at = next_tick_ + static_cast<std::int64_t>(source.byte());
-    if (order.kind == OrderKind::gear_in || order.kind == OrderKind::gear_in_pos)
+    if (order.kind == CommandKind::gear_in || order.kind == CommandKind::gear_in_pos)
       order.value[1] = 1 + static_cast<double>(source.below(3));
     send(order);
     pass(1 + static_cast<int>(source.below(16)));
@@ -155,8 +155,8 @@ class Owned {
     arm.coupling.slave_absolute = source.below(2) == 0;
     send(arm);
     pass(4);
-    wire::Start start{.when = static_cast<wire::StartAt>(source.below(3))};
-    if (start.when == wire::StartAt::master_position) start.position = value(source);
+    wire::Start start{.when = static_cast<StartAt>(source.below(3))};
+    if (start.when == StartAt::master_position) start.position = value(source);
     send(start);
     pass(1 + static_cast<int>(source.below(64)));
   }

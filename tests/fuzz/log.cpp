@@ -33,8 +33,8 @@ const std::vector<RecordEvent>& good() {
     const Table table(Domain::time, Interpolation::linear, Extrapolation::hold,
                       {{0, 1}, {0, 1}, {}, {}});
     const Sha256 hash = content_hash(table, units);
-    RecordedCycle arm{.command = {.kind = Command::Kind::arm, .id = 2}, .movement = 1};
-    RecordedCycle enable{.command = {.kind = Command::Kind::enable, .id = 1}};
+    RecordedCycle arm{.command = {.what = command::Arm{}, .id = 2}, .movement = 1};
+    RecordedCycle enable{.command = {.what = command::Enable{}, .id = 1}};
     HandedOver rows{.movement = 2, .number = 1};
     rows.rows.push_back({.x_end = 1, .p_end = 1, .degree = 1, .last = true});
     return std::vector<RecordEvent>{
@@ -43,10 +43,10 @@ const std::vector<RecordEvent>& good() {
         RecordedJob{.id = 1, .time = hash},
         RecordedQueue{.id = 2, .queue = {.capacity = 8}},
         RecordedRows{.what = rows},
-        RecordedGear{.id = 3, .value = {1, 1}},
+        RecordedGear{.id = 3, .gear = command::GearIn{1, 1}},
         enable,
         arm,
-        RecordedCycle{.command = {.kind = Command::Kind::start, .id = 3}},
+        RecordedCycle{.command = {.what = command::Start{}, .id = 3}},
         RecordedLoss{.cycles = 1},
         RecordedMaster{.name = "line",
                        .unit = "mm",

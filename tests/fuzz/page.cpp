@@ -7,7 +7,7 @@
 #include "jounce/stream/message/wire.hpp"
 #include "jounce/web/board.hpp"
 #include "jounce/web/gate.hpp"
-#include "jounce/web/instruction.hpp"
+#include "jounce/web/page_command.hpp"
 
 #include "fuzz/packets.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 void post(const std::string& body) {
   try {
-    const web::Instruction read = web::read_instruction(body);
-    require(!read.what.empty(), "an order that is read says what");
+    const web::PageCommand read = web::read_command(body);
+    require(!read.what.empty(), "a command that is read has a word");
   } catch (const InputError&) {
     // an answer
   }
@@ -25,7 +25,7 @@ void post(const std::string& body) {
 
 }  // namespace
 
-/// What a live page is given from outside: orders from a browser, packets from the bus.
+/// What a live page is given from outside: commands from a browser, packets from the bus.
 void page(Input input) {
   post(text_of(input));
   static_cast<void>(web::objection({.host = text_of(input)}, 8080));

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = "profiles cam pvt gear optimize validate io study stream plot axis drive executor web cli".split()
+ROOMS = "profiles cam pvt gear optimize validate io study command stream plot axis drive executor web cli".split()
 NAMESPACE = re.compile(r"(?:inline )?namespace\s*([\w:]*)\s*\{")
 TYPE = re.compile(r"(?:template <.*>\s*)?(?:struct|class|enum class|enum)\s+(\w+)(?:\s+final)?\s*(?:$|\{|:(?!:))")
 

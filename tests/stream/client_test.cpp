@@ -165,7 +165,7 @@ TEST(Key, NothingThatWasRecordedHasAnyEffectAgain) {
     ASSERT_TRUE(client.enable().ok());
     ASSERT_TRUE(client.move_relative(100).ok());
     const auto held = operator_command(
-        world.link, "feeder", wire::Order{.kind = wire::OrderKind::hold}, used, 1s, world.clock);
+        world.link, "feeder", wire::Command{.kind = CommandKind::hold}, used, 1s, world.clock);
     ASSERT_EQ(held.outcome, wire::Outcome::accepted);
     ASSERT_TRUE(client.release().ok());
     std::vector<Packet> recorded;

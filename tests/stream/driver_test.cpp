@@ -67,7 +67,7 @@ TEST(Driver, AFloodOfStrangersIsAnsweredWithinBounds) {
 TEST(Driver, PublishesTheStatus) {
   World world;
   world.link.subscribe("JOUNCE2.feeder.status", 1);
-  world.executor->pump.publish({.state = wire::AxisState::standstill, .tick = 7});
+  world.executor->pump.publish({.state = State::standstill, .tick = 7});
   Rejects rejects;
   const auto message = next_message(world.link, Nanos{}, rejects);
   ASSERT_TRUE(message.has_value());

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/memory_transport.hpp"
@@ -93,8 +94,8 @@ inline std::string word(const StreamEvent& event) {
   if (std::holds_alternative<QueueArmRequested>(event)) return "arm queue " + session;
   if (std::holds_alternative<QueueOpened>(event)) return "queue " + session;
   if (std::holds_alternative<RowsArrived>(event)) return "rows " + session;
-  if (const auto* order = std::get_if<OrderRequested>(&event))
-    return std::string(name(order->kind)) + " " + session;
+  if (const auto* order = std::get_if<CommandRequested>(&event))
+    return std::string(name(kind_of(order->what))) + " " + session;
   switch (std::get<SessionEnded>(event).why) {
     case SessionEnded::Why::released:
       return "released " + session;
@@ -152,7 +153,7 @@ class Executor {
     queue_armed = true;
     if (answers) pump.receiver().accept(e.session, e.command);
   }
-  void answer(const OrderRequested& e) {
+  void answer(const CommandRequested& e) {
     if (!answers) return;
     if (objection.empty())
       pump.receiver().accept(e.session, e.command);

@@ -69,7 +69,7 @@ class ExecutorThread {
     while (!quit_) {
       executor_.pump.run(2ms);
       executor_.turn();
-      executor_.pump.publish({.state = wire::AxisState::standstill});
+      executor_.pump.publish({.state = State::standstill});
     }
   }
 

@@ -321,9 +321,8 @@ TEST(RollingStream, NoStartWithoutItsPrefill) {
   EXPECT_EQ(put(wire::Start{.command = 3}).outcome, wire::Outcome::pending);
   EXPECT_EQ(put(wire::Arm{.command = 4, .mode = wire::ArmMode::queue, .queue = 65}).refusal,
             Refusal::queue_missing);
-  EXPECT_EQ(
-      put(wire::Order{.command = 5, .kind = wire::OrderKind::queue_end, .value = {99}}).refusal,
-      Refusal::queue_missing);
+  EXPECT_EQ(put(wire::Command{.command = 5, .kind = CommandKind::queue_end, .value = {99}}).refusal,
+            Refusal::queue_missing);
 }
 
 TEST(RollingStream, BoundsQueuesAndTheirRowsBeforeTakingMemory) {
@@ -390,8 +389,8 @@ TEST(Swap, WaitsUntilTheOneBeforeHasTakenPlace) {
   EXPECT_TRUE(outcome.ok()) << outcome.reason;
   EXPECT_EQ(outcome.swaps, 3U);
   ASSERT_EQ(world.executor->starts.size(), 4U);
-  EXPECT_EQ(world.executor->starts[0].when, wire::StartAt::tick);
-  EXPECT_EQ(world.executor->starts[3].when, wire::StartAt::end_of_table);
+  EXPECT_EQ(world.executor->starts[0].when, StartAt::tick);
+  EXPECT_EQ(world.executor->starts[3].when, StartAt::end_of_table);
 }
 
 // An axis in a fault, or stopped by somebody else, never comes to the boundary.
@@ -401,9 +400,8 @@ TEST(Swap, EndsWhereTheAxisHasStoppedBeforeIt) {
   plan.tables.push_back({test::sine_table(200), test::move_units});
   plan.swaps = {{.slave = 1}};
   world.each_turn = [&] {
-    wire::Status status{.state = wire::AxisState::discrete_motion};
-    if (!world.executor->starts.empty())
-      status = {.state = wire::AxisState::error_stop, .last_error = 12};
+    wire::Status status{.state = State::discrete_motion};
+    if (!world.executor->starts.empty()) status = {.state = State::error_stop, .last_error = 12};
     world.executor->pump.publish(status);
   };
   const StreamOutcome outcome = world.stream(plan);

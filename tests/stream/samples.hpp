@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce::test {
@@ -45,13 +46,11 @@ inline std::vector<wire::Message> samples() {
       {name, 12, wire::Chunk{4, 1, 533, 533, 3, values}},
       {name, 13, wire::Arm{2, wire::ArmMode::follow_table, one, two, coupling}},
       {name, 13,
-       wire::Arm{.command = 2,
-                 .mode = wire::ArmMode::follow_input,
-                 .slave = one,
-                 .end = wire::CamEnd::extend}},
+       wire::Arm{
+           .command = 2, .mode = wire::ArmMode::follow_input, .slave = one, .end = CamEnd::extend}},
       {name, 13, wire::Arm{.command = 3, .mode = wire::ArmMode::queue, .queue = 65, .bank = 1}},
       {name, 14, wire::Start{3, 1'234'567'890'123}, 141},
-      {name, 14, wire::Start{4, -1, wire::StartAt::master_position, 90.5}, 142},
+      {name, 14, wire::Start{4, -1, StartAt::master_position, 90.5}, 142},
       {name, 15, wire::Stop{4, wire::StopMode::abort}},
       {name, 16, wire::Heartbeat{5, true}},
       {name, 17,
@@ -59,7 +58,7 @@ inline std::vector<wire::Message> samples() {
       {name, 18,
        wire::Reply{986, 6, wire::Outcome::refused, wire::Refusal::axis, 41, "start_position"}},
       {name, 19,
-       wire::Status{wire::AxisState::synchronized_motion,
+       wire::Status{State::synchronized_motion,
                     wire::Next::armed,
                     100,
                     1'000'000,
@@ -94,7 +93,7 @@ inline std::vector<wire::Message> samples() {
                     true,
                     5}},
       {name, 20,
-       wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
+       wire::Command{7, CommandKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}, 200},
       {name, 21,
        wire::Queue{66,
                    Domain::master,
@@ -180,7 +179,7 @@ struct Text {
     for (const int count : m.lateness) fields(count);
     for (const int count : m.computing) fields(count);
   }
-  void operator()(const wire::Order& m) {
+  void operator()(const wire::Command& m) {
     fields("order", m.command, name(m.kind), m.at);
     for (const double value : m.value) fields(value);
   }

@@ -127,7 +127,7 @@ class Watch {
                     Result& result) {
     if (status.tick <= start) return;
     const Table* const table = own.find(status.table);
-    if (status.state != wire::AxisState::discrete_motion || table == nullptr) {
+    if (status.state != State::discrete_motion || table == nullptr) {
       ++result.rests;
       return;
     }
@@ -150,7 +150,7 @@ void swap(const std::string& executor, std::size_t axis, const Tables& own, doub
   LossyTransport lossy(link, {.seed = axis + 1, .lost = loss}, steady_now);
   StreamPlan plan{.executor = executor, .tables = own.items(), .start_tick = start};
   for (std::size_t i = 1; i <= swaps; ++i)
-    plan.swaps.push_back({.slave = i % tables, .when = wire::StartAt::end_of_table});
+    plan.swaps.push_back({.slave = i % tables, .when = StartAt::end_of_table});
   StreamOptions options;
   options.total = 1000h;
   const StreamOutcome outcome = stream_tables(lossy, std::move(plan), options);

@@ -63,7 +63,7 @@ std::vector<Message> messages() {
   std::iota(lateness.begin(), lateness.end(), 100);
   std::iota(computing.begin(), computing.end(), 200);
   const Units units{"deg", "mm"};
-  wire::Status status{.state = wire::AxisState::synchronized_motion,
+  wire::Status status{.state = State::synchronized_motion,
                       .next = wire::Next::waiting,
                       .tick = 5000,
                       .cycle_ns = 1'000'000,
@@ -103,13 +103,13 @@ std::vector<Message> messages() {
                         Extrapolation::wrap, units, 401, 4, 400, 2}),
       ours(wire::Chunk{3, 1, 400, 1, 4, {360, 0.5, -0.25, 0.125}}),
       ours(wire::Arm{1, wire::ArmMode::follow_table, hash, reversed, coupling}),
-      ours(wire::Start{2, -1, wire::StartAt::master_position, 90.5}),
+      ours(wire::Start{2, -1, StartAt::master_position, 90.5}),
       {"feeder", 0, wire::Stop{123456789, wire::StopMode::abort}},
       ours(wire::Heartbeat{3, true}),
       ours(wire::Ack{77, 3, 1, 5, 8, false, wire::Refusal::bad_table, "no table"}),
       ours(wire::Reply{77, 2, wire::Outcome::refused, wire::Refusal::axis, 41, "start_position"}),
       ours(status),
-      ours(wire::Order{7, wire::OrderKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}),
+      ours(wire::Command{7, CommandKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}),
       ours(wire::Queue{64, Domain::master, units, wire::QueueMode::static_, 512, -3,
                        wire::QueueEvent::pass, 12.5, -1, 100, false, -7.5, -2,
                        wire::Queue::no_bound}),

@@ -22,12 +22,12 @@
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
 #include "jounce_lcm/claim_t.hpp"
+#include "jounce_lcm/command_t.hpp"
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
-#include "jounce_lcm/order_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
 #include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"
@@ -90,7 +90,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
   expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
   expect_type<jounce_lcm::master_t>(0x8eeae70736c030f7, 129);
-  expect_type<jounce_lcm::order_t>(0x14c25ba1d776c25f, 153);
+  expect_type<jounce_lcm::command_t>(0x14c25ba1d776c25f, 153);
   expect_type<jounce_lcm::queue_ack_t>(0x2f7fa95bf3bd3320, 298);
   expect_type<jounce_lcm::queue_t>(0xf4004018570b643c, 161);
   expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);
@@ -122,7 +122,7 @@ TEST(Wire, IsDocumented) {
   EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::master_status_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::master_t>(page));
-  EXPECT_TRUE(is_documented<jounce_lcm::order_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::command_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::queue_ack_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::queue_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::reply_t>(page));
@@ -407,7 +407,7 @@ TEST(Wire, EveryEnumeratorHasItsOwnName) {
   EXPECT_STREQ(name(wire::Refusal::hash_mismatch), "hash_mismatch");
   EXPECT_STREQ(name(Reject::bad_field), "bad_field");
   EXPECT_STREQ(name(wire::ArmMode::follow_table), "follow_table");
-  EXPECT_STREQ(name(wire::AxisState::error_stop), "error_stop");
+  EXPECT_STREQ(name(State::error_stop), "error_stop");
   EXPECT_STREQ(name(wire::Next::waiting), "waiting");
 }
 

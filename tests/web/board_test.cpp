@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 
 namespace jounce::web {
 namespace {
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 using nlohmann::json;
 
 wire::Status at(std::int64_t tick, double position) {
-  return {.state = wire::AxisState::discrete_motion,
+  return {.state = State::discrete_motion,
           .tick = tick,
           .cycle_ns = 1'000'000,
           .slave_position = position,

@@ -74,7 +74,7 @@ class Feeder {
       ++failures_;
       throw TransportError("the link is broken");
     }
-    if (const auto* order = std::get_if<wire::Order>(&message.body)) {
+    if (const auto* order = std::get_if<wire::Command>(&message.body)) {
       if (order->command != std::exchange(last_jog_, order->command) || mover_ != message.session)
         ++jogs_;
       mover_ = message.session;

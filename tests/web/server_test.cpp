@@ -203,7 +203,7 @@ TEST(Server, AStopWaitsForNoOtherOrder) {
   std::deque<std::thread> others;
   std::atomic<int> answered{0};
   std::atomic<int> late{0};
-  for (int i = 0; i < Server::most_orders; ++i)
+  for (int i = 0; i < Server::most_commands; ++i)
     others.emplace_back([&] {
       httplib::Client client("127.0.0.1", served.server.port());
       client.set_read_timeout(30s);
@@ -217,7 +217,7 @@ TEST(Server, AStopWaitsForNoOtherOrder) {
   ASSERT_TRUE(stop);
   EXPECT_EQ(stop->status, 200);
   for (auto& other : others) other.join();
-  EXPECT_EQ(answered + late, Server::most_orders);
+  EXPECT_EQ(answered + late, Server::most_commands);
 }
 
 // Its sender may be gone: what is carried out late moves an axis that nobody watches.
@@ -225,7 +225,7 @@ TEST(Server, AnOrderThatWaitedForOthersIsNotCarriedOut) {
   std::atomic<int> begun{0};
   std::atomic<int> quick{0};
   Site slow = site();
-  slow.order = [&](const std::string& body) {
+  slow.obey = [&](const std::string& body) {
     if (body == "quick") ++quick;
     if (body != "quick") {
       ++begun;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 'use strict';
-// The live page of `jounce page`: statuses come as server-sent events, orders go as POSTs.
+// The live page of `jounce page`: statuses come as server-sent events, commands go as POSTs.
 
 const token = location.hash.slice(1);  // after #: a browser never sends that part
 const window_s = 10;
@@ -36,7 +36,7 @@ function say(text, ok) {
 }
 
 /// Whether the axis has accepted it.
-async function order(axis, what, value, hold) {
+async function send(axis, what, value, hold) {
   const body = {axis, what, value, hold};  // JSON leaves out what is undefined
   try {
     const answer = await fetch('/order', {method: 'POST', keepalive: true, headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
@@ -66,18 +66,18 @@ function wire(name, view) {
   for (const button of view.element.querySelectorAll('button[data-what]')) {
     const what = button.dataset.what;
     if (what === 'move') continue;
-    button.addEventListener('click', async () => { if (await confirmed(asks[what](name))) order(name, what); });
+    button.addEventListener('click', async () => { if (await confirmed(asks[what](name))) send(name, what); });
   }
   for (const button of view.element.querySelectorAll('button[data-jog]')) wireJog(name, view, button);
   view.parts.move.addEventListener('submit', async (event) => {
     event.preventDefault();
     const to = view.parts.move.querySelector('input').valueAsNumber;
-    if (await confirmed(asks.move(name, to, view.parts.unit.textContent))) order(name, 'move', to);
+    if (await confirmed(asks.move(name, to, view.parts.unit.textContent))) send(name, 'move', to);
   });
   const slider = view.parts.slider;
   slider.addEventListener('input', () => { view.sliding = true; view.parts.override.textContent = `${slider.value} %`; });
   slider.addEventListener('change', async () => {
-    await order(name, 'override', slider.value / 100);
+    await send(name, 'override', slider.value / 100);
     view.sliding = false;
   });
 }
@@ -89,7 +89,7 @@ function wireJog(name, view, button) {
   let hold = 0, timer = 0, waiting = 0;
   const post = async (body) => {
     ++waiting;
-    const ok = await order(name, body.what, body.value, body.hold);
+    const ok = await send(name, body.what, body.value, body.hold);
     --waiting;
     if (!ok && body.hold === hold) end();
   };
@@ -99,7 +99,7 @@ function wireJog(name, view, button) {
     button.classList.remove('held');
     const over = hold;
     hold = 0;
-    order(name, 'release', undefined, over);
+    send(name, 'release', undefined, over);
   };
   button.addEventListener('pointerdown', (event) => {
     if (event.button !== 0 || hold) return;

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 
 namespace jounce::web {
 namespace {

@@ -12,8 +12,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/web/board.hpp"
-#include "jounce/web/instruction.hpp"
 #include "jounce/web/page.hpp"
+#include "jounce/web/page_command.hpp"
 #include "jounce/web/server.hpp"
 
 namespace jounce::web {
@@ -41,12 +41,12 @@ struct Panel::Impl {
     server.emplace(std::move(listening), options.token,
                    Site{page(options.title, options.warning), std::string(script()), style(),
                         [this](std::int64_t& seen) { return event(seen); },
-                        [this](const std::string& body) { return order(body); }, is_stop});
+                        [this](const std::string& body) { return obey(body); }, is_stop});
     listener = std::thread([this] { listen(); });
   }
 
   ~Impl() {
-    server.reset();  // first: it calls event() and order()
+    server.reset();  // first: it calls event() and obey()
     running = false;
     listener.join();
   }
@@ -89,19 +89,19 @@ struct Panel::Impl {
 
   static bool is_stop(const std::string& body) {
     try {
-      const std::string what = read_instruction(body).what;
+      const std::string what = read_command(body).what;
       return what == "stop" || what == "release";
     } catch (const InputError&) {
       return false;
     }
   }
 
-  Answer order(const std::string& body) {
+  Answer obey(const std::string& body) {
     try {
-      const Instruction instruction = read_instruction(body);
-      if (!board.has(instruction.axis))
-        throw InputError("axis", instruction.axis, "is not an axis of this page");
-      const CallOutcome outcome = outcome_of(instruction);
+      const PageCommand command = read_command(body);
+      if (!board.has(command.axis))
+        throw InputError("axis", command.axis, "is not an axis of this page");
+      const CallOutcome outcome = outcome_of(command);
       return answer(outcome.ok()                            ? 200
                     : outcome.error == StreamError::refused ? 409
                                                             : 504,
@@ -113,15 +113,14 @@ struct Panel::Impl {
     }
   }
 
-  CallOutcome outcome_of(const Instruction& instruction) {
-    if (instruction.what == "jog")
-      return jogs.jog(instruction.axis, instruction.value, instruction.hold);
-    if (instruction.what == "release") {
-      jogs.release(instruction.axis, instruction.hold);
+  CallOutcome outcome_of(const PageCommand& command) {
+    if (command.what == "jog") return jogs.jog(command.axis, command.value, command.hold);
+    if (command.what == "release") {
+      jogs.release(command.axis, command.hold);
       return {};
     }
     const auto link = make_link();
-    return give(*link, instruction, options.key);
+    return give(*link, command, options.key);
   }
 
   const PanelOptions options;

@@ -21,7 +21,7 @@
 
 #include "jounce/web/gate.hpp"
 
-// One thread waits for all connections; an order, which waits for an axis, has a thread of a pool.
+// One thread waits for all connections; a command, which waits for an axis, has a thread of a pool.
 // httplib, used before, reads a whole body before it checks the token, and has a timeout for each
 // read but none for a request: it cannot be bounded from outside.
 namespace jounce::web {
@@ -40,7 +40,7 @@ constexpr std::size_t most_body = 1024;
 constexpr std::chrono::seconds patience{Server::request_seconds};
 constexpr std::size_t most_drained = std::size_t{1} << 20U;  // unread bytes, before a close
 constexpr auto drain_time = 1s;
-constexpr auto freshness = 300ms;  // limit for an order that waited for others
+constexpr auto freshness = 300ms;  // limit for a command that waited for others
 
 using Response = http::response<http::string_body>;
 
@@ -79,7 +79,7 @@ struct Server::Impl {
   Site site;
   std::uint16_t port;
   int readers = 0;
-  int orders = 0;
+  int commands = 0;
   asio::io_context io;
   tcp::acceptor acceptor{io};
   asio::steady_timer pause{io};
@@ -141,17 +141,17 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
       return answer(200, files.script, "text/javascript; charset=utf-8");
     if (get && path == "/panel.css") return answer(200, files.style, "text/css; charset=utf-8");
     if (get && path == "/events") return events();
-    if (request.method() == http::verb::post && path == "/order") return order();
+    if (request.method() == http::verb::post && path == "/order") return take_command();
     answer(404, "there is no such page\n");
   }
 
-  // ---- an order ---------------------------------------------------------------------------------
+  // ---- a command -------------------------------------------------------------------------------
 
-  void order() {
-    if (!trusted_) return answer(403, "to send orders, open the address that jounce printed\n");
-    if (!parser_.content_length()) return answer(411, "an order needs a Content-Length\n");
+  void take_command() {
+    if (!trusted_) return answer(403, "to send commands, open the address that jounce printed\n");
+    if (!parser_.content_length()) return answer(411, "a command needs a Content-Length\n");
     if (*parser_.content_length() > most_body)
-      return answer(413, "an order must not exceed 1 KB\n");
+      return answer(413, "a command must not exceed 1 KB\n");
     body_.emplace(std::move(parser_));
     body_->body_limit(most_body);
     http::async_read(stream_, buffer_, *body_,
@@ -163,23 +163,23 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   void hand_on() {
     std::string body = body_->get().body();
     const bool at_once = server_.site.urgent(body);
-    if (!at_once && server_.orders >= Server::most_orders)
-      return answer(503, "too many orders wait for an axis\n");
-    if (!at_once) ++server_.orders;
+    if (!at_once && server_.commands >= Server::most_commands)
+      return answer(503, "too many commands wait for an axis\n");
+    if (!at_once) ++server_.commands;
     stream_.expires_never();  // the axis has its own timeout
     asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(),
                                                            body = std::move(body), at_once,
                                                            came =
                                                                std::chrono::steady_clock::now()] {
-      // The sender may be gone: an old order causes no motion.
+      // The sender may be gone: an old command causes no motion.
       const bool late = !at_once && std::chrono::steady_clock::now() - came > freshness;
       const Answer said =
           late
               ? Answer{503,
-                       R"({"ok":false,"reason":"the order waited too long for an axis: repeat it"})"}
+                       R"({"ok":false,"reason":"the command waited too long for an axis: repeat it"})"}
               : self->obeyed(body);
       asio::post(self->server_.io, [self, said, at_once] {
-        if (!at_once) --self->server_.orders;
+        if (!at_once) --self->server_.commands;
         self->answer(said.status, said.json, "application/json");
       });
     });
@@ -187,7 +187,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
 
   [[nodiscard]] Answer obeyed(const std::string& body) const {
     try {
-      return server_.site.order(body);
+      return server_.site.obey(body);
     } catch (const std::exception&) {
       return {500, R"({"ok":false,"reason":"the page has failed"})"};
     }

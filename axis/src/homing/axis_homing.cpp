@@ -11,17 +11,17 @@ namespace jounce {
 namespace {
 
 /// Returns the homing of the axis with the changes of the command.
-HomingSpec chosen(const Command& command, HomingSpec spec) {
+HomingSpec chosen(const command::Home& what, HomingSpec spec) {
   const auto take = [](double& value, double given) {
     if (!std::isnan(given)) value = given;
   };
-  if (command.homing.method != 0) spec.method = command.homing.method;
-  take(spec.offset, command.position);
-  take(spec.search_velocity, command.dynamics.velocity);
-  take(spec.index_velocity, command.homing.index_velocity);
-  take(spec.acceleration, command.dynamics.acceleration);
-  take(spec.timeout, command.homing.timeout);
-  take(spec.distance, command.homing.distance);
+  if (what.method != 0) spec.method = what.method;
+  take(spec.offset, what.offset);
+  take(spec.search_velocity, what.search_velocity);
+  take(spec.index_velocity, what.index_velocity);
+  take(spec.acceleration, what.acceleration);
+  take(spec.timeout, what.timeout);
+  take(spec.distance, what.distance);
   return spec;
 }
 
@@ -37,8 +37,8 @@ std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) 
 
 }  // namespace
 
-void MotionAxis::home(const Command& command) {
-  const HomingSpec spec = chosen(command, config_.homing);
+void MotionAxis::act(const command::Home& what) {
+  const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
   if (!method) return refuse(Cause::no_such_method, spec.method);
   if (now_.refused = misses(spec, config_); now_.refused) return;

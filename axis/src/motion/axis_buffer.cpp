@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
+#include <variant>
 
 #include "jounce/axis/axis.hpp"
 
@@ -9,15 +10,29 @@
 // progress itself. After any withdrawal, the present motion can therefore stop at its own target.
 
 namespace jounce {
+namespace {
+
+/// Its target, its distance or its velocity.
+double value_of(const BufferedMove& move) {
+  return std::visit(
+      [](const auto& each) {
+        if constexpr (requires { each.position; }) return each.position;
+        if constexpr (requires { each.distance; }) return each.distance;
+        if constexpr (requires { each.velocity; }) return each.velocity;
+      },
+      move);
+}
+
+}  // namespace
 
 /// One command with its own tick can wait. The axis checks its conditions in that tick.
 void MotionAxis::postpone(const Command& command) {
   const auto at = static_cast<double>(command.at);
   if (command.at < now_.tick) return refuse(Cause::too_late, at, static_cast<double>(now_.tick));
   if (later_) return refuse(Cause::buffer_full, at, static_cast<double>(later_->at));
-  if (command.movement) {
+  if (const Movement* const movement = movement_of(command.what)) {
     refuse(Cause::no_value);
-    return hand_back(command.movement);
+    return hand_back(movement);
   }
   later_ = command;
 }
@@ -40,14 +55,13 @@ void MotionAxis::forget_later() {
 
 /// Checks the move against the end of the previous one, if that is available, and again when it
 /// begins.
-void MotionAxis::buffer(const Command& command) {
+void MotionAxis::buffer(const BufferedMove& move) {
   constexpr auto most = static_cast<double>(WaitingMoves::most);
   if (next_.full()) return refuse(Cause::buffer_full, most, most);
   if (base_ == Base::movement && !on_path()) return refuse(Cause::synchronized);
   Goal goal;
-  if (now_.refused = goal_of(command, end_of_waiting().value_or(last()), goal); now_.refused)
-    return;
-  next_.push(command);
+  if (now_.refused = goal_of(move, end_of_waiting().value_or(last()), goal); now_.refused) return;
+  next_.push(move);
   const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
   if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
 }
@@ -55,7 +69,7 @@ void MotionAxis::buffer(const Command& command) {
 /// The state at rest after the last waiting move; nullopt: not available.
 std::optional<MotionState> MotionAxis::end_of_waiting() const {
   auto end = expected_end();
-  for (const Command& move : next_) {
+  for (const BufferedMove& move : next_) {
     Goal goal;
     if (!end || goal_of(move, *end, goal) || goal.kind != Goal::Kind::position) return std::nullopt;
     end = MotionState{goal.value, 0, 0};
@@ -69,7 +83,7 @@ double MotionAxis::through(const MotionState& from, const Goal& goal, double fac
   if (next_.empty() || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
   Goal further;
   if (goal_of(next_.front(), {goal.value, 0, 0}, further)) return 0;
-  return passing_velocity(from, goal, further, next_.front().buffer, factor, config_);
+  return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);
 }
 
 /// The target was passed since the previous tick: the plan continues from there at that very
@@ -103,10 +117,10 @@ void MotionAxis::take_back_next() {
 /// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,
 /// the moves after it are dropped too: they would begin elsewhere.
 void MotionAxis::begin_next() {
-  const Command command = next_.front();
+  const BufferedMove move = next_.front();
   next_.pop();
   Goal goal;
-  auto no = goal_of(command, last(), goal);
+  auto no = goal_of(move, last(), goal);
   if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
   if (!no) return;
   now_.dropped = no;
@@ -115,7 +129,7 @@ void MotionAxis::begin_next() {
 
 /// Another motion has replaced them; reports the first of them.
 void MotionAxis::forget(const WaitingMoves& moves) {
-  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, moves.front().position, 0};
+  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, value_of(moves.front()), 0};
 }
 
 void MotionAxis::forget_next() {

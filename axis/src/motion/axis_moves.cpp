@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/setpoint_check.hpp"
@@ -9,8 +10,6 @@
 // The moves that an axis plans itself (move_plan.hpp), each from the last output setpoint.
 
 namespace jounce {
-
-using Kind = Command::Kind;
 
 namespace {
 
@@ -40,40 +39,95 @@ bool keeps(const Profile& motion, const Limits& limits) {
 
 }  // namespace
 
-void MotionAxis::move(const Command& command) {
-  const bool under_way = moving() && ending_ == Ending::none;
-  if (command.kind == Kind::move_superimposed && under_way && state_ != State::continuous_motion) {
-    if (!std::isfinite(command.position)) return refuse(Cause::no_value, command.position);
-    return superimpose(command.position, command.dynamics);
-  }
-  const bool buffers = command.kind == Kind::move_absolute || command.kind == Kind::move_relative ||
-                       command.kind == Kind::move_velocity;
-  if (buffers && command.buffer != BufferMode::aborting && moving()) return buffer(command);
+template <class Move>
+void MotionAxis::move(const Move& what) {
   Goal goal;
-  if (now_.refused = goal_of(command, last(), goal); now_.refused) return;
+  if (now_.refused = goal_of(what, last(), goal); now_.refused) return;
   const WaitingMoves waited = std::exchange(next_, {});
   if (go(goal)) return forget(waited);
   next_ = waited;
   refuse(Cause::no_such_move, goal.value);
 }
 
-/// The goal of a move that begins in this state.
-std::optional<Refusal> MotionAxis::goal_of(const Command& command, const MotionState& from,
-                                           Goal& goal) const {
-  const double value = command.position;
-  if (!std::isfinite(value)) return Refusal{Cause::no_value, value, 0};
-  MoveDynamics dynamics = command.dynamics;
-  if (command.kind == Kind::move_velocity) dynamics.velocity = as_configured;
+template <class Move>
+void MotionAxis::move_or_buffer(const Move& what) {
+  if (what.buffer != BufferMode::aborting && moving()) return buffer(what);
+  move(what);
+}
+
+void MotionAxis::act(const command::MoveAbsolute& what) {
+  move_or_buffer(what);
+}
+
+void MotionAxis::act(const command::MoveRelative& what) {
+  move_or_buffer(what);
+}
+
+void MotionAxis::act(const command::MoveVelocity& what) {
+  move_or_buffer(what);
+}
+
+void MotionAxis::act(const command::MoveAdditive& what) {
+  move(what);
+}
+
+/// Without a motion beneath it, it is a MoveRelative.
+void MotionAxis::act(const command::MoveSuperimposed& what) {
+  const bool under_way = moving() && ending_ == Ending::none;
+  if (!under_way || state_ == State::continuous_motion)
+    return move(command::MoveRelative{what.distance, what.dynamics});
+  if (!std::isfinite(what.distance)) return refuse(Cause::no_value, what.distance);
+  superimpose(what.distance, what.dynamics);
+}
+
+// The goals of moves that begin in the state `from`.
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveAbsolute& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (!std::isfinite(what.position)) return Refusal{Cause::no_value, what.position, 0};
+  MoveDynamics dynamics = what.dynamics;
   if (const auto no = fill(dynamics, config_)) return no;
-  if (command.kind == Kind::move_velocity) return velocity_goal(value, from, dynamics, goal);
-  std::optional<double> target = from.position + value;
-  if (command.kind == Kind::move_absolute)
-    target = target_of(value, command.direction, from, dynamics, config_);
-  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
-  if (command.kind == Kind::move_additive && aimed) target = goal_.value + shift_ + value;
-  if (!target) return Refusal{Cause::no_such_move, value, 0};
+  const auto target = target_of(what.position, what.direction, from, dynamics, config_);
+  if (!target) return Refusal{Cause::no_such_move, what.position, 0};
   goal = {Goal::Kind::position, *target, dynamics};
   return forbidden(*target, from.position);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveRelative& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (const auto no = distance_goal(what.distance, from.position, what.dynamics, goal)) return no;
+  return forbidden(goal.value, from.position);
+}
+
+/// Counts from the target of the present move, if it has one.
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveAdditive& what,
+                                           const MotionState& from, Goal& goal) const {
+  const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
+  const double start = aimed ? goal_.value + shift_ : from.position;
+  if (const auto no = distance_goal(what.distance, start, what.dynamics, goal)) return no;
+  return forbidden(goal.value, from.position);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const command::MoveVelocity& what,
+                                           const MotionState& from, Goal& goal) const {
+  if (!std::isfinite(what.velocity)) return Refusal{Cause::no_value, what.velocity, 0};
+  const auto& [a, d, j] = what.dynamics;
+  MoveDynamics dynamics{.acceleration = a, .deceleration = d, .jerk = j};
+  if (const auto no = fill(dynamics, config_)) return no;
+  return velocity_goal(what.velocity, from, dynamics, goal);
+}
+
+std::optional<Refusal> MotionAxis::goal_of(const BufferedMove& what, const MotionState& from,
+                                           Goal& goal) const {
+  return std::visit([&](const auto& move) { return goal_of(move, from, goal); }, what);
+}
+
+std::optional<Refusal> MotionAxis::distance_goal(double distance, double from,
+                                                 MoveDynamics dynamics, Goal& goal) const {
+  if (!std::isfinite(distance)) return Refusal{Cause::no_value, distance, 0};
+  if (const auto no = fill(dynamics, config_)) return no;
+  goal = {Goal::Kind::position, from + distance, dynamics};
+  return std::nullopt;
 }
 
 /// The goal of a move at this velocity; 0: to rest.

@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-void MotionAxis::arm(Movement* movement) {
+void MotionAxis::act(const command::Arm& what) {
+  Movement* const movement = what.movement;
   if (!movement) return refuse(Cause::no_value);
   const auto from = expected_end();
   if (from || ends_somewhere())
@@ -25,6 +26,13 @@ void MotionAxis::arm(Movement* movement) {
   if (now_.refused) return hand_back(movement);
   disarm();
   pending_ = movement;
+  join_group(what.group);
+}
+
+void MotionAxis::act(const command::Disarm& /*it*/) {
+  if (!waiting_) disarm();
+  forget_later();
+  take_back_next();
 }
 
 /// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
@@ -51,19 +59,19 @@ void MotionAxis::disarm() {
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
 }
 
-void MotionAxis::start(const Command& command) {
+void MotionAxis::act(const command::Start& what) {
   if (!pending_) return refuse(Cause::not_armed);
-  if (command.start_at == StartAt::end_of_table && moving()) return start_at_end();
-  if (command.start_at == StartAt::tick && command.at >= 0 && command.at < now_.tick)
-    return refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
-  if (command.start_at == StartAt::master_position && !std::isfinite(command.position))
-    return refuse(Cause::no_value, command.position);
-  const bool swaps = command.start_at == StartAt::master_position && on_path();
+  if (what.when == StartAt::end_of_table && moving()) return start_at_end();
+  if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
+    return refuse(Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick));
+  if (what.when == StartAt::master_position && !std::isfinite(what.position))
+    return refuse(Cause::no_value, what.position);
+  const bool swaps = what.when == StartAt::master_position && on_path();
   const bool rests = !moving() || (stands() && !swaps);
   if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
   if (swaps && !ready_to_swap()) return;
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
-  const bool later = command.start_at == StartAt::master_position || command.at > now_.tick;
+  const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
   if (rests && !(later && pending_->course() == Course::live)) {
     now_.refused = pending_->admit(config_, last());
     const Cause no = pending_->begin(last(), moment(0));
@@ -74,9 +82,9 @@ void MotionAxis::start(const Command& command) {
   }
   waiting_ = true;
   accepted_ = now_.tick;
-  start_at_ = command.start_at == StartAt::end_of_table ? StartAt::tick : command.start_at;
-  start_tick_ = std::max(command.at, now_.tick);
-  start_position_ = command.position;
+  start_at_ = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
+  start_tick_ = std::max(what.tick, now_.tick);
+  start_position_ = what.position;
 }
 
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
@@ -86,16 +94,16 @@ bool MotionAxis::stands() const {
          clock_.steady(now_.tick) && now_.velocity == 0;
 }
 
-void MotionAxis::gear_in(const Command& command) {
-  Movement* const movement = command.movement;
+void MotionAxis::act(const command::Couple& what) {
+  Movement* const movement = what.movement;
   if (!movement) return refuse(Cause::no_value);
   if (movement->course() != Course::live) {
     refuse(Cause::bad_table);
     return hand_back(movement);
   }
   now_.refused = movement->admit(config_, last());
-  if (command.at >= 0 && command.at < now_.tick)
-    refuse(Cause::too_late, static_cast<double>(command.at), static_cast<double>(now_.tick));
+  if (what.tick >= 0 && what.tick < now_.tick)
+    refuse(Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick));
   if (now_.refused) return hand_back(movement);
   disarm();
   pending_ = movement;
@@ -103,7 +111,7 @@ void MotionAxis::gear_in(const Command& command) {
   accepted_ = now_.tick;
   next_group_ = 0;
   start_at_ = StartAt::tick;
-  start_tick_ = std::max(command.at, now_.tick);
+  start_tick_ = std::max(what.tick, now_.tick);
 }
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of

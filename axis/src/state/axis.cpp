@@ -36,7 +36,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
-  for (Movement* const movement : {active_, pending_, command.movement})
+  for (Movement* const movement : {active_, pending_, movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
   obey_due();

@@ -2,97 +2,43 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/command/command_table.hpp"
 
 // The commands of an axis, one a tick: the dispatch of all, and those for power, coordinates,
 // speed, and the end of a motion.
 
 namespace jounce {
 
-using Kind = Command::Kind;
-
 void MotionAxis::obey(const Command& command) {
-  if (command.kind == Kind::none) return;
+  if (std::holds_alternative<command::None>(command.what)) return;
   take_up(command);
-  if (command.kind == Kind::start && now_.refused && command.group != 0)
-    now_.broken[1] = command.group;
+  const auto* const start = std::get_if<command::Start>(&command.what);
+  if (start != nullptr && now_.refused && start->group != 0) now_.broken[1] = start->group;
 }
 
 void MotionAxis::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
-  if (const Cause no = permitted(state, command.kind); no != Cause::none) {
-    if (command.movement) hand_back(command.movement);
+  Cause no = permitted(state, command.kind());
+  if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
+  if (no != Cause::none) {
+    if (const Movement* const movement = movement_of(command.what)) hand_back(movement);
     return refuse(no);
   }
-  if (needs_home(command)) {
-    if (command.movement) hand_back(command.movement);
-    return refuse(Cause::not_homed);
-  }
-  const bool has_own = command.kind == Kind::start || command.kind == Kind::gear_in;
-  if (command.at >= 0 && command.at != now_.tick && !has_own) return postpone(command);
-  act(command);
+  if (command.at >= 0 && command.at != now_.tick) return postpone(command);
+  std::visit([&](const auto& what) { act(what); }, command.what);
 }
 
 /// True if the command moves to a position and the axis is not yet homed.
 bool MotionAxis::needs_home(const Command& command) const {
   if (!config_.require_home || now_.homed) return false;
-  return command.kind == Kind::move_absolute || (command.movement && command.movement->absolute());
-}
-
-void MotionAxis::act(const Command& command) {
-  switch (command.kind) {
-    case Kind::none:
-      return;
-    case Kind::enable:
-      return power(true);
-    case Kind::disable:
-      return power(false);
-    case Kind::arm:
-      arm(command.movement);
-      if (!now_.refused) join_group(command.group);
-      return;
-    case Kind::disarm:
-      if (!waiting_) disarm();
-      forget_later();
-      return take_back_next();
-    case Kind::start:
-      return start(command);
-    case Kind::stop:
-      return end_motion(Ending::stop, command);
-    case Kind::release:
-      return end_motion(Ending::release, command);
-    case Kind::halt:
-      return end_motion(Ending::halt, command);
-    case Kind::abort:
-      return fail(Cause::aborted);
-    case Kind::reset:
-      return reset();
-    case Kind::set_position:
-      return set_position(command.position + (command.relative ? now_.position : 0));
-    case Kind::home:
-      return home(command);
-    case Kind::hold:
-    case Kind::resume:
-      return hold(command.kind == Kind::hold);
-    case Kind::override_:
-      return set_override(command.factor);
-    case Kind::finish:
-      return finish();
-    case Kind::move_absolute:
-    case Kind::move_relative:
-    case Kind::move_additive:
-    case Kind::move_superimposed:
-    case Kind::move_velocity:
-      return move(command);
-    case Kind::gear_in:
-      return gear_in(command);
-    case Kind::gear_out:
-    case Kind::cam_out:
-      return decouple();
-  }
+  const Movement* const movement = movement_of(command.what);
+  return std::holds_alternative<command::MoveAbsolute>(command.what) ||
+         (movement != nullptr && movement->absolute());
 }
 
 // ---- power and coordinates ---------------------------------------------------------------------
@@ -111,7 +57,7 @@ void MotionAxis::power(bool on) {
 }
 
 /// A path that an underrun stopped is still active and at rest: it waits for a resume.
-void MotionAxis::reset() {
+void MotionAxis::act(const command::Reset& /*it*/) {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return refuse(Cause::in_motion);
   now_.fault = Cause::none;
@@ -121,6 +67,10 @@ void MotionAxis::reset() {
   state_ = !moving()                 ? State::standstill
            : active_->synchronized() ? State::synchronized_motion
                                      : State::discrete_motion;
+}
+
+void MotionAxis::act(const command::SetPosition& what) {
+  set_position(what.position + (what.relative ? now_.position : 0));
 }
 
 void MotionAxis::set_position(double position) {
@@ -135,9 +85,10 @@ void MotionAxis::set_position(double position) {
 
 // ---- speed and end -----------------------------------------------------------------------------
 
-void MotionAxis::end_motion(Ending ending, const Command& command) {
+void MotionAxis::end_motion(Ending ending, const StopDynamics& asked) {
   // A search has no position range: it always ends with the stop of the axis.
-  MoveDynamics dynamics = homing_ ? MoveDynamics{} : command.dynamics;
+  MoveDynamics dynamics;
+  if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
   const bool stops = ending != Ending::halt || homing_;
   now_.refused = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_);
   if (now_.refused) return;
@@ -174,7 +125,7 @@ void MotionAxis::join_group(std::int64_t group) {
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
-  if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group, {});
+  if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group);
 }
 
 /// True if only the first point of the path was output, at the position of the axis.
@@ -189,7 +140,8 @@ void MotionAxis::hold(bool on) {
   if (!replan()) held_ = before;
 }
 
-void MotionAxis::set_override(double factor) {
+void MotionAxis::act(const command::Override& what) {
+  const double factor = what.factor;
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
@@ -200,7 +152,7 @@ void MotionAxis::set_override(double factor) {
 }
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
-void MotionAxis::finish() {
+void MotionAxis::act(const command::Finish& /*it*/) {
   if (!on_path()) return refuse(Cause::not_on_path);
   if (ending_ != Ending::none) return refuse(Cause::halting);
   if (!std::isinf(active_->known()) || active_->pass() <= 0) return;

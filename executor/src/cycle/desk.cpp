@@ -6,33 +6,21 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/command/command_table.hpp"
+#include "jounce/executor/commands.hpp"
 #include "jounce/executor/events.hpp"
-#include "jounce/executor/orders.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-using Kind = Command::Kind;
+using Kind = CommandKind;
 
 constexpr std::int64_t no_group = 0;  // an axis that starts alone
 
 bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
-}
-
-/// The numbers of both enumerations are equal (docs/stream-protocol.md).
-wire::AxisState on_wire(State state) {
-  return static_cast<wire::AxisState>(state);
-}
-
-/// True if a command sets the axis in motion for the session that sends it.
-bool moves(Kind kind) {
-  return kind == Kind::move_absolute || kind == Kind::move_relative ||
-         kind == Kind::move_additive || kind == Kind::move_superimposed ||
-         kind == Kind::move_velocity || kind == Kind::gear_in || kind == Kind::home ||
-         kind == Kind::resume;
 }
 
 }  // namespace
@@ -48,7 +36,7 @@ Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t 
       outbox_(mail_),
       queues_(mail_.rows, recorded_rows()) {
   if (options_.log) log_.emplace(*options_.log, options_.units);
-  if (options_.enable) outbox_.order({.kind = Kind::enable});
+  if (options_.enable) outbox_.send({command::Enable{}});
   outbox_.flush();
 }
 
@@ -65,7 +53,7 @@ void Desk::turn() {
 void Desk::retire() {
   retired_ = true;
   clear_outbox();
-  outbox_.order({.kind = Kind::stop});
+  outbox_.send({command::Stop{}});
   outbox_.flush();
 }
 
@@ -158,13 +146,13 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, st
       return answer(request, refusal);
   }
   if (resets) {
-    outbox_.order({.kind = Kind::reset});
+    outbox_.send({command::Reset{}});
     if (last_.job != 0)
-      outbox_.order({.kind = Kind::stop});  // the remainder of an underrun is not continued
+      outbox_.send({command::Stop{}});  // the remainder of an underrun is not continued
   }
-  if (adopts) outbox_.order({.kind = Kind::set_position, .position = *made.first});
+  if (adopts) outbox_.send({command::SetPosition{*made.first}});
   if (options_.recorder != nullptr && made.source) record(*made.source);
-  outbox_.order({.kind = Kind::arm, .movement = made.movement.get(), .group = group}, request);
+  outbox_.send({command::Arm{made.movement.get(), group}}, request);
   armed_ = made.movement->id();
   movements_[armed_] = {std::move(made), hash};
 }
@@ -180,18 +168,15 @@ void Desk::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
   motion_session_ = start.session;
   start_ = {.session = start.session, .command = start.command, .movement = armed_};
-  outbox_.order({.kind = Kind::start,
-                 .start_at = static_cast<StartAt>(start.when),
-                 .group = start.session,
-                 .at = start.tick,
-                 .position = start.position},
-                {start.session, start.command, Kind::start});
+  outbox_.send({command::Start{start.when, start.tick, start.position, start.session}},
+               {start.session, start.command, Kind::start});
 }
 
 void Desk::handle(const StopRequested& stop) {
   clear_outbox();
-  const Kind kind = stop.mode == wire::StopMode::abort ? Kind::abort : Kind::stop;
-  outbox_.order({.kind = kind}, {stop.session, stop.command, kind});
+  Command command{command::Stop{}};
+  if (stop.mode == wire::StopMode::abort) command.what = command::Abort{};
+  outbox_.send(command, {stop.session, stop.command, command.kind()});
 }
 
 void Desk::handle(const SessionEnded& ended) {
@@ -201,41 +186,59 @@ void Desk::handle(const SessionEnded& ended) {
   queues_.close();
   // The motion may belong to a previous owner, who released it while running.
   const bool its_motion = ended.session == motion_session_;
-  // Applies also after later orders of the session. An operator's stop is already in transit to the
+  // Applies also after later commands of the session. An operator's stop is already in transit to the
   // axis, and requires an answer.
   if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
     clear_outbox();
-    return outbox_.order({.kind = Kind::release});
+    return outbox_.send({command::Release{}});
   }
   const bool stops = silent && its_motion && options_.stop_when_silent;
   // An armed motion no longer begins; a move that waits for the previous one, or for its tick,
   // does.
   const bool armed = last_.armed != 0 || busy();
   if (!stops && !armed) return;
-  const Kind kind = stops ? Kind::stop : Kind::disarm;
-  if (outbox_.last() != kind) outbox_.order({.kind = kind});
+  Command command{command::Disarm{}};
+  if (stops) command.what = command::Stop{};
+  if (outbox_.last() != command.kind()) outbox_.send(command);
 }
 
-void Desk::handle(const OrderRequested& requested) {
-  if (requested.kind == wire::OrderKind::disable) clear_outbox();  // ends more than a stop
+void Desk::handle(const CommandRequested& requested) {
+  const CommandKind kind = kind_of(requested.what);
+  if (kind == Kind::disable) clear_outbox();  // ends more than a stop
   if (crowded(requested.session, requested.command)) return;
-  const auto command = command_of(requested);
-  const Request request{requested.session, requested.command,
-                        command ? command->kind : Kind::gear_in};
+  const Request request{requested.session, requested.command, kind};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
-  if (requested.kind == wire::OrderKind::start) return start_own(requested);
-  if (requested.kind >= wire::OrderKind::queue_switch) return handle_queue_order(requested);
-  if (moves(request.kind)) motion_session_ = requested.session;
-  if (wire::holds_to_run(requested.kind, requested.value)) held_session_ = requested.session;
-  if (command) return outbox_.order(*command, request);
+  std::visit([&](const auto& what) { obey(what, requested, request); }, requested.what);
+}
+
+/// A command that the axis executes as it is.
+template <class What>
+void Desk::obey(const What& what, const CommandRequested& requested, const Request& request) {
+  if (info(request.kind).moves) motion_session_ = requested.session;
+  if (holds_to_run(requested.what)) held_session_ = requested.session;
+  outbox_.send({.what = what, .at = requested.at}, request);
+}
+
+void Desk::obey(const command::GearIn& /*gear*/, const CommandRequested& requested,
+                const Request& request) {
+  couple(requested, request);
+}
+
+void Desk::obey(const command::GearInPos& /*gear*/, const CommandRequested& requested,
+                const Request& request) {
+  couple(requested, request);
+}
+
+void Desk::couple(const CommandRequested& requested, const Request& request) {
+  motion_session_ = requested.session;
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});
   try {
     const std::uint64_t id = ++numbers_;
-    MadeMovement gear{.movement = gear_of(requested, id, options_.axis, last_.position)};
-    record_gear(requested, id);
-    outbox_.order({.kind = Kind::gear_in, .movement = gear.movement.get(), .at = requested.at},
-                  request);
+    MadeMovement gear{.movement = gear_of(requested.what, id, options_.axis, last_.position)};
+    if (options_.recorder != nullptr)
+      options_.recorder->note(RecordedGear{axis_, id, requested.what, last_.position});
+    outbox_.send({command::Couple{gear.movement.get(), requested.at}}, request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
     decline(requested, error.what());
@@ -244,7 +247,8 @@ void Desk::handle(const OrderRequested& requested) {
 
 /// Arms and starts the axis's own table. It is accepted when it is armed: nothing can prevent the
 /// start then.
-void Desk::start_own(const OrderRequested& requested) {
+void Desk::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
+                const Request& /*start*/) {
   if (!options_.table) return decline(requested, "the axis has no table of its own: stream one");
   const Request request{requested.session, requested.command, Kind::arm};
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
@@ -254,20 +258,10 @@ void Desk::start_own(const OrderRequested& requested) {
                          .slave = *options_.table,
                          .master = {}};
   motion_session_ = requested.session;
-  outbox_.order(
-      {.kind = Kind::disarm});  // if the arm fails, the start then starts nothing else
+  outbox_.send({command::Disarm{}});  // if the arm fails, the start then starts nothing else
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash, no_group);
-  outbox_.order({.kind = Kind::start, .at = requested.at});
-}
-
-void Desk::record_gear(const OrderRequested& requested, std::uint64_t id) {
-  if (options_.recorder == nullptr) return;
-  options_.recorder->note(RecordedGear{.axis = axis_,
-                                       .id = id,
-                                       .kind = requested.kind,
-                                       .value = requested.value,
-                                       .position = last_.position});
+  outbox_.send({command::Start{.tick = requested.at}});
 }
 
 /// Returns the function that records a queue's rows; empty: no record.
@@ -278,17 +272,31 @@ Queues::Record Desk::recorded_rows() const {
   };
 }
 
-void Desk::handle_queue_order(const OrderRequested& requested) {
-  const auto queue = static_cast<std::uint32_t>(requested.value[0]);
-  const int bank = requested.value[1] == 0 ? 0 : 1;
-  if (requested.at >= 0)
-    return decline(requested, "queue commands cannot be timed: leave out --at");
-  if (requested.kind == wire::OrderKind::queue_end && !queues_.end(queue))
+void Desk::obey(const command::QueueSwitch& what, const CommandRequested& requested,
+                const Request& request) {
+  if (untimed(requested)) answer_queue(request, queues_.queue_switch(what.queue));
+}
+
+void Desk::obey(const command::QueueClear& what, const CommandRequested& requested,
+                const Request& request) {
+  if (untimed(requested)) answer_queue(request, queues_.clear(what.queue, what.bank));
+}
+
+void Desk::obey(const command::QueueEnd& what, const CommandRequested& requested,
+                const Request& request) {
+  if (!untimed(requested)) return;
+  if (!queues_.end(what.queue))
     return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
-  const bool done = requested.kind == wire::OrderKind::queue_end ||
-                    (requested.kind == wire::OrderKind::queue_switch ? queues_.queue_switch(queue)
-                                                                     : queues_.clear(queue, bank));
-  const Request request{requested.session, requested.command, Kind::none};
+  answer_queue(request, true);
+}
+
+/// Declines a command about a queue for a later tick.
+bool Desk::untimed(const CommandRequested& requested) {
+  if (requested.at >= 0) decline(requested, "queue commands cannot be timed: leave out --at");
+  return requested.at < 0;
+}
+
+void Desk::answer_queue(const Request& request, bool done) {
   answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
 }
 
@@ -300,8 +308,8 @@ bool Desk::crowded(std::int64_t session, std::int32_t command) {
   return true;
 }
 
-/// Rejects an order that the protocol permits and this executor does not support.
-void Desk::decline(const OrderRequested& requested, const std::string& reason) {
+/// Rejects a command that the protocol permits and this executor does not support.
+void Desk::decline(const CommandRequested& requested, const std::string& reason) {
   receiver_.refuse(requested.session, requested.command, reason,
                    static_cast<std::int32_t>(Cause::no_value));
 }
@@ -414,7 +422,7 @@ void Desk::compare(const Tick& tick) {
 
 wire::Status Desk::status() const {
   const auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
-  wire::Status status{.state = on_wire(last_.state),
+  wire::Status status{.state = last_.state,
                       .tick = last_.tick,
                       .cycle_ns = options_.axis.period,
                       .master_position = NAN,

@@ -5,15 +5,13 @@
 
 namespace jounce {
 
-using Kind = Command::Kind;
-
-void Outbox::order(Command command) {
+void Outbox::send(Command command) {
   command.id = ++numbers_;
   waiting_.push_back(command);
 }
 
-void Outbox::order(const Command& command, const Request& request) {
-  order(command);
+void Outbox::send(const Command& command, const Request& request) {
+  send(command);
   unanswered_[numbers_] = request;
 }
 
@@ -21,12 +19,14 @@ std::vector<std::uint64_t> Outbox::clear() {
   std::vector<std::uint64_t> dropped;
   std::deque<Command> kept;
   for (const Command& command : waiting_) {
-    const bool again = !kept.empty() && kept.back().kind == command.kind;
-    if ((command.kind == Kind::abort || command.kind == Kind::disable) && !again) {
+    const CommandKind kind = command.kind();
+    const bool again = !kept.empty() && kept.back().kind() == kind;
+    if ((kind == CommandKind::abort || kind == CommandKind::disable) && !again) {
       kept.push_back(command);
       continue;
     }
-    if (command.movement != nullptr) dropped.push_back(command.movement->id());
+    if (const Movement* const movement = movement_of(command.what))
+      dropped.push_back(movement->id());
     unanswered_.erase(command.id);
   }
   waiting_ = std::move(kept);

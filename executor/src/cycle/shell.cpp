@@ -138,7 +138,7 @@ void stop_alone(Post& post) {
   using namespace std::chrono_literals;
   const Nanos begin = steady_now();
   for (auto& mail : post.mail)
-    while (!mail->commands.push({.kind = Command::Kind::stop}) && steady_now() - begin < 1s)
+    while (!mail->commands.push({command::Stop{}}) && steady_now() - begin < 1s)
       std::this_thread::sleep_for(1ms);
   for (auto& mail : post.mail) {
     Tick tick;

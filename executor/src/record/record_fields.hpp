@@ -10,6 +10,8 @@
 #include "jounce/executor/record.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "executor/src/record/flat_command.hpp"
+
 /// The common fields of the record types in executor/lcm and ours, one list for each type, for both
 /// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a custom function compares.
 namespace jounce::record_fields {
@@ -27,25 +29,29 @@ void each_sensor(Ours& s, Theirs& w, F f) {
 
 /// f(name, ours, theirs) for every field.
 template <class Ours, class Theirs, class F>
+void each_command(Ours& c, Theirs& w, F f) {
+  f("id", c.id, w.id);
+  f("command", c.kind, w.command);
+  f("start_at", c.start_at, w.start_at);
+  f("at", c.at, w.at);
+  f("command_position", c.position, w.command_position);
+  f("relative", c.relative, w.relative);
+  f("factor", c.factor, w.factor);
+  f("move_velocity", c.dynamics.velocity, w.move_velocity);
+  f("move_acceleration", c.dynamics.acceleration, w.move_acceleration);
+  f("move_deceleration", c.dynamics.deceleration, w.move_deceleration);
+  f("move_jerk", c.dynamics.jerk, w.move_jerk);
+  f("direction", c.direction, w.direction);
+  f("buffer", c.buffer, w.buffer);
+  f("home_method", c.method, w.home_method);
+  f("index_velocity", c.index_velocity, w.index_velocity);
+  f("home_timeout", c.timeout, w.home_timeout);
+  f("home_distance", c.distance, w.home_distance);
+}
+
+template <class Ours, class Theirs, class F>
 void each_input(Ours& c, Theirs& w, F f) {
-  f("id", c.command.id, w.id);
   f("movement", c.movement, w.movement);
-  f("command", c.command.kind, w.command);
-  f("start_at", c.command.start_at, w.start_at);
-  f("at", c.command.at, w.at);
-  f("command_position", c.command.position, w.command_position);
-  f("relative", c.command.relative, w.relative);
-  f("factor", c.command.factor, w.factor);
-  f("move_velocity", c.command.dynamics.velocity, w.move_velocity);
-  f("move_acceleration", c.command.dynamics.acceleration, w.move_acceleration);
-  f("move_deceleration", c.command.dynamics.deceleration, w.move_deceleration);
-  f("move_jerk", c.command.dynamics.jerk, w.move_jerk);
-  f("direction", c.command.direction, w.direction);
-  f("buffer", c.command.buffer, w.buffer);
-  f("home_method", c.command.homing.method, w.home_method);
-  f("index_velocity", c.command.homing.index_velocity, w.index_velocity);
-  f("home_timeout", c.command.homing.timeout, w.home_timeout);
-  f("home_distance", c.command.homing.distance, w.home_distance);
   for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
   f("live_master_offset", c.inputs.master_offset, w.live_master_offset);
   f("drive_position", c.inputs.feedback.position, w.drive_position);
@@ -195,7 +201,7 @@ constexpr int count_of = 0;
 template <>
 inline constexpr int count_of<State> = static_cast<int>(states);
 template <>
-inline constexpr int count_of<Command::Kind> = static_cast<int>(command_kinds);
+inline constexpr int count_of<CommandKind> = static_cast<int>(command_kinds);
 template <>
 inline constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
 template <>
@@ -238,8 +244,6 @@ template <>
 inline constexpr int count_of<wire::QueueEvent> = 3;
 template <>
 inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::end) + 1;
-template <>
-inline constexpr int count_of<wire::OrderKind> = static_cast<int>(wire::OrderKind::gear_in_pos) + 1;
 
 /// Ours to theirs.
 struct Put {

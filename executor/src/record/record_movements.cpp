@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "jounce/command/command_table.hpp"
+#include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/record_wire.hpp"
@@ -95,8 +97,9 @@ gear_t on_wire(const RecordedGear& g) {
   gear_t w{};
   w.axis = static_cast<std::int16_t>(g.axis);
   w.id = static_cast<std::int64_t>(g.id);
-  w.kind = static_cast<std::int8_t>(g.kind);
-  std::copy(g.value.begin(), g.value.end(), w.value);
+  const CommandValues values = values_of(g.gear);
+  w.kind = info(kind_of(g.gear)).number;
+  std::copy(values.begin(), values.end(), w.value);
   w.position = g.position;
   return w;
 }
@@ -105,10 +108,14 @@ RecordedGear ours(const gear_t& w) {
   RecordedGear g{.axis = static_cast<std::size_t>(w.axis),
                  .id = static_cast<std::uint64_t>(w.id),
                  .position = w.position};
-  Get{}("kind", g.kind, w.kind);
-  if (g.kind != wire::OrderKind::gear_in && g.kind != wire::OrderKind::gear_in_pos)
+  const auto kind = kind_of_number(w.kind);
+  if (kind != CommandKind::gear_in && kind != CommandKind::gear_in_pos)
     throw InputError("kind", std::to_string(w.kind), "is not a gear command");
-  std::copy(std::begin(w.value), std::end(w.value), g.value.begin());
+  CommandValues values;
+  std::copy(std::begin(w.value), std::end(w.value), values.begin());
+  if (const std::string rule = contradiction(*kind, values); !rule.empty())
+    throw InputError("gear", std::to_string(w.id), rule);
+  g.gear = command_of(*kind, values);
   return g;
 }
 

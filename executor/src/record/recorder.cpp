@@ -46,8 +46,9 @@ void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
                const Tick& tick) noexcept {
   Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick}};
   // Stores its id: the movement may no longer exist when the other thread reads the item.
-  if (command.movement != nullptr) item.cycle.movement = command.movement->id();
-  item.cycle.command.movement = nullptr;
+  if (const Movement* const movement = movement_of(command.what))
+    item.cycle.movement = movement->id();
+  set_movement(item.cycle.command.what, nullptr);
   item.cycle.tick.handed_back = {};
   push(item);
 }
@@ -112,8 +113,8 @@ void Recorder::write(const StoredTable& stored) {
   if (!tables_.insert(stored.hash).second) return;
   const Table& table = *stored.table;
   const Columns& c = table.columns();
-  for (std::size_t first = 0; first < table.size(); first += knots_an_event) {
-    const std::size_t count = std::min(knots_an_event, table.size() - first);
+  for (std::size_t first = 0; first < table.size(); first += record_wire::knots_an_event) {
+    const std::size_t count = std::min(record_wire::knots_an_event, table.size() - first);
     write(RecordedTable{.hash = stored.hash,
                         .units = stored.units,
                         .over = table.axis(),

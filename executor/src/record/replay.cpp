@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "jounce/axis/live_cam.hpp"
-#include "jounce/executor/orders.hpp"
+#include "jounce/executor/commands.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/lcm_log.hpp"
@@ -92,8 +92,7 @@ class Replayer {
   }
 
   void take(const RecordedGear& gear) {
-    const OrderRequested order{.kind = gear.kind, .value = gear.value};
-    keep(gear.axis, gear_of(order, gear.id, config(gear.axis), gear.position));
+    keep(gear.axis, gear_of(gear.gear, gear.id, config(gear.axis), gear.position));
   }
 
   void take(const RecordedQueue& opened) {
@@ -168,8 +167,9 @@ class Replayer {
     Command command = cycle.command;
     if (!hand_over(cycle)) return;
     if (cycle.movement != 0) {
-      command.movement = movement({cycle.axis, cycle.movement});
-      if (command.movement == nullptr)
+      Movement* const movement = this->movement({cycle.axis, cycle.movement});
+      set_movement(command.what, movement);
+      if (movement == nullptr)
         return end("the record lacks parts of movement " + std::to_string(cycle.movement) + " (" +
                    of_axis(cycle.axis, cycle.tick.tick) + ")");
     }

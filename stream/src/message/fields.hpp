@@ -42,7 +42,7 @@ inline constexpr int last_of<Refusal> = refusals - 1;
 template <>
 inline constexpr int last_of<Outcome> = static_cast<int>(Outcome::refused);
 template <>
-inline constexpr int last_of<AxisState> = static_cast<int>(AxisState::homing);
+inline constexpr int last_of<State> = static_cast<int>(states) - 1;
 template <>
 inline constexpr int last_of<Next> = static_cast<int>(Next::waiting);
 
@@ -54,8 +54,6 @@ template <>
 inline constexpr int last_of<CamEnd> = static_cast<int>(CamEnd::extend);
 template <>
 inline constexpr int last_of<Progress> = static_cast<int>(Progress::broken);
-template <>
-inline constexpr int last_of<OrderKind> = order_kinds - 1;
 template <>
 inline constexpr int last_of<QueueMode> = static_cast<int>(QueueMode::dynamic);
 template <>

@@ -9,13 +9,13 @@
 #include "jounce_lcm/arm_t.hpp"
 #include "jounce_lcm/chunk_t.hpp"
 #include "jounce_lcm/claim_t.hpp"
+#include "jounce_lcm/command_t.hpp"
 #include "jounce_lcm/coupling_t.hpp"
 #include "jounce_lcm/event_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
-#include "jounce_lcm/order_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
 #include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"
@@ -38,7 +38,7 @@ void put(const Heartbeat& from, jounce_lcm::heartbeat_t& to);
 void put(const Ack& from, jounce_lcm::ack_t& to);
 void put(const Reply& from, jounce_lcm::reply_t& to);
 void put(const Status& from, jounce_lcm::status_t& to);
-void put(const Order& from, jounce_lcm::order_t& to);
+void put(const Command& from, jounce_lcm::command_t& to);
 void put(const Queue& from, jounce_lcm::queue_t& to);
 void put(const Rows& from, jounce_lcm::rows_t& to);
 void put(const QueueAck& from, jounce_lcm::queue_ack_t& to);
@@ -57,7 +57,7 @@ bool get(const jounce_lcm::heartbeat_t& from, Heartbeat& to);
 bool get(const jounce_lcm::ack_t& from, Ack& to);
 bool get(const jounce_lcm::reply_t& from, Reply& to);
 bool get(const jounce_lcm::status_t& from, Status& to);
-bool get(const jounce_lcm::order_t& from, Order& to);
+bool get(const jounce_lcm::command_t& from, Command& to);
 bool get(const jounce_lcm::queue_t& from, Queue& to);
 bool get(const jounce_lcm::rows_t& from, Rows& to);
 bool get(const jounce_lcm::queue_ack_t& from, QueueAck& to);
@@ -87,7 +87,7 @@ struct LcmOf<Reply> : std::type_identity<jounce_lcm::reply_t> {};
 template <>
 struct LcmOf<Status> : std::type_identity<jounce_lcm::status_t> {};
 template <>
-struct LcmOf<Order> : std::type_identity<jounce_lcm::order_t> {};
+struct LcmOf<Command> : std::type_identity<jounce_lcm::command_t> {};
 template <>
 struct LcmOf<Queue> : std::type_identity<jounce_lcm::queue_t> {};
 template <>

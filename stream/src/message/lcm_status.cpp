@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reports of executors and masters (Status, Event, Master), and Order.
+// The reports of executors and masters (Status, Event, Master), and Command.
 #include <cmath>
+
+#include "jounce/command/command_table.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "stream/src/message/fields.hpp"
 #include "stream/src/message/lcm_body.hpp"
@@ -173,18 +176,22 @@ bool get(const jounce_lcm::claim_t& from, Claim& to) {
   return to.boot >= 1 && to.rival >= 0 && get_flag(from.up, to.up);
 }
 
-void put(const Order& from, jounce_lcm::order_t& to) {
+void put(const Command& from, jounce_lcm::command_t& to) {
   to.command = from.command;
-  to.kind = number_of(from.kind);
+  to.kind = info(from.kind).number;
+  if (to.kind < 0) throw InputError("command", name(from.kind), "is not a command of a client");
   to.at = from.at;
   std::copy(from.value.begin(), from.value.end(), to.value);
 }
 
 // The receiver rejects values out of range, with a reason that the sender can use.
-bool get(const jounce_lcm::order_t& from, Order& to) {
+bool get(const jounce_lcm::command_t& from, Command& to) {
+  const auto kind = kind_of_number(from.kind);
+  if (!kind) return false;
+  to.kind = *kind;
   to.at = from.at;
   std::copy(from.value, from.value + to.value.size(), to.value.begin());
-  return get_command(from.command, to.command) && get_enum(from.kind, to.kind) && to.at >= -1;
+  return get_command(from.command, to.command) && to.at >= -1;
 }
 
 }  // namespace jounce::wire

@@ -29,13 +29,6 @@ const char* name(ArmMode mode) {
   return "queue";
 }
 
-const char* name(AxisState state) {
-  constexpr const char* names[] = {
-      "disabled", "standstill", "discrete_motion",   "synchronized_motion",
-      "stopping", "error_stop", "continuous_motion", "homing"};
-  return names[static_cast<std::size_t>(state)];
-}
-
 const char* name(Next next) {
   constexpr const char* names[] = {"nothing", "armed", "waiting"};
   return names[static_cast<std::size_t>(next)];

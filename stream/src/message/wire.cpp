@@ -85,7 +85,7 @@ bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   if (envelope.challenge < 0) return false;
   if (is_one_of<Body, Master, Claim>) return envelope.session == 0 && envelope.challenge == 0;
   if (is_one_of<Body, Event, MasterStatus>) return envelope.session == 0;
-  constexpr bool may_have_none = is_one_of<Body, Status, Stop, Reply, Order>;
+  constexpr bool may_have_none = is_one_of<Body, Status, Stop, Reply, Command>;
   return envelope.session > 0 || (may_have_none && envelope.session == 0);
 }
 

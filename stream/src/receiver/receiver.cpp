@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
 
@@ -141,8 +142,8 @@ void Receiver::answer_barred(const wire::Message& message, Refused refused) {
 void Receiver::receive_operators(const wire::Message& message) {
   const std::int32_t number = number_of(message.body);
   const auto* const stop = std::get_if<wire::Stop>(&message.body);
-  const auto* const order = std::get_if<wire::Order>(&message.body);
-  if (stop == nullptr && (order == nullptr || !wire::is_operators(order->kind))) return;
+  const auto* const command = std::get_if<wire::Command>(&message.body);
+  if (stop == nullptr && (command == nullptr || !is_operators(command->kind))) return;
   if (number == operator_.reply.command && message.challenge == operator_.challenge) {
     operator_.due = true;
     return;
@@ -152,12 +153,13 @@ void Receiver::receive_operators(const wire::Message& message) {
     return refuse_command(0, number, {wire::Refusal::stale_challenge, {}});
   operators_challenge_ = draw_challenge();
   operator_ = {.challenge = message.challenge,
-               .kind = stop != nullptr ? Record::Kind::stop : Record::Kind::order,
+               .kind = stop != nullptr ? Record::Kind::stop : Record::Kind::command,
                .reply = {.boot = boot_, .command = number},
                .due = true};
-  if (order != nullptr) {
-    if (Refused refused = misses(*order)) return settle(operator_, std::move(refused));
-    events_.emplace_back(OrderRequested{0, number, order->kind, order->at, order->value});
+  if (command != nullptr) {
+    if (Refused refused = misses(*command)) return settle(operator_, std::move(refused));
+    events_.emplace_back(
+        CommandRequested{0, number, command->at, command_of(command->kind, command->value)});
     return;
   }
   armed_ = false;

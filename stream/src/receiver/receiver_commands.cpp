@@ -7,16 +7,6 @@
 #include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {
-namespace {
-
-using wire::OrderKind;
-
-bool names_queue(OrderKind kind) {
-  return kind == OrderKind::queue_switch || kind == OrderKind::queue_clear ||
-         kind == OrderKind::queue_end;
-}
-
-}  // namespace
 
 void Receiver::refuse_command(std::int64_t session, std::int32_t command, Refused refused) {
   answer_stranger(session, wire::Reply{.boot = boot_,
@@ -33,7 +23,7 @@ bool Receiver::is_new(Record& record, Record::Kind kind, std::int32_t command) c
   record.due = true;
   if (command == record.reply.command) return false;
   record.kind = kind;
-  record.order.reset();
+  record.what.reset();
   record.reply = {.boot = boot_, .command = command};
   return true;
 }
@@ -106,19 +96,24 @@ void Receiver::take(const wire::Heartbeat& heartbeat) {
   if (heartbeat.release) end(SessionEnded::Why::released);
 }
 
-void Receiver::take(const wire::Order& order) {
-  if (!is_new(command_, Record::Kind::order, order.command)) return;
-  if (Refused refused = misses(order)) return settle(command_, std::move(refused));
-  command_.order = order;
-  holds_ = holds_ || wire::holds_to_run(order.kind, order.value);
-  events_.emplace_back(OrderRequested{session_, order.command, order.kind, order.at, order.value});
+void Receiver::take(const wire::Command& command) {
+  if (!is_new(command_, Record::Kind::command, command.command)) return;
+  if (Refused refused = misses(command)) return settle(command_, std::move(refused));
+  const ClientCommand what = command_of(command.kind, command.value);
+  command_.what = what;
+  holds_ = holds_ || holds_to_run(what);
+  events_.emplace_back(CommandRequested{session_, command.command, command.at, what});
 }
 
-/// Reason why an order cannot be passed to the axis.
-Refused Receiver::misses(const wire::Order& order) {
-  if (std::string rule = wire::contradiction(order); !rule.empty())
+/// Reason why a command cannot be passed to the axis.
+Refused Receiver::misses(const wire::Command& command) {
+  if (std::string rule = contradiction(command.kind, command.value); !rule.empty())
     return {wire::Refusal::bad_order, std::move(rule)};
-  if (names_queue(order.kind) && open_queue(static_cast<std::uint32_t>(order.value[0])) == nullptr)
+  const auto queue_is_missing = [&](const auto& what) {
+    if constexpr (requires { what.queue; }) return open_queue(what.queue) == nullptr;
+    return false;
+  };
+  if (std::visit(queue_is_missing, command_of(command.kind, command.value)))
     return {wire::Refusal::queue_missing, {}};
   return {};
 }
@@ -141,11 +136,10 @@ void Receiver::accept(std::int64_t session, std::int32_t command) {
 void Receiver::done(const Record& record) {
   if (record.kind == Record::Kind::arm) armed_ = true;
   if (record.kind == Record::Kind::start) armed_ = false;
-  if (!record.order || record.order->kind != OrderKind::queue_clear) return;
-  const auto& value = record.order->value;
-  OpenQueue* const queue = open_queue(static_cast<std::uint32_t>(value[0]));
+  const auto* const clear = record.what ? std::get_if<command::QueueClear>(&*record.what) : nullptr;
+  OpenQueue* const queue = clear != nullptr ? open_queue(clear->queue) : nullptr;
   if (queue == nullptr) return;
-  queue->intake.clear(static_cast<std::uint8_t>(value[1]), static_cast<std::uint32_t>(value[2]));
+  queue->intake.clear(clear->bank, clear->seq);
   queue->ack_due = true;
 }
 

@@ -119,19 +119,15 @@ CallOutcome StaticQueue::start(std::int64_t tick) {
   return client_.tell(wire::Start{.tick = tick});
 }
 
-CallOutcome StaticQueue::order(wire::OrderKind kind, double bank, double seq) {
-  return client_.tell(
-      wire::Order{.kind = kind, .value = {static_cast<double>(queue_.queue), bank, seq}});
-}
-
 CallOutcome StaticQueue::switch_over() {
-  return order(wire::OrderKind::queue_switch, 0);
+  return client_.command(command::QueueSwitch{.queue = queue_.queue});
 }
 
 /// Messages still in transit are void: the next one has this number.
 CallOutcome StaticQueue::clear(std::uint8_t bank) {
   assert(bank < banks_.size());
-  return order(wire::OrderKind::queue_clear, bank, static_cast<double>(banks_[bank].sent()));
+  return client_.command(command::QueueClear{
+      .queue = queue_.queue, .bank = bank, .seq = static_cast<std::uint32_t>(banks_[bank].sent())});
 }
 
 }  // namespace jounce

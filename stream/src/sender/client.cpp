@@ -3,18 +3,17 @@
 
 #include <utility>
 
+#include "jounce/command/command_table.hpp"
+#include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
-using wire::OrderKind;
-using wire::Refusal;
-
 /// True if the executor no longer has this session, and has therefore done nothing.
-bool is_over(Refusal refusal) {
-  return refusal == Refusal::unknown_session || refusal == Refusal::session_ended ||
-         refusal == Refusal::stale_challenge;
+bool is_over(wire::Refusal refusal) {
+  return refusal == wire::Refusal::unknown_session || refusal == wire::Refusal::session_ended ||
+         refusal == wire::Refusal::stale_challenge;
 }
 
 CallOutcome refused(const wire::Reply& reply) {
@@ -45,16 +44,16 @@ CallOutcome Client::ask(const wire::Body& body) {
   challenge_ = message.challenge;
   if (!reply) {
     const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
-    return {StreamError::no_answer, Refusal::none, 0,
+    return {StreamError::no_answer, wire::Refusal::none, 0,
             "no answer from executor " + executor_ +
                 (foreign ? "; its messages are unsigned, or signed with another key" : "")};
   }
   if (slot_.number() > 1 && reply->boot != boot_)
-    return {StreamError::restarted, Refusal::none, 0, "the executor has restarted"};
+    return {StreamError::restarted, wire::Refusal::none, 0, "the executor has restarted"};
   boot_ = reply->boot;
   if (reply->outcome == wire::Outcome::refused) return refused(*reply);
   if (reply->outcome == wire::Outcome::accepted) return {};
-  return {StreamError::command_timeout, Refusal::none, 0,
+  return {StreamError::command_timeout, wire::Refusal::none, 0,
           "the executor received the command, but the axis did not accept or reject it in time"};
 }
 
@@ -88,15 +87,11 @@ CallOutcome Client::tell(wire::Body body) {
   return ask(body);
 }
 
-CallOutcome Client::order(const wire::Order& order) {
-  if (const std::string rule = contradiction(order); !rule.empty())
-    throw InputError(name(order.kind), "", rule);
-  if (order.at < -1) throw InputError("at", std::to_string(order.at), "must be -1 or more");
-  return tell(order);
-}
-
-CallOutcome Client::order(OrderKind kind, std::initializer_list<double> given, std::int64_t at) {
-  return order(wire::Order{.kind = kind, .at = at, .value = wire::values(kind, given)});
+CallOutcome Client::command(const ClientCommand& command, std::int64_t at) {
+  if (const std::string rule = contradiction(command); !rule.empty())
+    throw InputError(name(kind_of(command)), "", rule);
+  if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
+  return tell(wire::message_of(command, at));
 }
 
 CallOutcome Client::release() {
@@ -112,66 +107,61 @@ CallOutcome Client::stop(wire::StopMode mode) {
 }
 
 CallOutcome Client::set_position(double position, bool relative) {
-  return order(OrderKind::set_position, {position, relative ? 1.0 : 0.0});
+  return command(command::SetPosition{position, relative});
 }
 
 CallOutcome Client::home(double position) {
-  constexpr double where_it_stands = 37;
-  return order(OrderKind::home, {position, where_it_stands});
+  constexpr int present_position = 37;
+  return command(command::Home{.offset = position, .method = present_position});
 }
 
 CallOutcome Client::search_home(int method, double offset) {
-  return order(OrderKind::home, {offset, static_cast<double>(method)});
+  return command(command::Home{.offset = offset, .method = method});
 }
 
 CallOutcome Client::override_(double factor) {
-  return order(OrderKind::override_, {factor});
+  return command(command::Override{factor});
 }
 
-CallOutcome Client::move_absolute(double position, const Pacing& p, int direction) {
-  return order(OrderKind::move_absolute, {position, p.velocity, p.acceleration, p.deceleration,
-                                          p.jerk, static_cast<double>(direction)});
+CallOutcome Client::move_absolute(double position, const MoveDynamics& dynamics, int direction) {
+  return command(command::MoveAbsolute{position, dynamics, static_cast<Direction>(direction)});
 }
 
-CallOutcome Client::move_relative(double distance, const Pacing& p) {
-  return order(OrderKind::move_relative,
-               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+CallOutcome Client::move_relative(double distance, const MoveDynamics& dynamics) {
+  return command(command::MoveRelative{distance, dynamics});
 }
 
-CallOutcome Client::move_additive(double distance, const Pacing& p) {
-  return order(OrderKind::move_additive,
-               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+CallOutcome Client::move_additive(double distance, const MoveDynamics& dynamics) {
+  return command(command::MoveAdditive{distance, dynamics});
 }
 
-CallOutcome Client::move_superimposed(double distance, const Pacing& p) {
-  return order(OrderKind::move_superimposed,
-               {distance, p.velocity, p.acceleration, p.deceleration, p.jerk});
+CallOutcome Client::move_superimposed(double distance, const MoveDynamics& dynamics) {
+  return command(command::MoveSuperimposed{distance, dynamics});
 }
 
-CallOutcome Client::move_velocity(double velocity, const Pacing& p) {
-  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk});
+CallOutcome Client::move_velocity(double velocity, const RampDynamics& dynamics) {
+  return command(command::MoveVelocity{velocity, dynamics});
 }
 
-CallOutcome Client::jog(double velocity, const Pacing& p) {
-  return order(OrderKind::move_velocity, {velocity, p.acceleration, p.deceleration, p.jerk, 0, 1});
+CallOutcome Client::jog(double velocity, const RampDynamics& dynamics) {
+  return command(
+      command::MoveVelocity{.velocity = velocity, .dynamics = dynamics, .hold_to_run = true});
 }
 
-CallOutcome Client::halt(const Pacing& p) {
-  return order(OrderKind::halt, {p.deceleration, p.jerk});
+CallOutcome Client::halt(const StopDynamics& dynamics) {
+  return command(command::Halt{dynamics});
 }
 
-CallOutcome Client::gear_in(std::int32_t numerator, std::int32_t denominator, const Pacing& p) {
-  return order(OrderKind::gear_in,
-               {static_cast<double>(numerator), static_cast<double>(denominator), p.acceleration,
-                p.deceleration, p.jerk});
+CallOutcome Client::gear_in(std::int32_t numerator, std::int32_t denominator,
+                            const RampDynamics& dynamics) {
+  return command(command::GearIn{numerator, denominator, dynamics});
 }
 
 CallOutcome Client::gear_in_pos(std::int32_t numerator, std::int32_t denominator,
                                 double master_sync, double slave_sync, double master_start_distance,
                                 bool avoid_reversal) {
-  return order(OrderKind::gear_in_pos,
-               {static_cast<double>(numerator), static_cast<double>(denominator), master_sync,
-                slave_sync, master_start_distance, avoid_reversal ? 1.0 : 0.0});
+  return command(command::GearInPos{numerator, denominator, master_sync, slave_sync,
+                                    master_start_distance, avoid_reversal});
 }
 
 }  // namespace jounce

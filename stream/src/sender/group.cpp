@@ -25,21 +25,21 @@ std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
     if (!plan.swaps.empty())
       throw InputError("swaps", plan.executor, "work with a single axis only");
     plan.goal = StreamGoal::arm;
-    plan.when = wire::StartAt::tick;
+    plan.when = StartAt::tick;
     plan.await = true;
   }
   return plans;
 }
 
 bool at_rest(const wire::Status& status) {
-  return status.state == wire::AxisState::standstill || status.state == wire::AxisState::disabled ||
-         status.state == wire::AxisState::error_stop;
+  return status.state == State::standstill || status.state == State::disabled ||
+         status.state == State::error_stop;
 }
 
 /// True if the motion of an axis at rest did not end by its table.
 bool broken(const wire::Status& status) {
-  return status.state != wire::AxisState::standstill || status.last_error != 0 ||
-         status.reason == stopped || status.reason == halted || status.reason == group_stopped;
+  return status.state != State::standstill || status.last_error != 0 || status.reason == stopped ||
+         status.reason == halted || status.reason == group_stopped;
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ void RowSender::go_on() {
   if (stage_ == Stage::filling && is_filled())
     enter(Stage::arming, wire::Arm{.mode = wire::ArmMode::queue, .queue = plan_.queue.queue});
   else if (stage_ == Stage::playing && starving_ && is_filled())
-    enter(Stage::resetting, wire::Order{.kind = wire::OrderKind::reset});
+    enter(Stage::resetting, wire::message_of(command::Reset{}));
   else if (stage_ == Stage::playing && outcome_.progress.finished)
     enter(Stage::releasing, wire::Heartbeat{.release = true});
 }
@@ -208,7 +208,7 @@ void RowSender::accepted() {
       stage_ = Stage::playing;
       return;
     case Stage::resetting:
-      return enter(Stage::resuming, wire::Order{.kind = wire::OrderKind::resume});
+      return enter(Stage::resuming, wire::message_of(command::Resume{}));
     case Stage::resuming:
       starving_ = false;
       stage_ = Stage::playing;

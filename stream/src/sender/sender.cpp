@@ -284,7 +284,7 @@ wire::Arm Sender::arm_of(const SwapPlan& leg) const {
           .slave = headers_[leg.slave].hash,
           .master = leg.mode == wire::ArmMode::follow_table ? headers_[leg.master].hash : Sha256{},
           .coupling = leg.coupling,
-          .end = leg.mode == wire::ArmMode::follow_input ? leg.end : wire::CamEnd::brake};
+          .end = leg.mode == wire::ArmMode::follow_input ? leg.end : CamEnd::brake};
 }
 
 void Sender::pursue() {
@@ -295,7 +295,7 @@ void Sender::pursue() {
   } else if (more && plan_.goal >= StreamGoal::start) {
     const SwapPlan& leg = legs_[leg_];
     enter(StreamStage::starting);
-    command_.issue(wire::Start{.tick = leg.when == wire::StartAt::tick ? plan_.start_tick : -1,
+    command_.issue(wire::Start{.tick = leg.when == StartAt::tick ? plan_.start_tick : -1,
                                .when = leg.when,
                                .position = leg.position});
   } else {
@@ -313,9 +313,8 @@ void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos 
   const Sha256& hash = headers_[legs_[leg_ - 1].slave].hash;
   const bool there = status.next == wire::Next::nothing &&
                      std::equal(status.table.begin(), status.table.end(), hash.begin());
-  const bool stands = status.state == wire::AxisState::disabled ||
-                      status.state == wire::AxisState::standstill ||
-                      status.state == wire::AxisState::error_stop;
+  const bool stands = status.state == State::disabled || status.state == State::standstill ||
+                      status.state == State::error_stop;
   if (there || !stands || status.next != wire::Next::nothing) {
     over_.reset();
   } else if (now - over_.value_or(now) >= a_while) {

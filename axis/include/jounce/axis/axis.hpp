@@ -14,8 +14,8 @@
 #include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_clock.hpp"
 #include "jounce/axis/supervision.hpp"
-#include "jounce/axis/transitions.hpp"
 #include "jounce/axis/waiting_moves.hpp"
+#include "jounce/command/state.hpp"
 
 namespace jounce {
 
@@ -85,9 +85,9 @@ bool in_motion(const Tick& tick);
 /// nor frees, locks, logs nor throws.
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
-///     axis.step(0, {.kind = Command::Kind::enable});
-///     axis.step(1, {.kind = Command::Kind::arm, .movement = &job});
-///     axis.step(2, {.kind = Command::Kind::start});      // local time 0: the table's first point
+///     axis.step(0, {command::Enable{}});
+///     axis.step(1, {command::Arm{&job}});
+///     axis.step(2, {command::Start{}});                  // local time 0: the table's first point
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
 /// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend. The motion
@@ -95,7 +95,7 @@ bool in_motion(const Tick& tick);
 ///
 /// **Motion.** The axis plays a movement (a path whose time may run slower, or a coupling to a live
 /// master) or a move that it plans itself from its last output setpoint. A superimposed move adds
-/// to either. Rules: transitions.hpp and docs/executor/axis.md.
+/// to either. Rules: command_table.hpp and docs/executor/axis.md.
 ///
 /// **Slots.** One movement is played, one is armed. An axis owns neither. It hands each back once,
 /// in the last tick in which it reads it.
@@ -161,21 +161,41 @@ class MotionAxis {
   void obey(const Command& command);
   void take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
-  void act(const Command& command);
+  void act(const command::None& /*none*/) {}
+  void act(const command::Enable& /*on*/) { power(true); }
+  void act(const command::Disable& /*off*/) { power(false); }
+  void act(const command::Arm& what);
+  void act(const command::Disarm& what);
+  void act(const command::Start& what);
+  void act(const command::Stop& what) { end_motion(Ending::stop, what.dynamics); }
+  void act(const command::Abort& /*now*/) { fail(Cause::aborted); }
+  void act(const command::Reset& what);
+  void act(const command::SetPosition& what);
+  void act(const command::Home& what);
+  void act(const command::Hold& /*on*/) { hold(true); }
+  void act(const command::Resume& /*off*/) { hold(false); }
+  void act(const command::Override& what);
+  void act(const command::Finish& what);
+  void act(const command::MoveAbsolute& what);
+  void act(const command::MoveRelative& what);
+  void act(const command::MoveAdditive& what);
+  void act(const command::MoveSuperimposed& what);
+  void act(const command::MoveVelocity& what);
+  void act(const command::Halt& what) { end_motion(Ending::halt, what.dynamics); }
+  void act(const command::Couple& what);
+  void act(const command::GearOut& /*out*/) { decouple(); }
+  void act(const command::CamOut& /*out*/) { decouple(); }
+  void act(const command::Release& /*it*/) { end_motion(Ending::release); }
   void power(bool on);
-  void reset();
   void set_position(double position);
-  void end_motion(Ending ending, const Command& command);
+  void end_motion(Ending ending, const StopDynamics& asked = {});
   void break_group();
   void join_group(std::int64_t group);
   void stop_with_group();
   [[nodiscard]] bool unplayed() const;
   void hold(bool on);
-  void set_override(double factor);
-  void finish();
 
   // axis_homing.cpp: the search for its home position
-  void home(const Command& command);
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
@@ -183,10 +203,7 @@ class MotionAxis {
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: its slots
-  void arm(Movement* movement);
   void disarm();
-  void start(const Command& command);
-  void gear_in(const Command& command);
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
@@ -225,9 +242,22 @@ class MotionAxis {
   bool replan_path();
 
   // axis_moves.cpp: moves of its own
-  void move(const Command& command);
-  [[nodiscard]] std::optional<Refusal> goal_of(const Command& command, const MotionState& from,
+  template <class Move>
+  void move(const Move& what);
+  template <class Move>
+  void move_or_buffer(const Move& what);
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAbsolute& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveRelative& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAdditive& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveVelocity& what,
+                                               const MotionState& from, Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
                                                Goal& goal) const;
+  [[nodiscard]] std::optional<Refusal> distance_goal(double distance, double from,
+                                                     MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> velocity_goal(double velocity, const MotionState& from,
                                                      MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
@@ -250,7 +280,7 @@ class MotionAxis {
   void postpone(const Command& command);
   void obey_due();
   void forget_later();
-  void buffer(const Command& command);
+  void buffer(const BufferedMove& move);
   [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
   [[nodiscard]] bool passes() const {

@@ -6,15 +6,15 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/cause.hpp"
 #include "jounce/axis/inputs.hpp"
+#include "jounce/command/cause.hpp"
 
 namespace jounce {
 
 /// Search criteria of one of CiA 402's homing methods (object 6098h).
 struct HomingMethod {
   Sensor Sensors::*sensor = nullptr;  ///< switch to search for; null: the index alone, or none
-  int search = 0;       ///< -1, 1: first direction of the search for the switch
+  int search = 0;                     ///< -1, 1: first direction of the search for the switch
   bool leaves = false;  ///< home is where the switch goes off; otherwise where it goes on
   int last = 0;         ///< direction in which home is passed; 0: home is the present position
   bool index = false;   ///< home is the first index after the edge, in that direction

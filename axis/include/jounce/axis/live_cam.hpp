@@ -7,16 +7,10 @@
 
 #include "jounce/axis/movement.hpp"
 #include "jounce/cam/coupling/coupling_cycle.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
-
-/// Behavior of the slave if a cam that runs once ends at a velocity.
-enum class CamEnd : std::uint8_t {
-  brake,          ///< the axis comes to rest within its limits
-  keep_velocity,  ///< it keeps that velocity until its next command (PMC600 and PLCopen, MC_CamOut)
-  extend,         ///< the cam continues at the ratio of that end: the slave stays coupled
-};
 
 /// MC_CamIn on the axis's live master: a cam table for any motion of the master.
 ///

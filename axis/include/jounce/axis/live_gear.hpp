@@ -13,7 +13,7 @@ namespace jounce {
 /// velocity and then follows in step (jounce/gear/gear_in.hpp).
 ///
 ///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
-///     axis.step(t, {.kind = Command::Kind::gear_in, .movement = &gear}, inputs);
+///     axis.step(t, {.kind = CommandKind::gear_in, .movement = &gear}, inputs);
 ///
 /// Its progress is `engaging` during the ramp, then `running` until the axis leaves the gear;
 /// `broken` if the master is lost.

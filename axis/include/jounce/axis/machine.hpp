@@ -48,7 +48,7 @@ struct AxisImage {
 ///                      {.name = "knife", .config = knife,
 ///                       .follow = {.what = Follow::What::setpoint, .index = 0}}});
 ///     std::vector<AxisImage> images(machine.size());
-///     images[0].command = {.kind = Command::Kind::enable};
+///     images[0].command = {command::Enable{}};
 ///     machine.step(0, images);                       // images[i].tick: outputs of axis i
 ///
 /// **Order.** An axis that follows the setpoint of another reads the setpoint of the same tick.

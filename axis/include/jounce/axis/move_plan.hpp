@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/cause.hpp"
-#include "jounce/axis/command.hpp"
 #include "jounce/axis/movement.hpp"
+#include "jounce/command/cause.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
 namespace jounce {

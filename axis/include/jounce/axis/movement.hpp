@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 #include "jounce/profiles/curve/jet.hpp"
 #include "jounce/profiles/moves/profile.hpp"
 
@@ -22,10 +22,9 @@ struct Setpoint {
 
 /// One instant of the cycle; input of a movement.
 struct Moment {
-  double t = 0;   ///< s: the movement's own time, see Course
-  double dt = 0;  ///< s since the previous step: more than a period if ticks were skipped
-  Jet master =
-      {};  ///< the axis's live master: m, m/s, ...; NaN: none, or lost
+  double t = 0;     ///< s: the movement's own time, see Course
+  double dt = 0;    ///< s since the previous step: more than a period if ticks were skipped
+  Jet master = {};  ///< the axis's live master: m, m/s, ...; NaN: none, or lost
 };
 
 /// Independent variable of a movement; it determines how the axis holds, slows and stops it.

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 #include "jounce/profiles/moves/profile.hpp"
 
 namespace jounce {

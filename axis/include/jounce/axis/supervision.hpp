@@ -2,8 +2,8 @@
 #pragma once
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/cause.hpp"
 #include "jounce/axis/inputs.hpp"
+#include "jounce/command/cause.hpp"
 
 namespace jounce {
 

@@ -33,8 +33,8 @@ struct ExecutorOptions {
   std::shared_ptr<AxisDrive> drive = {};  ///< receives the setpoints; null: no drive
   Units units{};               ///< units of the axis: a table in others is rejected; empty: any
   ReceiverOptions receiver{};  ///< includes the name of the axis
-  bool enable = true;          ///< at the start; otherwise an order enables it
-  std::optional<StoredTable> table = {};  ///< over time; played by the order `start`
+  bool enable = true;          ///< at the start; otherwise a command enables it
+  std::optional<StoredTable> table = {};  ///< over time; played by the command `start`
   bool adopt_start =
       false;  ///< at standstill, the start of an armed table defines the position of the axis
   bool stop_when_silent = true;  ///< stops a motion whose session times out
@@ -100,7 +100,7 @@ class Desk {
     Refusal why{};
 
     [[nodiscard]] bool is(const Request& request) const {
-      return request.kind == Command::Kind::start && request.session == session &&
+      return request.kind == CommandKind::start && request.session == session &&
              request.command == command;
     }
   };
@@ -110,15 +110,28 @@ class Desk {
   void handle(const StartRequested& start);
   void handle(const StopRequested& stop);
   void handle(const SessionEnded& ended);
-  void handle(const OrderRequested& requested);
+  void handle(const CommandRequested& requested);
   void handle(const QueueArmRequested& arm);
   void handle(const QueueOpened& opened);
   void handle(const RowsArrived& arrived);
-  void handle_queue_order(const OrderRequested& requested);
-  void start_own(const OrderRequested& requested);
-  void decline(const OrderRequested& requested, const std::string& reason);
+  template <class What>
+  void obey(const What& what, const CommandRequested& requested, const Request& request);
+  void obey(const command::GearIn& gear, const CommandRequested& requested, const Request& request);
+  void obey(const command::GearInPos& gear, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::QueueSwitch& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::QueueClear& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::QueueEnd& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::StartTable& it, const CommandRequested& requested,
+            const Request& request);
+  void couple(const CommandRequested& requested, const Request& request);
+  [[nodiscard]] bool untimed(const CommandRequested& requested);
+  void answer_queue(const Request& request, bool done);
+  void decline(const CommandRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
-  void record_gear(const OrderRequested& requested, std::uint64_t id);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   [[nodiscard]] double next_rest() const;
   [[nodiscard]] ArmRequested on_axis(ArmRequested arm) const;

@@ -20,7 +20,7 @@ class Outbox {
   struct Request {
     std::int64_t session = 0;
     std::int32_t command = 0;
-    Command::Kind kind = Command::Kind::none;
+    CommandKind kind = CommandKind::none;
   };
   /// Answer of the axis, with the request that waits for it, if any.
   struct Reply : Answer {
@@ -29,9 +29,9 @@ class Outbox {
 
   explicit Outbox(Mail& mail) : mail_(mail) {}
 
-  void order(Command command);
+  void send(Command command);
   /// Sends a command whose request waits for the answer.
-  void order(const Command& command, const Request& request);
+  void send(const Command& command, const Request& request);
   /// Cancels all commands that have not reached the axis, before a stop; but not those that end
   /// more than a stop does. Returns the movements that will not begin.
   [[nodiscard]] std::vector<std::uint64_t> clear();
@@ -44,8 +44,8 @@ class Outbox {
   /// True if more commands wait than any streamer needs.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
   /// The kind of the last waiting command; none: no command waits.
-  [[nodiscard]] Command::Kind last() const {
-    return waiting_.empty() ? Command::Kind::none : waiting_.back().kind;
+  [[nodiscard]] CommandKind last() const {
+    return waiting_.empty() ? CommandKind::none : waiting_.back().kind();
   }
 
  private:

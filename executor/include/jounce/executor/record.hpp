@@ -61,12 +61,11 @@ struct RecordedJob {
   CamEnd end = CamEnd::brake;  ///< for a live cam
 };
 
-/// Parts of the movement of a gear: the order (gear_of()) and the position of the slave.
+/// Parts of the movement of a gear: its command (gear_of()) and the position of the slave.
 struct RecordedGear {
   std::size_t axis = 0;
   std::uint64_t id = 0;
-  wire::OrderKind kind = wire::OrderKind::gear_in;
-  std::array<double, 8> value{};
+  ClientCommand gear = command::GearIn{};
   double position = 0;
 };
 

@@ -23,7 +23,7 @@ struct RunOptions {
   /// s: if the communication thread hangs for longer, the cycle stops all axes; 0: never.
   double watchdog = 0.5;
   RecorderOptions record = {};  ///< files of the record; its notices go to those of the first axis
-  /// Called once it owns the names of the axes and its files are open: it accepts orders.
+  /// Called once it owns the names of the axes and its files are open: it accepts commands.
   std::function<void()> up = {};
 };
 

@@ -19,19 +19,19 @@ struct PanelOptions {
   std::vector<std::string> axes{};  ///< names of the executors to show
   std::optional<wire::Key> key{};   ///< their key, if they have one
   std::string title{};              ///< title of the page
-  std::string token{};              ///< required for orders; from new_token()
+  std::string token{};              ///< required for commands; from new_token()
   std::string warning{};            ///< shown at the top of the page; empty: none
 };
 
-/// A live page of some axes: their present state, streamed, and the orders of an operator.
+/// A live page of some axes: their present state, streamed, and the commands of an operator.
 ///
 ///     const PanelOptions options{.axes = {"feeder"}, .token = new_token()};
 ///     const Panel panel(options, Listening(8080), [&] { return connect(url); });
-///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits orders
+///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits commands
 ///
 /// It acts as an operator, and belongs in a process without axes: it receives the statuses of the
-/// axes and sends orders over the stream protocol, signed if there is a key. A stop waits for no
-/// other order. A viewer of the page without the printed address can read, but send no orders.
+/// axes and sends commands over the stream protocol, signed if there is a key. A stop waits for no
+/// other command. A viewer of the page without the printed address can read, but send no commands.
 class Panel {
  public:
   /// Throws TransportError if the link cannot be opened.

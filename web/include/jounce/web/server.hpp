@@ -8,7 +8,7 @@
 
 namespace jounce::web {
 
-/// An answer to an order.
+/// An answer to a command.
 struct Answer {
   int status = 200;  ///< status of HTTP
   std::string json{};
@@ -22,8 +22,8 @@ struct Site {
   /// Returns the next event, in JSON; `seen` is 0 for a new reader, and its own position from then
   /// on.
   std::function<std::string(std::int64_t& seen)> event;
-  std::function<Answer(const std::string& body)> order;  ///< handler of a POST to /order
-  /// True if an order waits for no other one: a stop.
+  std::function<Answer(const std::string& body)> obey;  ///< handler of a POST to /order
+  /// True if a command waits for no other one: a stop.
   std::function<bool(const std::string& body)> urgent;
 };
 
@@ -53,20 +53,20 @@ class Listening {
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
 /// GET / and its script and style, GET /events (server-sent events, 20 a second), POST /order. One
-/// request per connection. A request with an objection() is rejected (403). So is an order without
+/// request per connection. A request with an objection() is rejected (403). So is a command without
 /// the header X-Jounce-Token, before its body is read. The page may load nothing from elsewhere,
 /// nor be framed.
 ///
 /// Everything is bounded. A request: its size (8 KB of head, 1 KB of body, whose length it must
 /// give) and its total time. Connections without the token: their number; the oldest is closed for
-/// a new one. Readers of events: their number; one without the token is closed for one with it. An
-/// order therefore always gets a connection.
+/// a new one. Readers of events: their number; one without the token is closed for one with it. A
+/// command therefore always gets a connection.
 class Server {
  public:
   static constexpr int most_readers = 8;  ///< readers of events, at most
   static constexpr int most_guests = 64;  ///< connections without the token, at most
-  static constexpr int most_orders =
-      16;  ///< orders waiting for an axis at a time; stops do not count
+  static constexpr int most_commands =
+      16;  ///< commands waiting for an axis at a time; stops do not count
   static constexpr int request_seconds = 5;  ///< time limit for a whole request, and for an answer
 
   Server(Listening listening, std::string token, Site site);

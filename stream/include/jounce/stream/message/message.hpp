@@ -12,8 +12,9 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/cam/coupling/coupling.hpp"
+#include "jounce/command/state.hpp"
 #include "jounce/pvt/table.hpp"
-#include "jounce/stream/message/order.hpp"
+#include "jounce/stream/message/command.hpp"
 #include "jounce/stream/message/queue.hpp"
 
 /// The messages of stream protocol version 2, as values. docs/stream-protocol.md defines sender and
@@ -25,7 +26,7 @@ inline constexpr std::size_t chunk_values = 7680;    ///< doubles of a chunk, at
 inline constexpr std::size_t message_values = 1600;  ///< doubles of a message, the unit of credit
 inline constexpr std::size_t credit_values = 2048;   ///< doubles of space for one message of credit
 inline constexpr std::size_t executor_bytes =
-    24;  ///< bytes of an executor's name, final zero included
+    24;                                        ///< bytes of an executor's name, final zero included
 inline constexpr std::size_t unit_bytes = 16;  ///< bytes of a unit, final zero included
 inline constexpr std::size_t reason_bytes =
     160;  ///< bytes of a reason in words, final zero included
@@ -37,14 +38,6 @@ enum class ArmMode : std::int8_t {
   follow_input = 1,  ///< the slave table is over master and follows the executor's master input
   follow_table = 2,  ///< the slave table is over master and follows a master table over time
   queue = 3,         ///< no table: a queue, which accepts rows during the motion
-};
-
-/// Time of a start. The last two swap in motion: they are admitted only if position, velocity and
-/// acceleration meet within the axis's limits.
-enum class StartAt : std::int8_t {
-  tick = 0,             ///< at a tick
-  end_of_table = 1,     ///< when the present motion ends, or repeats
-  master_position = 2,  ///< when the master reaches a position
 };
 
 enum class StopMode : std::int8_t {
@@ -75,7 +68,7 @@ enum class Refusal : std::int8_t {
   bad_row,          ///< a row would violate a limit, or leave the path: see row and reason
   queue_missing,    ///< the requested queue is not open
   prefill_missing,  ///< the queue has fewer rows than its prefill
-  bad_order,        ///< an order's value is out of its range
+  bad_order,        ///< a value of a command is out of its range
 };
 inline constexpr int refusals = 22;
 
@@ -87,27 +80,8 @@ enum class StartOutcome : std::int8_t {
   dropped = 3,  ///< it did not begin: see start_reason
 };
 
-/// Behavior of an axis if a cam with a live master ends at a velocity.
-enum class CamEnd : std::int8_t {
-  brake = 0,          ///< it comes to rest within its limits
-  keep_velocity = 1,  ///< keeps that velocity, independent of the master, until another command
-  extend = 2,         ///< the cam continues at the ratio of its end: the axis stays coupled
-};
-
 /// Progress of a command.
 enum class Outcome : std::int8_t { pending = 0, accepted = 1, refused = 2 };
-
-/// State of the axis: those PLCopen states that an axis for tables needs.
-enum class AxisState : std::int8_t {
-  disabled = 0,
-  standstill = 1,
-  discrete_motion = 2,      ///< plays a table over time
-  synchronized_motion = 3,  ///< follows a master
-  stopping = 4,             ///< on its way to rest
-  error_stop = 5,           ///< latched; see last_error
-  continuous_motion = 6,    ///< moves at a velocity, without an end
-  homing = 7,
-};
 
 /// Progress of the motion.
 enum class Progress : std::int8_t {
@@ -235,7 +209,7 @@ enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_b
 
 /// Status of the axis; published every few milliseconds, only the newest is valid.
 struct Status {
-  AxisState state = AxisState::disabled;
+  State state = State::disabled;
   Next next = Next::nothing;
   std::int64_t tick = 0;                ///< number of this cycle
   std::int64_t cycle_ns = 1;            ///< length of a cycle, ns, > 0
@@ -266,7 +240,7 @@ struct Status {
   StartOutcome start = StartOutcome::none;  ///< its outcome
   std::int32_t start_cause = 0;             ///< reason why it was dropped, like last_error
   std::string start_reason{};               ///< in words
-  bool held = false;                        ///< a motion waits for the order resume
+  bool held = false;                        ///< a motion waits for the command resume
   bool homed = false;                       ///< its position refers to its home position
   std::uint8_t unwritten = 0;               ///< files that could not be written: see Unwritten
 
@@ -321,10 +295,10 @@ struct MasterStatus {
 struct Claim {
   std::int64_t boot = 0;   ///< see Ack
   std::int64_t rival = 0;  ///< boot of the executor that it answers; 0: a question to all
-  bool up = false;         ///< it accepts orders; false: it is starting
+  bool up = false;         ///< it accepts commands; false: it is starting
 };
 
-using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Order,
+using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Command,
                           Queue, Rows, QueueAck, Master, Event, MasterStatus, Claim>;
 
 struct Message {
@@ -339,7 +313,6 @@ struct Message {
 
 const char* name(ArmMode mode);
 const char* name(Refusal refusal);
-const char* name(AxisState state);
 const char* name(Next next);
 const char* name(Progress progress);
 const char* name(EventKind kind);

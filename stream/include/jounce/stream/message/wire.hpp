@@ -43,7 +43,7 @@ std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
 /// The channels of an executor: each message has its own.
 enum class Lane {
   table,    ///< Header, Chunk, Queue, Rows: to the executor
-  command,  ///< Arm, Start, Stop, Heartbeat, Order: to the executor
+  command,  ///< Arm, Start, Stop, Heartbeat, Command: to the executor
   reply,    ///< Ack, Reply, QueueAck: from the executor
   status,   ///< Status: from the executor; only the newest counts
   master,   ///< Master: to all executors that follow it, under the master's name

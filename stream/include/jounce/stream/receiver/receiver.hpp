@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -46,9 +45,9 @@ struct ArmRequested {
   std::int32_t command = 0;
   wire::ArmMode mode = wire::ArmMode::play;
   StoredTable slave;
-  std::optional<StoredTable> master;       ///< for follow_table
-  CouplingSpec coupling{};                 ///< coupling of a slave over master
-  wire::CamEnd end = wire::CamEnd::brake;  ///< for follow_input
+  std::optional<StoredTable> master;  ///< for follow_table
+  CouplingSpec coupling{};            ///< coupling of a slave over master
+  CamEnd end = CamEnd::brake;         ///< for follow_input
 };
 
 /// The queue is open. Requires an answer.
@@ -64,18 +63,17 @@ struct StartRequested {
   std::int64_t session = 0;
   std::int32_t command = 0;
   std::int64_t tick = -1;  ///< tick of the executor; -1: the next one
-  wire::StartAt when = wire::StartAt::tick;
+  StartAt when = StartAt::tick;
   double position = 0;  ///< position of the master, m, with master_position
 };
 
-/// Another command to the axis. Its values are within their ranges, and every queue that they name
+/// Another command to the axis. Its fields are within their ranges, and every queue that they name
 /// is open. Requires an answer.
-struct OrderRequested {
+struct CommandRequested {
   std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
   std::int32_t command = 0;
-  wire::OrderKind kind = wire::OrderKind::enable;
   std::int64_t at = -1;  ///< tick; -1: the next one
-  std::array<double, 8> value{};
+  ClientCommand what{};
 };
 
 /// A queue was opened, and rows will follow. Receiver::refuse_queue() may reject it.
@@ -108,7 +106,7 @@ struct SessionEnded {
 
 using StreamEvent =
     std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded,
-                 QueueArmRequested, OrderRequested, QueueOpened, RowsArrived>;
+                 QueueArmRequested, CommandRequested, QueueOpened, RowsArrived>;
 
 /// The executor's half of the protocol: a pure state machine without thread, clock or link.
 ///
@@ -179,13 +177,13 @@ class Receiver {
 
   /// The newest command of a session, and its outcome.
   struct Record {
-    enum class Kind { heartbeat, arm, start, stop, order };
+    enum class Kind { heartbeat, arm, start, stop, command };
     std::int64_t session = 0;
     std::int64_t challenge = 0;
     Kind kind = Kind::heartbeat;
     wire::Reply reply{};
     bool due = false;
-    std::optional<wire::Order> order{};
+    std::optional<ClientCommand> what{};
   };
 
   /// A queue of the live session.
@@ -202,7 +200,7 @@ class Receiver {
   void take(const wire::Start& start);
   void take(const wire::Stop& stop);
   void take(const wire::Heartbeat& heartbeat);
-  void take(const wire::Order& order);
+  void take(const wire::Command& command);
   template <class Other>
   void take(const Other& /*from an executor*/) {}
 
@@ -223,7 +221,7 @@ class Receiver {
   [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
   void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
   [[nodiscard]] OpenQueue* open_queue(std::uint32_t queue);
-  [[nodiscard]] Refused misses(const wire::Order& order);
+  [[nodiscard]] Refused misses(const wire::Command& command);
   void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
 
   bool is_new(Record& record, Record::Kind kind, std::int32_t command) const;
@@ -242,7 +240,7 @@ class Receiver {
   std::int64_t session_ = 0;
   Nanos heard_{};
   bool armed_ = false;
-  bool holds_ = false;           // the session has ordered a hold-to-run jog
+  bool holds_ = false;           // the session has begun a hold-to-run jog
   std::int64_t challenges_ = 0;  // number of challenges drawn
   std::int64_t challenge_;
   std::int64_t operators_challenge_;

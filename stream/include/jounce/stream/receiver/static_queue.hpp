@@ -48,7 +48,6 @@ class StaticQueue {
  private:
   [[nodiscard]] std::optional<wire::QueueAck> hear(Nanos until);
   [[nodiscard]] CallOutcome unanswered() const;
-  [[nodiscard]] CallOutcome order(wire::OrderKind kind, double bank, double seq = 0);
 
   Client& client_;
   wire::Queue queue_;

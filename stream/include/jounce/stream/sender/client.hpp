@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -28,15 +26,6 @@ struct ClientOptions {
   Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of a command, until it is answered
 };
 
-/// Dynamics of a motion, u/s, u/s^2, u/s^3, > 0. NaN: the limit of the axis.
-struct Pacing {
-  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-  double velocity = not_given;
-  double acceleration = not_given;
-  double deceleration = not_given;
-  double jerk = not_given;
-};
-
 /// Commands an axis of an executor, one call after another, like the function blocks of PLCopen.
 ///
 ///     Client client(link, "feeder");
@@ -55,51 +44,49 @@ class Client {
   Client(Transport& link, std::string executor, ClientOptions options = {},
          Clock clock = steady_now);
 
-  CallOutcome enable() { return order(wire::OrderKind::enable); }
-  CallOutcome disable() { return order(wire::OrderKind::disable); }
-  CallOutcome reset() { return order(wire::OrderKind::reset); }
+  CallOutcome enable() { return command(command::Enable{}); }
+  CallOutcome disable() { return command(command::Disable{}); }
+  CallOutcome reset() { return command(command::Reset{}); }
   CallOutcome set_position(double position, bool relative = false);
   /// Sets the present position as home, with this value, without motion.
   CallOutcome home(double position);
   /// Searches for home by a method of CiA 402; 0 and NaN: as configured for the axis. Accepted: the
   /// search has begun.
-  CallOutcome search_home(int method = 0, double offset = Pacing::not_given);
-  CallOutcome hold() { return order(wire::OrderKind::hold); }
-  CallOutcome resume() { return order(wire::OrderKind::resume); }
+  CallOutcome search_home(int method = 0, double offset = as_configured);
+  CallOutcome hold() { return command(command::Hold{}); }
+  CallOutcome resume() { return command(command::Resume{}); }
   CallOutcome override_(double factor);
 
   /// `direction` of a rotary axis: 1 or -1, 0 the shorter way.
-  CallOutcome move_absolute(double position, const Pacing& pacing = {}, int direction = 0);
-  CallOutcome move_relative(double distance, const Pacing& pacing = {});
-  CallOutcome move_additive(double distance, const Pacing& pacing = {});
-  /// pacing.velocity: the greatest difference to the motion below.
-  CallOutcome move_superimposed(double distance, const Pacing& pacing = {});
-  /// `velocity` is signed, 0: to rest; pacing.velocity is ignored.
-  CallOutcome move_velocity(double velocity, const Pacing& pacing = {});
+  CallOutcome move_absolute(double position, const MoveDynamics& dynamics = {}, int direction = 0);
+  CallOutcome move_relative(double distance, const MoveDynamics& dynamics = {});
+  CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
+  /// dynamics.velocity: the greatest difference to the motion below.
+  CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
+  /// `velocity` is signed, 0: to rest.
+  CallOutcome move_velocity(double velocity, const RampDynamics& dynamics = {});
   /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
   /// keeps it running.
-  CallOutcome jog(double velocity, const Pacing& pacing = {});
+  CallOutcome jog(double velocity, const RampDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
-  CallOutcome halt(const Pacing& pacing = {});
+  CallOutcome halt(const StopDynamics& dynamics = {});
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 
-  CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator, const Pacing& pacing = {});
+  CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator,
+                      const RampDynamics& dynamics = {});
   CallOutcome gear_in_pos(std::int32_t numerator, std::int32_t denominator, double master_sync,
                           double slave_sync, double master_start_distance,
                           bool avoid_reversal = false);
-  CallOutcome gear_out() { return order(wire::OrderKind::gear_out); }
-  CallOutcome cam_out() { return order(wire::OrderKind::cam_out); }
+  CallOutcome gear_out() { return command(command::GearOut{}); }
+  CallOutcome cam_out() { return command(command::CamOut{}); }
 
-  /// Sends any order.
-  CallOutcome order(const wire::Order& order);
-  /// Sends any order by its values (wire::values); `at`: its tick in the executor, -1: the next
-  /// one.
-  CallOutcome order(wire::OrderKind kind, std::initializer_list<double> given = {},
-                    std::int64_t at = -1);
+  /// Sends any command to the axis. `at`: its tick in the executor, -1: the next one. Throws
+  /// InputError for a value out of range.
+  CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
-  /// Sends any command, in the present session or in a new one. A heartbeat keeps it.
-  CallOutcome tell(wire::Body command);
+  /// Sends any message of a client, in the present session or in a new one. A heartbeat keeps it.
+  CallOutcome tell(wire::Body body);
 
   /// Ends the session; a motion continues.
   CallOutcome release();

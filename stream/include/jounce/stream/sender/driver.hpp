@@ -46,7 +46,7 @@ struct RowOptions {
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
 
-/// An operator's Stop, or Order to hold, resume or override, which need no session; the function
+/// An operator's Stop, or Command to hold, resume or override, which need no session; the function
 /// draws its number. Repeats it until the executor decides, for at most `patience`: then its
 /// outcome is pending.
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,

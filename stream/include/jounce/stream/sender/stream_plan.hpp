@@ -22,9 +22,9 @@ struct SwapPlan {
   wire::ArmMode mode = wire::ArmMode::play;
   CouplingSpec
       coupling{};  ///< coupling of a slave that follows a master, in s; without master_jump
-  wire::StartAt when = wire::StartAt::end_of_table;
-  double position = 0;                     ///< position of the master, m, with master_position
-  wire::CamEnd end = wire::CamEnd::brake;  ///< for follow_input
+  StartAt when = StartAt::end_of_table;
+  double position = 0;         ///< position of the master, m, with master_position
+  CamEnd end = CamEnd::brake;  ///< for follow_input
 };
 
 /// Content, target and goal of a stream.
@@ -40,10 +40,10 @@ struct StreamPlan {
   wire::ArmMode mode = wire::ArmMode::play;
   CouplingSpec
       coupling{};  ///< coupling of a slave that follows a master, in s; without master_jump
-  std::int64_t start_tick = -1;              ///< start tick of the executor; -1: the next one
-  wire::StartAt when = wire::StartAt::tick;  ///< or when the live master passes `position`
-  double position = 0;                       ///< position of the master, m, with master_position
-  wire::CamEnd end = wire::CamEnd::brake;    ///< for follow_input
+  std::int64_t start_tick = -1;  ///< start tick of the executor; -1: the next one
+  StartAt when = StartAt::tick;  ///< or when the live master passes `position`
+  double position = 0;           ///< position of the master, m, with master_position
+  CamEnd end = CamEnd::brake;    ///< for follow_input
   bool await =
       false;  ///< the goal is reached when the last start has taken place, not when it is accepted
   std::vector<SwapPlan>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/causes.hpp"
+#include "jounce/command/causes.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -17,7 +17,7 @@ using testing::EndsWith;
 
 /// "stopped = 80", for each enumerator of the header.
 std::vector<std::string> enumerators() {
-  std::ifstream header(JOUNCE_SOURCE_DIR "/axis/include/jounce/axis/cause.hpp");
+  std::ifstream header(JOUNCE_SOURCE_DIR "/command/include/jounce/command/cause.hpp");
   std::vector<std::string> found;
   for (std::string line; std::getline(header, line);)
     if (std::smatch m; std::regex_match(line, m, std::regex("  (\\w+ = \\d+),")))

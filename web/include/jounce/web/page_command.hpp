@@ -17,7 +17,7 @@ namespace jounce::web {
 /// configured limits), which are rejected while a streamer owns it. The page repeats a hold-to-run
 /// jog (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of
 /// the jog as `hold`.
-struct Instruction {
+struct PageCommand {
   std::string axis{};
   std::string what{};
   double value = 0;
@@ -26,11 +26,10 @@ struct Instruction {
 
 /// Parses JSON. Throws InputError for JSON that is not such an object, an unknown key or word, and
 /// a value that is missing, superfluous or out of range.
-Instruction read_instruction(std::string_view json);
+PageCommand read_command(std::string_view json);
 
-/// Sends any instruction except jog and release to the axis, over a separate link for this call,
+/// Sends any command except jog and release to the axis, over a separate link for this call,
 /// like `jounce order` and `jounce stop`, and waits for its answer. Throws TransportError.
-CallOutcome give(Transport& link, const Instruction& instruction,
-                 const std::optional<wire::Key>& key);
+CallOutcome give(Transport& link, const PageCommand& command, const std::optional<wire::Key>& key);
 
 }  // namespace jounce::web

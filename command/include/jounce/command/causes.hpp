@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "jounce/axis/cause.hpp"
+#include "jounce/command/cause.hpp"
 
 namespace jounce {
 

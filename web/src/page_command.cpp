@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/instruction.hpp"
+#include "jounce/web/page_command.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,30 +7,32 @@
 
 #include <nlohmann/json.hpp>
 
+#include "jounce/command/command_table.hpp"
+#include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::web {
 namespace {
 
 using nlohmann::json;
-using wire::OrderKind;
 
+/// A word of the page. Its command has its defaults, but for its first field, which is the value.
 struct Word {
   std::string_view what;
-  OrderKind kind;
+  CommandKind kind;
   bool takes_value = false;
   bool takes_hold = false;
 };
 
-constexpr std::array words{Word{"hold", OrderKind::hold},
-                           Word{"resume", OrderKind::resume},
-                           Word{"override", OrderKind::override_, true},
-                           Word{"enable", OrderKind::enable},
-                           Word{"disable", OrderKind::disable},
-                           Word{"reset", OrderKind::reset},
-                           Word{"move", OrderKind::move_absolute, true},
-                           Word{"jog", OrderKind::move_velocity, true, true},
-                           Word{"release", OrderKind::halt, false, true}};
+constexpr std::array words{Word{"hold", CommandKind::hold},
+                           Word{"resume", CommandKind::resume},
+                           Word{"override", CommandKind::override_, true},
+                           Word{"enable", CommandKind::enable},
+                           Word{"disable", CommandKind::disable},
+                           Word{"reset", CommandKind::reset},
+                           Word{"move", CommandKind::move_absolute, true},
+                           Word{"jog", CommandKind::move_velocity, true, true},
+                           Word{"release", CommandKind::halt, false, true}};
 
 const Word* word_of(std::string_view what) {
   const auto* const at =
@@ -64,10 +66,10 @@ double value_of(const json& object) {
   return at->get<double>();
 }
 
-wire::Order order_of(const Instruction& instruction, const Word& word) {
-  wire::Order order{.kind = word.kind, .value = wire::values(word.kind, {})};
-  if (word.takes_value) order.value[0] = instruction.value;
-  return order;
+CommandValues values_of(const PageCommand& command, const Word& word) {
+  CommandValues values = jounce::values_of(command_of(word.kind));
+  if (word.takes_value) values[0] = command.value;
+  return values;
 }
 
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& axis) {
@@ -83,45 +85,44 @@ CallOutcome outcome_of(const wire::Reply& reply, const std::string& axis) {
 
 }  // namespace
 
-Instruction read_instruction(std::string_view text) {
+PageCommand read_command(std::string_view text) {
   const json object = json::parse(text, nullptr, false);
   if (!object.is_object()) throw InputError("order", "", "must be a JSON object");
   for (const auto& [key, value] : object.items())
     if (key != "axis" && key != "what" && key != "value" && key != "hold")
       throw InputError(key, value.dump(),
-                       "is not a key of an order: the keys are axis, what, value, hold");
-  Instruction instruction{.axis = text_of(object, "axis"), .what = text_of(object, "what")};
-  const Word* const word = word_of(instruction.what);
-  if (word == nullptr && instruction.what != "stop")
+                       "is not a key of a command: the keys are axis, what, value, hold");
+  PageCommand command{.axis = text_of(object, "axis"), .what = text_of(object, "what")};
+  const Word* const word = word_of(command.what);
+  if (word == nullptr && command.what != "stop")
     throw InputError(
-        "what", instruction.what,
+        "what", command.what,
         "must be stop, hold, resume, override, enable, disable, reset, move, jog or release");
   const bool takes_hold = word != nullptr && word->takes_hold;
   if (!takes_hold && object.contains("hold"))
-    throw InputError("hold", object["hold"].dump(), instruction.what + " takes no hold");
-  if (takes_hold) instruction.hold = hold_of(object);
+    throw InputError("hold", object["hold"].dump(), command.what + " takes no hold");
+  if (takes_hold) command.hold = hold_of(object);
   const bool takes_value = word != nullptr && word->takes_value;
   if (!takes_value && object.contains("value"))
-    throw InputError("value", object["value"].dump(), instruction.what + " takes no value");
-  if (!takes_value) return instruction;
-  instruction.value = value_of(object);
-  if (const std::string rule = contradiction(order_of(instruction, *word)); !rule.empty())
+    throw InputError("value", object["value"].dump(), command.what + " takes no value");
+  if (!takes_value) return command;
+  command.value = value_of(object);
+  if (const std::string rule = contradiction(word->kind, values_of(command, *word)); !rule.empty())
     throw InputError("value", object["value"].dump(), rule);
-  return instruction;
+  return command;
 }
 
-CallOutcome give(Transport& link, const Instruction& instruction,
-                 const std::optional<wire::Key>& key) {
-  const std::string& axis = instruction.axis;
-  const Word* const word = word_of(instruction.what);
+CallOutcome give(Transport& link, const PageCommand& command, const std::optional<wire::Key>& key) {
+  const std::string& axis = command.axis;
+  const Word* const word = word_of(command.what);
   if (word == nullptr)
     return outcome_of(operator_command(link, axis, wire::Stop{.mode = wire::StopMode::stop}, key),
                       axis);
-  const wire::Order order = order_of(instruction, *word);
-  if (wire::is_operators(order.kind))
-    return outcome_of(operator_command(link, axis, order, key), axis);
+  const ClientCommand what = command_of(word->kind, values_of(command, *word));
+  if (is_operators(word->kind))
+    return outcome_of(operator_command(link, axis, wire::message_of(what), key), axis);
   Client client(link, axis, {.key = key});
-  CallOutcome outcome = client.order(order);
+  CallOutcome outcome = client.command(what);
   static_cast<void>(client.release());
   return outcome;
 }

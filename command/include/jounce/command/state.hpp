@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-
-#include "jounce/axis/cause.hpp"
-#include "jounce/axis/command.hpp"
 
 namespace jounce {
 
@@ -21,10 +19,5 @@ enum class State : std::uint8_t {
 };
 inline constexpr std::size_t states = 8;
 const char* name(State state);
-
-/// Returns the reason to reject a command in a state, or none if it is accepted. Further conditions
-/// (a movement, a target within the range) are checked later. The table is in transitions.cpp and
-/// in docs/executor/axis.md.
-Cause permitted(State state, Command::Kind kind) noexcept;
 
 }  // namespace jounce

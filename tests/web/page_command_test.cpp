@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/instruction.hpp"
+#include "jounce/web/page_command.hpp"
 
 #include <string>
 
@@ -10,24 +10,24 @@
 namespace jounce::web {
 namespace {
 
-TEST(Instruction, IsReadFromJson) {
-  const Instruction stop = read_instruction(R"({"axis":"feeder","what":"stop"})");
+TEST(PageCommand, IsReadFromJson) {
+  const PageCommand stop = read_command(R"({"axis":"feeder","what":"stop"})");
   EXPECT_EQ(stop.axis, "feeder");
   EXPECT_EQ(stop.what, "stop");
   EXPECT_EQ(stop.value, 0);
-  EXPECT_EQ(read_instruction(R"({"axis":"a","what":"override","value":0.5})").value, 0.5);
-  EXPECT_EQ(read_instruction(R"({"axis":"a","what":"move","value":-12})").value, -12);
-  const Instruction jog =
-      read_instruction(R"({"axis":"a","what":"jog","value":-3,"hold":1795420044212})");
+  EXPECT_EQ(read_command(R"({"axis":"a","what":"override","value":0.5})").value, 0.5);
+  EXPECT_EQ(read_command(R"({"axis":"a","what":"move","value":-12})").value, -12);
+  const PageCommand jog =
+      read_command(R"({"axis":"a","what":"jog","value":-3,"hold":1795420044212})");
   EXPECT_EQ(jog.value, -3);
   EXPECT_EQ(jog.hold, 1795420044212);
-  EXPECT_EQ(read_instruction(R"({"axis":"a","what":"release","hold":7})").hold, 7);
+  EXPECT_EQ(read_command(R"({"axis":"a","what":"release","hold":7})").hold, 7);
 }
 
-TEST(Instruction, IsRefusedWithTheKeyThatIsWrong) {
+TEST(PageCommand, IsRefusedWithTheKeyThatIsWrong) {
   const auto key_of = [](const std::string& text) -> std::string {
     try {
-      static_cast<void>(read_instruction(text));
+      static_cast<void>(read_command(text));
       return "nothing";
     } catch (const InputError& error) {
       return error.key();

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "jounce/axis/causes.hpp"
+#include "jounce/command/causes.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/command/command_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace jounce {
+namespace {
+
+using Kind = CommandKind;
+using ByState = std::array<Cause, states>;
+
+constexpr Cause ok = Cause::none;
+constexpr Cause off = Cause::not_enabled;
+constexpr Cause err = Cause::in_error;
+constexpr Cause mov = Cause::in_motion;
+constexpr Cause syn = Cause::synchronized;
+constexpr Cause uns = Cause::not_synchronized;
+constexpr Cause stp = Cause::stopping;
+constexpr Cause nil = Cause::no_movement;
+
+// clang-format off
+//                          dis  sta  dsc  syn  stp  err  cnt  hom
+constexpr ByState always   {ok,  ok,  ok,  ok,  ok,  ok,  ok,  ok};
+constexpr ByState stops    {ok,  ok,  ok,  ok,  ok,  err, ok,  ok};
+constexpr ByState halts    {off, ok,  ok,  ok,  stp, err, ok,  ok};
+constexpr ByState begins   {off, ok,  ok,  ok,  stp, err, ok,  mov};
+constexpr ByState from_rest{off, ok,  mov, mov, stp, err, mov, mov};
+constexpr ByState homes    {off, ok,  mov, syn, stp, err, mov, mov};
+constexpr ByState places   {ok,  ok,  mov, syn, mov, err, mov, mov};
+constexpr ByState holds    {off, nil, ok,  ok,  stp, err, ok,  mov};
+constexpr ByState finishes {off, nil, ok,  ok,  stp, err, nil, mov};
+constexpr ByState uncouples{off, uns, uns, ok,  stp, err, uns, uns};
+// clang-format on
+
+constexpr CommandSender own = CommandSender::owner;
+constexpr CommandSender any = CommandSender::anyone;
+constexpr bool moves = true;
+
+/// A command of the executor.
+constexpr CommandInfo inner(Kind kind, const char* name, const ByState& by_state) {
+  return {.kind = kind, .name = name, .by_state = by_state};
+}
+
+/// A command of a client.
+template <class C>
+constexpr CommandInfo sent(const char* name, std::int8_t number, const char* word,
+                           const char* plcopen, CommandSender sender, const ByState& by_state,
+                           bool sets_in_motion = false) {
+  return {.kind = C::kind,
+          .name = name,
+          .number = number,
+          .word = word,
+          .plcopen = plcopen,
+          .sender = sender,
+          .moves = sets_in_motion,
+          .by_state = by_state,
+          .fields = fields_of<C>()};
+}
+
+// clang-format off
+constexpr std::array rows{
+    inner(Kind::none, "none", always),
+    sent<command::Enable>("enable", 0, "enable", "MC_Power", own, always),
+    sent<command::Disable>("disable", 1, "disable", "MC_Power", own, always),
+    inner(Kind::arm, "arm", begins),
+    inner(Kind::disarm, "disarm", always),
+    inner(Kind::start, "start", begins),
+    inner(Kind::stop, "stop", stops),
+    inner(Kind::abort, "abort", always),
+    sent<command::Reset>("reset", 2, "reset", "MC_Reset", own, always),
+    sent<command::SetPosition>("set_position", 3, "set-position", "MC_SetPosition", own, places),
+    sent<command::Home>("home", 4, "home", "MC_Home", own, homes, moves),
+    sent<command::Hold>("hold", 5, "hold", "", any, holds),
+    sent<command::Resume>("resume", 6, "resume", "", any, holds, moves),
+    sent<command::Override>("override", 7, "override", "MC_SetOverride", any, always),
+    inner(Kind::finish, "finish", finishes),
+    sent<command::MoveAbsolute>("move_absolute", 8, "move", "MC_MoveAbsolute", own, begins, moves),
+    sent<command::MoveRelative>("move_relative", 9, "move", "MC_MoveRelative", own, begins, moves),
+    sent<command::MoveAdditive>("move_additive", 10, "move", "MC_MoveAdditive", own, begins, moves),
+    sent<command::MoveSuperimposed>("move_superimposed", 11, "move", "MC_MoveSuperimposed", own, begins, moves),
+    sent<command::MoveVelocity>("move_velocity", 12, "jog", "MC_MoveVelocity", own, begins, moves),
+    sent<command::Halt>("halt", 13, "halt", "MC_Halt", own, halts),
+    sent<command::GearIn>("gear_in", 14, "gear-in", "MC_GearIn", own, begins, moves),
+    sent<command::GearOut>("gear_out", 16, "gear-out", "MC_GearOut", own, uncouples),
+    sent<command::CamOut>("cam_out", 17, "cam-out", "MC_CamOut", own, uncouples),
+    inner(Kind::release, "release", stops),
+    sent<command::GearInPos>("gear_in_pos", 15, "gear-in-pos", "MC_GearInPos", own, begins, moves),
+    sent<command::QueueSwitch>("queue_switch", 18, "", "", own, always),
+    sent<command::QueueClear>("queue_clear", 19, "", "", own, always),
+    sent<command::QueueEnd>("queue_end", 20, "", "", own, always),
+    sent<command::StartTable>("start", 21, "start", "", own, from_rest, moves),
+};
+// clang-format on
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].kind) != i) return false;
+  return true;
+}
+static_assert(rows.size() == command_kinds && in_order());
+
+constexpr std::array<const char*, states> state_names{
+    "disabled", "standstill", "discrete_motion",   "synchronized_motion",
+    "stopping", "error_stop", "continuous_motion", "homing"};
+
+}  // namespace
+
+std::span<const CommandInfo> all_commands() {
+  return rows;
+}
+
+const CommandInfo& info(CommandKind kind) {
+  return rows[static_cast<std::size_t>(kind)];
+}
+
+const char* name(CommandKind kind) {
+  return info(kind).name;
+}
+
+const char* name(State state) {
+  return state_names[static_cast<std::size_t>(state)];
+}
+
+std::optional<CommandKind> kind_of_number(int number) {
+  const auto* const found = std::find_if(rows.begin(), rows.end(), [&](const CommandInfo& row) {
+    return number >= 0 && row.number == number;
+  });
+  return found == rows.end() ? std::nullopt : std::optional(found->kind);
+}
+
+Cause permitted(State state, CommandKind kind) noexcept {
+  return info(kind).by_state[static_cast<std::size_t>(state)];
+}
+
+bool is_operators(CommandKind kind) {
+  return info(kind).sender == CommandSender::anyone;
+}
+
+}  // namespace jounce

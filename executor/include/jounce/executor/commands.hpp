@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/command.hpp"
+#include "jounce/axis/movement.hpp"
+#include "jounce/command/commands.hpp"
+
+namespace jounce {
+
+/// The command as the axis executes it; nullopt if it needs a movement (gears), or concerns a queue
+/// or the table of the axis.
+std::optional<AxisCommand> axis_command_of(const ClientCommand& command);
+
+/// Returns the movement of a gear command, for an axis at rest at `position`; null for other
+/// commands. Throws InputError for a spec out of range.
+std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id,
+                                  const AxisConfig& config, double position);
+
+}  // namespace jounce

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/commands.hpp"
+
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "jounce/axis/live_gear.hpp"
+
+namespace jounce {
+
+std::optional<AxisCommand> axis_command_of(const ClientCommand& command) {
+  return std::visit(
+      [](const auto& what) -> std::optional<AxisCommand> {
+        if constexpr (std::is_constructible_v<AxisCommand, decltype(what)>) return what;
+        return std::nullopt;
+      },
+      command);
+}
+
+std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id,
+                                  const AxisConfig& config, double position) {
+  const auto given = [](double number, double otherwise) {
+    return std::isnan(number) ? otherwise : number;
+  };
+  if (const auto* const gear = std::get_if<command::GearIn>(&command)) {
+    const auto& [acceleration, deceleration, jerk] = gear->dynamics;
+    return std::make_unique<LiveGear>(
+        id, GearInSpec{.numerator = gear->numerator,
+                       .denominator = gear->denominator,
+                       .acceleration = given(acceleration, *config.limits.acceleration),
+                       .deceleration = given(deceleration, 0),
+                       .jerk = given(jerk, config.limits.jerk.value_or(0))});
+  }
+  if (const auto* const gear = std::get_if<command::GearInPos>(&command))
+    return std::make_unique<LiveGearInPos>(
+        id, GearInPosSpec{.numerator = gear->numerator,
+                          .denominator = gear->denominator,
+                          .master_sync_position = gear->master_sync_position,
+                          .slave_sync_position = gear->slave_sync_position,
+                          .master_start_distance = gear->master_start_distance,
+                          .slave_start = position,
+                          .avoid_reversal = gear->avoid_reversal});
+  return nullptr;
+}
+
+}  // namespace jounce

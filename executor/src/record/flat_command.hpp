@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "jounce/axis/command.hpp"
+#include "jounce/command/command_table.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::record_fields {
+
+/// A command as the record has it: the fields of all commands in one. cycle_t has their names.
+struct FlatCommand {
+  CommandKind kind = CommandKind::none;
+  std::uint64_t id = 0;
+  StartAt start_at = StartAt::tick;
+  std::int64_t at = -1;
+  double position = 0;
+  bool relative = false;
+  double factor = 1;
+  MoveDynamics dynamics = {};
+  Direction direction = Direction::shortest;
+  BufferMode buffer = BufferMode::aborting;
+  std::int32_t method = 0;
+  double index_velocity = as_configured;
+  double timeout = as_configured;
+  double distance = as_configured;
+};
+
+/// f(field of the command, field of the flat one) for every field; the movement is apart.
+template <class C, class Flat, class F>
+void each_pair_of_command(C& c, Flat& flat, F f) {
+  using T = std::remove_const_t<C>;
+  if constexpr (requires { c.position; }) f(c.position, flat.position);
+  if constexpr (requires { c.tick; }) f(c.tick, flat.at);
+  if constexpr (requires { c.when; }) f(c.when, flat.start_at);
+  if constexpr (requires { c.relative; }) f(c.relative, flat.relative);
+  if constexpr (requires { c.factor; }) f(c.factor, flat.factor);
+  if constexpr (requires { c.direction; }) f(c.direction, flat.direction);
+  if constexpr (requires { c.buffer; }) f(c.buffer, flat.buffer);
+  if constexpr (std::is_same_v<T, command::Home>) {
+    f(c.offset, flat.position);
+    f(c.method, flat.method);
+    f(c.search_velocity, flat.dynamics.velocity);
+    f(c.index_velocity, flat.index_velocity);
+    f(c.acceleration, flat.dynamics.acceleration);
+    f(c.timeout, flat.timeout);
+    f(c.distance, flat.distance);
+  } else {
+    if constexpr (requires { c.distance; }) f(c.distance, flat.position);
+    if constexpr (requires { c.velocity; }) f(c.velocity, flat.position);
+    if constexpr (requires { c.dynamics.velocity; }) f(c.dynamics.velocity, flat.dynamics.velocity);
+    if constexpr (requires { c.dynamics.acceleration; })
+      f(c.dynamics.acceleration, flat.dynamics.acceleration);
+    if constexpr (requires { c.dynamics.jerk; }) {
+      f(c.dynamics.deceleration, flat.dynamics.deceleration);
+      f(c.dynamics.jerk, flat.dynamics.jerk);
+    }
+  }
+}
+
+inline FlatCommand flat(const Command& command) {
+  FlatCommand flat{.kind = command.kind(), .id = command.id, .at = command.at};
+  const auto put = [](const auto& from, auto& to) { to = from; };
+  std::visit([&](const auto& what) { each_pair_of_command(what, flat, put); }, command.what);
+  return flat;
+}
+
+/// Throws InputError for a command that no axis executes.
+inline Command command_of(const FlatCommand& flat) {
+  const auto with_defaults = made<AxisCommand>(flat.kind);
+  if (!with_defaults) throw InputError("command", name(flat.kind), "is not a command of an axis");
+  Command command{.what = *with_defaults, .at = flat.at, .id = flat.id};
+  const auto get = [](auto& to, const auto& from) { to = from; };
+  const auto fill = [&](auto& what) {
+    each_pair_of_command(what, flat, get);
+    if constexpr (requires { what.tick; }) command.at = -1;
+  };
+  std::visit(fill, command.what);
+  return command;
+}
+
+}  // namespace jounce::record_fields

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/axis/command.hpp"
+
+#include "executor/src/record/flat_command.hpp"
+
+namespace jounce::test {
+
+/// The fields of all commands, for tests that go through the kinds.
+struct AnyCommand {
+  CommandKind kind = CommandKind::none;
+  Movement* movement = nullptr;
+  StartAt start_at = StartAt::tick;
+  std::int64_t group = 0;
+  std::int64_t at = -1;
+  double position = 0;  ///< also a distance, a velocity, an offset
+  bool relative = false;
+  double factor = 1;
+  MoveDynamics dynamics = {};
+  Direction direction = Direction::shortest;
+  BufferMode buffer = BufferMode::aborting;
+  int method = 0;
+  double index_velocity = as_configured;
+  double timeout = as_configured;
+  double distance = as_configured;
+
+  /// The command of that kind, with those fields that it has.
+  operator Command() const {  // NOLINT(google-explicit-constructor)
+    Command command{.what = *made<AxisCommand>(kind), .at = at};
+    std::visit(
+        [&](auto& what) {
+          record_fields::each_pair_of_command(what, *this,
+                                              [](auto& to, const auto& from) { to = from; });
+          if constexpr (requires { what.movement; }) what.movement = movement;
+          if constexpr (requires { what.group; }) what.group = group;
+          if constexpr (requires { what.tick; }) command.at = -1;
+        },
+        command.what);
+    return command;
+  }
+};
+
+inline Command any(const AnyCommand& command) {
+  return command;
+}
+
+/// Kinds that an axis executes, `none` among them: the first ones.
+inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand>;
+
+}  // namespace jounce::test

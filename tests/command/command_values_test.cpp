@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/command/command_values.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "jounce/command/command_table.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::command_values_test {
+namespace {
+
+/// A value of the range that is no default.
+double some(FieldRange range, double number) {
+  switch (range) {
+    case FieldRange::finite:
+      return -number / 4;
+    case FieldRange::given:
+    case FieldRange::positive:
+      return number / 4;
+    case FieldRange::flag:
+      return 1;
+    case FieldRange::direction:
+      return -1;
+    case FieldRange::factor:
+      return 0.5;
+    case FieldRange::buffer_mode:
+      return 4;
+    case FieldRange::whole:
+      return -number;
+    case FieldRange::whole_nonzero:
+    case FieldRange::count:
+      break;
+  }
+  return number;
+}
+
+TEST(CommandValues, EveryFieldHasAPlaceOfItsOwn) {
+  for (const CommandInfo& about : all_commands()) {
+    if (about.number < 0) continue;
+    CommandValues values{};
+    for (std::size_t i = 0; i < about.fields.size(); ++i)
+      values[i] = some(about.fields[i].range, static_cast<double>(3 + i));
+    ASSERT_EQ(contradiction(about.kind, values), "") << about.name;
+    const ClientCommand command = command_of(about.kind, values);
+    EXPECT_EQ(kind_of(command), about.kind);
+    EXPECT_EQ(values_of(command), values) << about.name;
+  }
+}
+
+TEST(CommandValues, DefaultsAreAsConfiguredAndContradictNothing) {
+  const CommandValues home = values_of(command::Home{});
+  EXPECT_TRUE(std::isnan(home[0]));
+  EXPECT_EQ(home[1], 0);
+  for (std::size_t i = 2; i < 7; ++i) EXPECT_TRUE(std::isnan(home[i])) << i;
+  EXPECT_EQ(home[7], 0);
+  for (const CommandInfo& about : all_commands()) {
+    if (about.number < 0) continue;
+    const bool has_ratio =
+        about.kind == CommandKind::gear_in || about.kind == CommandKind::gear_in_pos;
+    EXPECT_EQ(contradiction(command_of(about.kind)), has_ratio ? "denominator must not be 0" : "")
+        << about.name;
+  }
+}
+
+TEST(CommandValues, AreReadByTheirNames) {
+  const ClientCommand command =
+      command_of(CommandKind::move_absolute, {120, 200, 1000, 2000, 3e4, -1, 5});
+  const auto& move = std::get<command::MoveAbsolute>(command);
+  EXPECT_EQ(move.position, 120);
+  EXPECT_EQ(move.dynamics.velocity, 200);
+  EXPECT_EQ(move.dynamics.acceleration, 1000);
+  EXPECT_EQ(move.dynamics.deceleration, 2000);
+  EXPECT_EQ(move.dynamics.jerk, 3e4);
+  EXPECT_EQ(move.direction, Direction::negative);
+  EXPECT_EQ(move.buffer, BufferMode::blending_high);
+  EXPECT_TRUE(holds_to_run(command_of(CommandKind::move_velocity, {10, 1, 1, 1, 0, 1})));
+  EXPECT_FALSE(holds_to_run(command_of(CommandKind::move_velocity, {10, 1, 1, 1, 0, 0})));
+}
+
+// The sentences are those of the refusal bad_order: clients show them.
+TEST(CommandValues, OutOfRangeAreNamed) {
+  struct Wrong {
+    CommandKind kind;
+    CommandValues values;
+    const char* sentence;
+  };
+  const double inf = HUGE_VAL;
+  const Wrong all[] = {
+      {CommandKind::enable, {1}, "enable takes 0 values at most"},
+      {CommandKind::halt, {1, 1, -1}, "halt takes 2 values at most"},
+      {CommandKind::start_table, {0, 0, 0, 0, 0, 0, 0, 1}, "start takes 0 values at most"},
+      {CommandKind::set_position, {NAN}, "position must be finite"},
+      {CommandKind::set_position, {1, 0.5}, "relative must be 0 or 1"},
+      {CommandKind::home, {inf}, "offset must be finite"},
+      {CommandKind::home, {NAN, 2.5}, "method must be a whole number of 31 bits, 0 or more"},
+      {CommandKind::home, {NAN, -1}, "method must be a whole number of 31 bits, 0 or more"},
+      {CommandKind::home,
+       {NAN, 24, 0},
+       "search velocity must be greater than 0; leave it out to use the limit of the axis"},
+      {CommandKind::override_, {2.1}, "factor must be 0 to 2"},
+      {CommandKind::override_, {-0.1}, "factor must be 0 to 2"},
+      {CommandKind::override_, {NAN}, "factor must be finite"},
+      {CommandKind::move_absolute, {1, 1, 1, 1, inf}, "jerk must be finite"},
+      {CommandKind::move_absolute, {1, 1, 1, 1, 1, 2}, "direction must be -1, 0 or 1"},
+      {CommandKind::move_absolute, {1, 1, 1, 1, 1, 0.5}, "direction must be -1, 0 or 1"},
+      {CommandKind::move_absolute, {1, 1, 1, 1, 1, 0, 6}, "buffer mode must be 0 to 5"},
+      {CommandKind::move_relative, {1, 1, 1, 1, 1, 1.5}, "buffer mode must be 0 to 5"},
+      {CommandKind::move_superimposed,
+       {1, -1},
+       "velocity difference must be greater than 0; leave it out to use the limit of the axis"},
+      {CommandKind::move_velocity, {NAN}, "velocity must be finite"},
+      {CommandKind::move_velocity, {1, 1, 1, 1, 0, 2}, "hold to run must be 0 or 1"},
+      {CommandKind::gear_in, {1.5, 1}, "numerator must be a whole number of 31 bits"},
+      {CommandKind::gear_in, {1, 0}, "denominator must not be 0"},
+      {CommandKind::gear_in, {1, 2147483648.0}, "denominator must be a whole number of 31 bits"},
+      {CommandKind::gear_in_pos, {1, 1, 1, 1, 1, 3}, "avoid reversal must be 0 or 1"},
+      {CommandKind::queue_clear, {64, 2}, "bank must be 0 or 1"},
+      {CommandKind::queue_end, {-1}, "queue must be a whole number of 31 bits, 0 or more"},
+  };
+  for (const auto& [kind, values, sentence] : all) EXPECT_EQ(contradiction(kind, values), sentence);
+}
+
+TEST(CommandValues, KindsOfTheExecutorAreNoCommandsOfAClient) {
+  EXPECT_THROW(static_cast<void>(command_of(CommandKind::arm)), InputError);
+  EXPECT_THROW(static_cast<void>(command_of(CommandKind::none)), InputError);
+}
+
+}  // namespace
+}  // namespace jounce::command_values_test
