@@ -80,7 +80,7 @@ std::optional<MotionState> MotionAxis::end_of_waiting() const {
 /// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
 /// move, the move ends at rest: the next target does not include the superimposed distance.
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
-  if (next_.empty() || lifting_ || shift_ != 0 || goal.kind != Goal::Kind::position) return 0;
+  if (next_.empty() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
   Goal further;
   if (goal_of(next_.front(), {goal.value, 0, 0}, further)) return 0;
   return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);

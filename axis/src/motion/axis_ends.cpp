@@ -48,9 +48,9 @@ void MotionAxis::rest() {
                 : boundary_ == Boundary::finish ? Cause::pass_ended
                                                 : Cause::none;
   state_ = ending_ == Ending::fault ? State::error_stop : State::standstill;
-  const bool goes_on = lifting_ && ending_ == Ending::none;
-  const double more =
-      goes_on ? lift_goal_.value - lift_.at(seconds(now_.tick - lift_origin_)).position : 0;
+  const bool goes_on = above_.running() && ending_ == Ending::none;
+  const double more = goes_on ? above_.remaining(now_.tick) : 0;
+  const MoveDynamics dynamics = above_.dynamics();
   const MotionState from = last();
   const double target = now_.position + more;
   const bool ended = ending_ != Ending::fault;
@@ -67,8 +67,7 @@ void MotionAxis::rest() {
   now_.acceleration = from.acceleration;
   state_ = State::discrete_motion;
   held_ = held;
-  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, lift_goal_.dynamics},
-                 wanted_rate()))
+  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, dynamics}, wanted_rate()))
     fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
 }
 
@@ -78,9 +77,9 @@ void MotionAxis::freeze() {
   base_ = Base::rest;
   ending_ = Ending::none;
   boundary_ = Boundary::none;
-  held_ = lifting_ = false;
+  held_ = false;
   homing_.reset();
-  shift_ = 0;
+  above_.clear();
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }
 
@@ -112,7 +111,7 @@ void MotionAxis::fail(Cause cause) {
   if (!moving()) return;
   if (reaction == Reaction::freeze) return cut_off();
   if (base_ == Base::move && ending_ == Ending::fault && cause != Cause::aborted) return;
-  const bool on_it = reaction == Reaction::stop_on_path && on_path() && !lifting_;
+  const bool on_it = reaction == Reaction::stop_on_path && on_path() && !above_.running();
   boundary_ = Boundary::none;
   ending_ = Ending::fault;
   if (on_it && stop_on_path()) return;

@@ -11,34 +11,6 @@
 
 namespace jounce {
 
-namespace {
-
-/// A superimposed move uses the part of the limits that the motion below leaves. Their sum
-/// therefore keeps the limits at any relative phase.
-std::optional<Refusal> take_away(AxisConfig& config, const Peaks& below) {
-  constexpr double least = 1e-9;  // relative to a limit
-  const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
-    const double most = std::exchange(limit, limit - used);
-    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
-  };
-  Limits& limits = config.limits;
-  if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
-  if (auto no = take(*limits.acceleration, below.acceleration, Cause::acceleration_limit))
-    return no;
-  return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
-}
-
-/// True if a motion keeps these limits.
-bool keeps(const Profile& motion, const Limits& limits) {
-  constexpr double same = 1 + 1e-9;
-  const Peaks most = peaks(motion);
-  return most.velocity <= *limits.velocity * same &&
-         most.acceleration <= *limits.acceleration * same &&
-         (!limits.jerk || most.jerk <= *limits.jerk * same);
-}
-
-}  // namespace
-
 template <class Move>
 void MotionAxis::move(const Move& what) {
   Goal goal;
@@ -77,7 +49,7 @@ void MotionAxis::act(const command::MoveSuperimposed& what) {
   if (!under_way || state_ == State::continuous_motion)
     return move(command::MoveRelative{what.distance, what.dynamics});
   if (!std::isfinite(what.distance)) return refuse(Cause::no_value, what.distance);
-  superimpose(what.distance, what.dynamics);
+  now_.refused = superimpose(what.distance, what.dynamics);
 }
 
 // The goals of moves that begin in the state `from`.
@@ -103,7 +75,7 @@ std::optional<Refusal> MotionAxis::goal_of(const command::MoveRelative& what,
 std::optional<Refusal> MotionAxis::goal_of(const command::MoveAdditive& what,
                                            const MotionState& from, Goal& goal) const {
   const bool aimed = base_ == Base::move && goal_.kind != Goal::Kind::velocity;
-  const double start = aimed ? goal_.value + shift_ : from.position;
+  const double start = aimed ? goal_.value + above_.finished() : from.position;
   if (const auto no = distance_goal(what.distance, start, what.dynamics, goal)) return no;
   return forbidden(goal.value, from.position);
 }
@@ -180,45 +152,13 @@ Peaks MotionAxis::beneath() const {
           config_.limits.jerk ? std::max(planned.jerk, d.jerk) : 0};
 }
 
-/// Reason why a distance on top of the present motion would end outside the range.
-std::optional<Refusal> MotionAxis::ends_outside(double distance) const {
+/// Begins a move on top of the present motion, or returns the reason to reject it.
+std::optional<Refusal> MotionAxis::superimpose(double distance, const MoveDynamics& dynamics) {
+  if (on_path() && !clock_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
+  if (boundary_ == Boundary::swap || passes()) return Refusal{.cause = Cause::in_motion};
   const auto end = expected_end();
-  if (!end || lifting_) return std::nullopt;
-  const double target = end->position + distance;
-  const auto& [low, high, v, a, j] = config_.limits;
-  if (low && target < *low) return Refusal{Cause::position_limit, target, *low};
-  if (high && target > *high) return Refusal{Cause::position_limit, target, *high};
-  return std::nullopt;
-}
-
-void MotionAxis::superimpose(double distance, MoveDynamics dynamics) {
-  if (on_path() && !clock_.steady(now_.tick)) return refuse(Cause::rate_changing);
-  if (boundary_ == Boundary::swap || passes()) return refuse(Cause::in_motion);
-  AxisConfig left = config_;
-  if (now_.refused = take_away(left, beneath()); now_.refused) return;
-  if (now_.refused = fill(dynamics, left); now_.refused) return;
-  if (now_.refused = ends_outside(distance); now_.refused) return;
-  const Motion up = lifting_ ? lift_.at(seconds(now_.tick - lift_origin_)) : Motion{};
-  const Goal goal{Goal::Kind::position, up.position + distance, dynamics};
-  left.limits.position_min = left.limits.position_max = std::nullopt;
-  const Limits before = std::exchange(lift_most_, left.limits);
-  const auto profile = plan_lift(up, goal, 1);
-  if (!profile || !keeps(*profile, lift_most_)) {
-    lift_most_ = before;
-    return refuse(Cause::no_such_move, distance);
-  }
-  lifting_ = true;
-  lift_rests_ = false;
-  lift_ = *profile;
-  lift_goal_ = goal;
-  lift_origin_ = now_.tick;
-}
-
-std::optional<Profile> MotionAxis::plan_lift(const Motion& from, const Goal& goal,
-                                             double factor) const {
-  AxisConfig left = config_;
-  left.limits = lift_most_;
-  return plan({from.position, from.velocity, from.acceleration}, goal, factor, left);
+  return above_.begin(now_.tick, distance, dynamics, beneath(),
+                      end ? std::optional(end->position) : std::nullopt);
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
@@ -247,8 +187,7 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
   if (boundary_ == Boundary::swap) disarm();
   boundary_ = Boundary::none;
   drop_movement();
-  lifting_ = false;
-  shift_ = 0;
+  above_.clear();
   bare_ = last();
   base_ = Base::move;
   return true;
@@ -273,13 +212,12 @@ bool MotionAxis::plan_from(const MotionState& from, std::int64_t tick, const Goa
 /// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
 bool MotionAxis::replan_move() {
   const double rate = wanted_rate();
-  if (rate > 0 || (!lifting_ && shift_ == 0)) return plan_from(bare_, emitted_, goal_, rate);
+  if (rate > 0 || !above_.shifts()) return plan_from(bare_, emitted_, goal_, rate);
   Goal both = goal_;
-  both.value += shift_ + (lifting_ ? lift_goal_.value : 0);
+  both.value += above_.distance();
   if (!plan_from(last(), emitted_, both, rate)) return false;
   bare_ = last();
-  lifting_ = false;
-  shift_ = 0;
+  above_.clear();
   return true;
 }
 

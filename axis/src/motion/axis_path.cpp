@@ -121,10 +121,7 @@ bool MotionAxis::stop_on_path() {
 /// The slope of a change to that rate from that tick on.
 double MotionAxis::slope_to(double rate, std::int64_t tick) const {
   const double highest = std::max({1.0, clock_.highest(tick), rate});
-  Peaks above;
-  if (lifting_)
-    above = {*lift_most_.velocity, *lift_most_.acceleration, lift_most_.jerk.value_or(0)};
-  return rate_slope(peaks_, config_, highest, above);
+  return rate_slope(peaks_, config_, highest, above_.peaks());
 }
 
 /// Applies a new rate: changes the clock of a path, or plans a move again.
@@ -136,15 +133,9 @@ bool MotionAxis::replan() {
 
 /// The superimposed move comes to rest with the path, and resumes with it.
 bool MotionAxis::replan_path() {
-  const bool rests = wanted_rate() == 0;
-  if (!lifting_ || rests == lift_rests_) return change_rate(granted_rate());
-  // Starts from the last setpoint, or in the tick of its command.
-  const std::int64_t from = std::max(emitted_, lift_origin_);
-  const auto lift = plan_lift(lift_.at(seconds(from - lift_origin_)), lift_goal_, rests ? 0 : 1);
-  if (!lift || !change_rate(granted_rate())) return false;
-  lift_ = *lift;
-  lift_origin_ = from;
-  lift_rests_ = rests;
+  SuperimposedMove above = above_;
+  if (!above.hold(wanted_rate() == 0, emitted_) || !change_rate(granted_rate())) return false;
+  above_ = above;
   return true;
 }
 

@@ -39,7 +39,7 @@ void MotionAxis::act(const command::Disarm& /*it*/) {
 /// not available.
 std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
-  const double above = shift_ + (lifting_ ? lift_goal_.value : 0);
+  const double above = above_.distance();
   if (base_ == Base::move) {
     if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
     const bool there = goal_.kind == Goal::Kind::position;
@@ -90,7 +90,7 @@ void MotionAxis::act(const command::Start& what) {
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
 /// may begin from here.
 bool MotionAxis::stands() const {
-  return on_path() && !lifting_ && ending_ == Ending::none && clock_.target() == 0 &&
+  return on_path() && !above_.running() && ending_ == Ending::none && clock_.target() == 0 &&
          clock_.steady(now_.tick) && now_.velocity == 0;
 }
 
@@ -175,7 +175,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
     no = advance(next);
   }
   if (no != Cause::none) return std::nullopt;
-  lift(next);
+  above_.add_to(next, now_.tick);
   return MotionState{next.slave[0], next.slave[1], next.slave[2]};
 }
 
@@ -218,8 +218,8 @@ void MotionAxis::begin_pending(const Moment& at) {
   group_ = next_group_;
   base_ = Base::movement;
   ending_ = Ending::none;
-  held_ = lifting_ = false;
-  shift_ = 0;
+  held_ = false;
+  above_.clear();
   joint_ = true;
   peaks_ = active_->peaks();
   origin_ = now_.tick;

@@ -30,7 +30,7 @@ void MotionAxis::start_at_end() {
 /// Another coupling, at the end of a pass of the cam that follows the live master.
 void MotionAxis::start_at_pass_end() {
   if (!active_->passes()) return refuse(Cause::no_movement);
-  if (pending_->course() != Course::live || lifting_) return refuse(Cause::in_motion);
+  if (pending_->course() != Course::live || above_.running()) return refuse(Cause::in_motion);
   waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
@@ -57,7 +57,7 @@ Cause MotionAxis::swap_at_boundary() {
   }
   const Setpoint last = active_->at(moment(boundary_at_));
   if (active_->progress() == Progress::broken) return active_->cause();
-  const MotionState end{last.slave[0] + shift_, 0, 0};
+  const MotionState end{last.slave[0] + above_.finished(), 0, 0};
   if (const auto no = pending_->admit(config_, end))
     drop(*no);
   else
@@ -69,7 +69,7 @@ Cause MotionAxis::swap_at_boundary() {
 /// of the present path.
 bool MotionAxis::ready_to_swap() {
   if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
-  if (lifting_ || pending_->course() == Course::live) refuse(Cause::in_motion);
+  if (above_.running() || pending_->course() == Course::live) refuse(Cause::in_motion);
   if (now_.refused) return false;
   waiting_ = true;
   change_rate(granted_rate());
@@ -86,7 +86,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
   const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
   if (rate > most * (1 + 1e-9))
     return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
-  end.position += shift_;
+  end.position += above_.finished();
   if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
     return drop({.cause = no, .value = end.position});
   hand_back(active_);
@@ -96,7 +96,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
   waiting_ = false;
   ++now_.finished;
   joint_ = true;
-  shift_ = 0;
+  above_.clear_finished();
   peaks_ = active_->peaks();
   clock_.shift(boundary);
   shown_ = clock_;
@@ -138,8 +138,8 @@ std::optional<double> MotionAxis::passing(double to) const {
 void MotionAxis::swap_at_master(double s) {
   const Jet& there = active_->at(moment(s)).slave;
   const MotionState end{there[0], there[1], there[2]};
-  if (const auto no =
-          pending_->admit(config_, {end.position + shift_, end.velocity, end.acceleration}))
+  if (const auto no = pending_->admit(
+          config_, {end.position + above_.finished(), end.velocity, end.acceleration}))
     return drop(*no);
   swap(s, end);
 }

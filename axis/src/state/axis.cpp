@@ -19,6 +19,7 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
       unranged_(config_),
       clock_(config_.period),
       shown_(config_.period),
+      above_(config_),
       outputs_(switches, compare) {
   now_.position = config_.position;
   unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
@@ -128,7 +129,7 @@ void MotionAxis::play() {
     Cause wrong = advance(next);
     const MotionState bare{next.slave[0], next.slave[1], next.slave[2]};
     if (wrong == Cause::none) {
-      lift(next);
+      above_.add_to(next, now_.tick);
       wrong = judge(next);
     }
     if (wrong == Cause::none) {
@@ -157,21 +158,6 @@ Cause MotionAxis::advance(Setpoint& next) {
   return Cause::none;
 }
 
-/// Adds the superimposed move.
-void MotionAxis::lift(Setpoint& next) {
-  next.slave[0] += shift_;
-  if (!lifting_) return;
-  const double t = seconds(now_.tick - lift_origin_);
-  const auto [p, v, a, j] = lift_.at(t);
-  next.slave[0] += p;
-  next.slave[1] += v;
-  next.slave[2] += a;
-  next.slave[3] += j;
-  if (t < lift_.duration() || lift_rests_) return;
-  lifting_ = false;
-  shift_ += lift_.end().position;
-}
-
 /// Checks a setpoint before its output; braking after a fault passes without a check.
 Cause MotionAxis::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
@@ -195,7 +181,7 @@ Cause MotionAxis::judge(const Setpoint& next) const {
 /// planned to a target. Each can stop inside: the path on itself, the move with the stop limits,
 /// which exceed its own.
 bool MotionAxis::inside_as_a_whole() const {
-  if (lifting_ || shift_ != 0) return false;
+  if (above_.shifts()) return false;
   if (on_path()) return active_->bounded();
   return base_ == Base::move && goal_.kind == Goal::Kind::position && ending_ == Ending::none &&
          wanted_rate() > 0;

@@ -102,7 +102,7 @@ void MotionAxis::end_motion(Ending ending, const StopDynamics& asked) {
   ending_ = ending;
   if (ending == Ending::group && unplayed()) return rest();
   state_ = stops ? State::stopping : State::discrete_motion;
-  if (on_path() && !lifting_ && change_rate(0)) return;
+  if (on_path() && !above_.running() && change_rate(0)) return;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
   now_.reason = Cause::none;
 }
@@ -130,7 +130,7 @@ void MotionAxis::stop_with_group() {
 
 /// True if only the first point of the path was output, at the position of the axis.
 bool MotionAxis::unplayed() const {
-  return on_path() && !lifting_ && played_to_ == 0 && now_.velocity == 0;
+  return on_path() && !above_.running() && played_to_ == 0 && now_.velocity == 0;
 }
 
 void MotionAxis::hold(bool on) {
@@ -145,7 +145,7 @@ void MotionAxis::act(const command::Override& what) {
   if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
-  if (lifting_ && factor > most) return refuse(Cause::in_motion, factor, most);
+  if (above_.running() && factor > most) return refuse(Cause::in_motion, factor, most);
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path())) return;
   if (!replan()) factor_ = before;

@@ -13,6 +13,7 @@
 #include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/superimposed_move.hpp"
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/waiting_moves.hpp"
 #include "jounce/command/state.hpp"
@@ -140,7 +141,6 @@ class MotionAxis {
   void watch();
   void play();
   Cause advance(Setpoint& next);
-  void lift(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
@@ -262,11 +262,8 @@ class MotionAxis {
                                                      MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   [[nodiscard]] Peaks beneath() const;
-  [[nodiscard]] std::optional<Refusal> ends_outside(double distance) const;
-  void superimpose(double distance, MoveDynamics dynamics);
+  [[nodiscard]] std::optional<Refusal> superimpose(double distance, const MoveDynamics& dynamics);
   void decouple();
-  [[nodiscard]] std::optional<Profile> plan_lift(const Motion& from, const Goal& goal,
-                                                 double factor) const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool replan_move();
@@ -342,13 +339,7 @@ class MotionAxis {
   double factor_ = 1;             // override
   bool held_ = false;
 
-  bool lifting_ = false;     // a superimposed move runs
-  bool lift_rests_ = false;  // a superimposed move waits until the path beneath it is resumed
-  Profile lift_;
-  Goal lift_goal_;    // u from the start of the first superimposed move
-  Limits lift_most_;  // limits left by the motion below
-  std::int64_t lift_origin_ = 0;
-  double shift_ = 0;  // u, of the finished superimposed moves
+  SuperimposedMove above_;  // adds to the motion
 
   std::optional<Homing> homing_;  // set until it is at rest, in success or failure
   double home_position_ = 0;      // u: the future position of the home position
