@@ -37,15 +37,15 @@ std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) 
 
 }  // namespace
 
-void MotionAxis::act(const command::Home& what) {
+MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
-  if (!method) return refuse(Cause::no_such_method, spec.method);
-  if (now_.refused = misses(spec, config_); now_.refused) return;
+  if (!method) return Refusal{Cause::no_such_method, static_cast<double>(spec.method)};
+  if (auto no = misses(spec, config_)) return no;
   if (!(std::abs(spec.offset) <= furthest(config_)))
-    return refuse(Cause::position_limit, spec.offset, furthest(config_));
-  if (waiting_) return refuse(Cause::in_motion);
-  if (!has_sensors(*method, inputs_.feedback.sensors)) return refuse(Cause::no_sensor);
+    return Refusal{Cause::position_limit, spec.offset, furthest(config_)};
+  if (waiting_) return Refusal{Cause::in_motion};
+  if (!has_sensors(*method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;
   now_.reason = Cause::none;
   now_.homed = method->last == 0;
@@ -56,6 +56,7 @@ void MotionAxis::act(const command::Home& what) {
   fill(dynamics, config_);
   home_position_ = spec.offset;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) fail(Cause::jump);
+  return std::nullopt;
 }
 
 Homing::Seen MotionAxis::seen() const {
@@ -85,7 +86,7 @@ void MotionAxis::find_home() {
   const double home = homing_->home() + now_.offset;
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
-  set_position(now_.position + (home_position_ - home));
+  if (const auto no = set_position(now_.position + (home_position_ - home))) now_.refused = no;
   now_.homed = true;
 }
 

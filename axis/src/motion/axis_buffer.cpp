@@ -26,15 +26,16 @@ double value_of(const BufferedMove& move) {
 }  // namespace
 
 /// One command with its own tick can wait. The axis checks its conditions in that tick.
-void MotionAxis::postpone(const Command& command) {
+MotionAxis::Rejection MotionAxis::postpone(const Command& command) {
   const auto at = static_cast<double>(command.at);
-  if (command.at < now_.tick) return refuse(Cause::too_late, at, static_cast<double>(now_.tick));
-  if (later_) return refuse(Cause::buffer_full, at, static_cast<double>(later_->at));
+  if (command.at < now_.tick) return Refusal{Cause::too_late, at, static_cast<double>(now_.tick)};
+  if (later_) return Refusal{Cause::buffer_full, at, static_cast<double>(later_->at)};
   if (const Movement* const movement = movement_of(command.what)) {
-    refuse(Cause::no_value);
-    return hand_back(movement);
+    hand_back(movement);
+    return Refusal{Cause::no_value};
   }
   later_ = command;
+  return std::nullopt;
 }
 
 /// Executes it in its tick, or in the next one that is stepped, before the command of that tick.
@@ -55,15 +56,17 @@ void MotionAxis::forget_later() {
 
 /// Checks the move against the end of the previous one, if that is available, and again when it
 /// begins.
-void MotionAxis::buffer(const BufferedMove& move) {
+MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
   constexpr auto most = static_cast<double>(WaitingMoves::most);
-  if (next_.full()) return refuse(Cause::buffer_full, most, most);
-  if (base_ == Base::movement && !on_path()) return refuse(Cause::synchronized);
+  if (next_.full()) return Refusal{Cause::buffer_full, most, most};
+  if (base_ == Base::movement && !on_path()) return Refusal{Cause::synchronized};
   Goal goal;
-  if (now_.refused = goal_of(move, end_of_waiting().value_or(last()), goal); now_.refused) return;
+  if (auto no = goal_of(move, end_of_waiting().value_or(last()), goal)) return no;
   next_.push(move);
   const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
-  if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0) replan();
+  if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0)
+    return replan();
+  return std::nullopt;
 }
 
 /// The state at rest after the last waiting move; nullopt: not available.
@@ -104,14 +107,15 @@ Cause MotionAxis::pass_target() {
 
 /// The present move then ends at its target. If it is too late for that, the move continues
 /// unchanged.
-void MotionAxis::take_back_next() {
+MotionAxis::Rejection MotionAxis::take_back_next() {
   const WaitingMoves waited = std::exchange(next_, {});
   const bool blends = base_ == Base::move && goal_.through != 0;
   if (!waited.empty() && blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
     next_ = waited;
-    return refuse(Cause::no_such_move, goal_.value);
+    return Refusal{Cause::no_such_move, goal_.value};
   }
   forget(waited);
+  return std::nullopt;
 }
 
 /// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,

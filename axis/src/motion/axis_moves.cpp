@@ -12,44 +12,47 @@
 namespace jounce {
 
 template <class Move>
-void MotionAxis::move(const Move& what) {
+MotionAxis::Rejection MotionAxis::move(const Move& what) {
   Goal goal;
-  if (now_.refused = goal_of(what, last(), goal); now_.refused) return;
+  if (auto no = goal_of(what, last(), goal)) return no;
   const WaitingMoves waited = std::exchange(next_, {});
-  if (go(goal)) return forget(waited);
-  next_ = waited;
-  refuse(Cause::no_such_move, goal.value);
+  if (!go(goal)) {
+    next_ = waited;
+    return Refusal{Cause::no_such_move, goal.value};
+  }
+  forget(waited);
+  return std::nullopt;
 }
 
 template <class Move>
-void MotionAxis::move_or_buffer(const Move& what) {
+MotionAxis::Rejection MotionAxis::move_or_buffer(const Move& what) {
   if (what.buffer != BufferMode::aborting && moving()) return buffer(what);
-  move(what);
+  return move(what);
 }
 
-void MotionAxis::act(const command::MoveAbsolute& what) {
-  move_or_buffer(what);
+MotionAxis::Rejection MotionAxis::act(const command::MoveAbsolute& what) {
+  return move_or_buffer(what);
 }
 
-void MotionAxis::act(const command::MoveRelative& what) {
-  move_or_buffer(what);
+MotionAxis::Rejection MotionAxis::act(const command::MoveRelative& what) {
+  return move_or_buffer(what);
 }
 
-void MotionAxis::act(const command::MoveVelocity& what) {
-  move_or_buffer(what);
+MotionAxis::Rejection MotionAxis::act(const command::MoveVelocity& what) {
+  return move_or_buffer(what);
 }
 
-void MotionAxis::act(const command::MoveAdditive& what) {
-  move(what);
+MotionAxis::Rejection MotionAxis::act(const command::MoveAdditive& what) {
+  return move(what);
 }
 
 /// Without a motion beneath it, it is a MoveRelative.
-void MotionAxis::act(const command::MoveSuperimposed& what) {
+MotionAxis::Rejection MotionAxis::act(const command::MoveSuperimposed& what) {
   const bool under_way = moving() && ending_ == Ending::none;
   if (!under_way || state_ == State::continuous_motion)
     return move(command::MoveRelative{what.distance, what.dynamics});
-  if (!std::isfinite(what.distance)) return refuse(Cause::no_value, what.distance);
-  now_.refused = superimpose(what.distance, what.dynamics);
+  if (!std::isfinite(what.distance)) return Refusal{Cause::no_value, what.distance};
+  return superimpose(what.distance, what.dynamics);
 }
 
 // The goals of moves that begin in the state `from`.
@@ -153,7 +156,7 @@ Peaks MotionAxis::beneath() const {
 }
 
 /// Begins a move on top of the present motion, or returns the reason to reject it.
-std::optional<Refusal> MotionAxis::superimpose(double distance, const MoveDynamics& dynamics) {
+MotionAxis::Rejection MotionAxis::superimpose(double distance, const MoveDynamics& dynamics) {
   if (on_path() && !clock_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
   if (boundary_ == Boundary::swap || passes()) return Refusal{.cause = Cause::in_motion};
   const auto end = expected_end();
@@ -162,10 +165,11 @@ std::optional<Refusal> MotionAxis::superimpose(double distance, const MoveDynami
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
-void MotionAxis::decouple() {
-  if (!active_) return refuse(Cause::not_synchronized);
+MotionAxis::Rejection MotionAxis::decouple() {
+  if (!active_) return Refusal{Cause::not_synchronized};
   leave(Goal::Kind::velocity);
-  if (base_ != Base::move) refuse(Cause::no_such_move);
+  if (base_ != Base::move) return Refusal{Cause::no_such_move};
+  return std::nullopt;
 }
 
 // ---- planning ----------------------------------------------------------------------------------

@@ -125,10 +125,9 @@ double MotionAxis::slope_to(double rate, std::int64_t tick) const {
 }
 
 /// Applies a new rate: changes the clock of a path, or plans a move again.
-bool MotionAxis::replan() {
+MotionAxis::Rejection MotionAxis::replan() {
   const bool done = on_path() ? replan_path() : replan_move();
-  if (!done) refuse(Cause::no_such_move);
-  return done;
+  return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
 }
 
 /// The superimposed move comes to rest with the path, and resumes with it.

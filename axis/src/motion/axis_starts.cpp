@@ -9,30 +9,34 @@
 
 namespace jounce {
 
-void MotionAxis::act(const command::Arm& what) {
+MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
   Movement* const movement = what.movement;
-  if (!movement) return refuse(Cause::no_value);
+  if (!movement) return Refusal{Cause::no_value};
   const auto from = expected_end();
+  Rejection no;
   if (from || ends_somewhere())
-    now_.refused = movement->admit(config_, from.value_or(last()));
+    no = movement->admit(config_, from.value_or(last()));
   else if (movement->course() == Course::path)
-    refuse(Cause::in_motion);
-  if (now_.refused && stands()) now_.refused = movement->admit(config_, last());
+    no = Refusal{Cause::in_motion};
+  if (no && stands()) no = movement->admit(config_, last());
   // A swap at a master position, or at the end of rows, checks its start state at the swap.
-  if (now_.refused && on_path() && (active_->synchronized() || ends_somewhere()) &&
-      (now_.refused->cause == Cause::start_position ||
-       now_.refused->cause == Cause::start_velocity))
-    now_.refused.reset();
-  if (now_.refused) return hand_back(movement);
+  if (no && on_path() && (active_->synchronized() || ends_somewhere()) &&
+      (no->cause == Cause::start_position || no->cause == Cause::start_velocity))
+    no.reset();
+  if (no) {
+    hand_back(movement);
+    return no;
+  }
   disarm();
   pending_ = movement;
   join_group(what.group);
+  return std::nullopt;
 }
 
-void MotionAxis::act(const command::Disarm& /*it*/) {
+MotionAxis::Rejection MotionAxis::act(const command::Disarm& /*it*/) {
   if (!waiting_) disarm();
   forget_later();
-  take_back_next();
+  return take_back_next();
 }
 
 /// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
@@ -59,32 +63,34 @@ void MotionAxis::disarm() {
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
 }
 
-void MotionAxis::act(const command::Start& what) {
-  if (!pending_) return refuse(Cause::not_armed);
+MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
+  if (!pending_) return Refusal{Cause::not_armed};
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
   if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
-    return refuse(Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick));
+    return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
   if (what.when == StartAt::master_position && !std::isfinite(what.position))
-    return refuse(Cause::no_value, what.position);
+    return Refusal{Cause::no_value, what.position};
   const bool swaps = what.when == StartAt::master_position && on_path();
   const bool rests = !moving() || (stands() && !swaps);
-  if (pending_->course() == Course::path && !rests && !swaps) return refuse(Cause::in_motion);
-  if (swaps && !ready_to_swap()) return;
+  if (pending_->course() == Course::path && !rests && !swaps) return Refusal{Cause::in_motion};
+  if (swaps)
+    if (auto no = ready_to_swap()) return no;
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
   const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
   if (rests && !(later && pending_->course() == Course::live)) {
-    now_.refused = pending_->admit(config_, last());
-    const Cause no = pending_->begin(last(), moment(0));
-    if (no != Cause::none && !now_.refused) now_.refused = begin_refusal(no, last());
-    if (no != Cause::none) now_.refused->cause = no;
-    if (!now_.refused) now_.refused = against_switch(*pending_);
-    if (now_.refused) return;
+    auto no = pending_->admit(config_, last());
+    const Cause cause = pending_->begin(last(), moment(0));
+    if (cause != Cause::none && !no) no = begin_refusal(cause, last());
+    if (cause != Cause::none) no->cause = cause;
+    if (!no) no = against_switch(*pending_);
+    if (no) return no;
   }
   waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
   start_tick_ = std::max(what.tick, now_.tick);
   start_position_ = what.position;
+  return std::nullopt;
 }
 
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
@@ -94,17 +100,20 @@ bool MotionAxis::stands() const {
          clock_.steady(now_.tick) && now_.velocity == 0;
 }
 
-void MotionAxis::act(const command::Couple& what) {
+MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
   Movement* const movement = what.movement;
-  if (!movement) return refuse(Cause::no_value);
+  if (!movement) return Refusal{Cause::no_value};
   if (movement->course() != Course::live) {
-    refuse(Cause::bad_table);
-    return hand_back(movement);
+    hand_back(movement);
+    return Refusal{Cause::bad_table};
   }
-  now_.refused = movement->admit(config_, last());
+  auto no = movement->admit(config_, last());
   if (what.tick >= 0 && what.tick < now_.tick)
-    refuse(Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick));
-  if (now_.refused) return hand_back(movement);
+    no = Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
+  if (no) {
+    hand_back(movement);
+    return no;
+  }
   disarm();
   pending_ = movement;
   waiting_ = true;
@@ -112,6 +121,7 @@ void MotionAxis::act(const command::Couple& what) {
   next_group_ = 0;
   start_at_ = StartAt::tick;
   start_tick_ = std::max(what.tick, now_.tick);
+  return std::nullopt;
 }
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of

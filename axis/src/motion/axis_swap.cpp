@@ -12,12 +12,13 @@
 namespace jounce {
 
 /// A swap at the end of the path, or of its present pass.
-void MotionAxis::start_at_end() {
+MotionAxis::Rejection MotionAxis::start_at_end() {
   if (base_ == Base::movement && !on_path()) return start_at_pass_end();
   const auto end = expected_end();
-  if (!on_path() || !(end || ends_somewhere())) return refuse(Cause::not_on_path);
-  if (end) now_.refused = pending_->admit(config_, *end);
-  if (now_.refused || !ready_to_swap()) return;
+  if (!on_path() || !(end || ends_somewhere())) return Refusal{Cause::not_on_path};
+  if (end)
+    if (auto no = pending_->admit(config_, *end)) return no;
+  if (auto no = ready_to_swap()) return no;
   const double s = clock_.at(now_.tick).s;
   const bool repeats = std::isinf(active_->known());
   boundary_ = Boundary::swap;
@@ -25,15 +26,17 @@ void MotionAxis::start_at_end() {
   if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
+  return std::nullopt;
 }
 
 /// Another coupling, at the end of a pass of the cam that follows the live master.
-void MotionAxis::start_at_pass_end() {
-  if (!active_->passes()) return refuse(Cause::no_movement);
-  if (pending_->course() != Course::live || above_.running()) return refuse(Cause::in_motion);
+MotionAxis::Rejection MotionAxis::start_at_pass_end() {
+  if (!active_->passes()) return Refusal{Cause::no_movement};
+  if (pending_->course() != Course::live || above_.running()) return Refusal{Cause::in_motion};
   waiting_ = true;
   accepted_ = now_.tick;
   start_at_ = StartAt::end_of_table;
+  return std::nullopt;
 }
 
 /// Rows end with their last row, at rest: its number may not be available yet.
@@ -67,13 +70,12 @@ Cause MotionAxis::swap_at_boundary() {
 
 /// Until the swap, the rate is limited to the range of both paths. It falls to that by the dynamics
 /// of the present path.
-bool MotionAxis::ready_to_swap() {
-  if (!clock_.steady(now_.tick)) refuse(Cause::rate_changing);
-  if (above_.running() || pending_->course() == Course::live) refuse(Cause::in_motion);
-  if (now_.refused) return false;
+MotionAxis::Rejection MotionAxis::ready_to_swap() {
+  if (above_.running() || pending_->course() == Course::live) return Refusal{Cause::in_motion};
+  if (!clock_.steady(now_.tick)) return Refusal{Cause::rate_changing};
   waiting_ = true;
   change_rate(granted_rate());
-  return true;
+  return std::nullopt;
 }
 
 /// The armed movement continues from the end of the present path, or of its pass, at path time

@@ -223,10 +223,6 @@ void MotionAxis::hand_back(const Movement* movement) {
   *free = movement;
 }
 
-void MotionAxis::refuse(Cause cause, double value, double limit) {
-  now_.refused = Refusal{cause, value, limit};
-}
-
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
 void MotionAxis::drop(const Refusal& why) {

@@ -14,12 +14,12 @@ namespace jounce {
 
 void MotionAxis::obey(const Command& command) {
   if (std::holds_alternative<command::None>(command.what)) return;
-  take_up(command);
+  now_.refused = take_up(command);
   const auto* const start = std::get_if<command::Start>(&command.what);
   if (start != nullptr && now_.refused && start->group != 0) now_.broken[1] = start->group;
 }
 
-void MotionAxis::take_up(const Command& command) {
+MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
@@ -27,10 +27,10 @@ void MotionAxis::take_up(const Command& command) {
   if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
   if (no != Cause::none) {
     if (const Movement* const movement = movement_of(command.what)) hand_back(movement);
-    return refuse(no);
+    return Refusal{no};
   }
   if (command.at >= 0 && command.at != now_.tick) return postpone(command);
-  std::visit([&](const auto& what) { act(what); }, command.what);
+  return std::visit([&](const auto& what) { return act(what); }, command.what);
 }
 
 /// True if the command moves to a position and the axis is not yet homed.
@@ -43,68 +43,79 @@ bool MotionAxis::needs_home(const Command& command) const {
 
 // ---- power and coordinates ---------------------------------------------------------------------
 
-void MotionAxis::power(bool on) {
-  if (on && inputs_.feedback.fault) return refuse(Cause::drive_fault);
-  if (!on && moving() && state_ != State::error_stop) return fail(Cause::disabled_in_motion);
+MotionAxis::Rejection MotionAxis::power(bool on) {
+  if (on && inputs_.feedback.fault) return Refusal{Cause::drive_fault};
+  if (!on && moving() && state_ != State::error_stop) {
+    fail(Cause::disabled_in_motion);
+    return std::nullopt;
+  }
   now_.power = on;
-  if (on) return;
+  if (on) return std::nullopt;
   break_group();
   disarm();
   forget_next();
   forget_later();
   cut_off();
   state_ = State::disabled;
+  return std::nullopt;
 }
 
 /// A path that an underrun stopped is still active and at rest: it waits for a resume.
-void MotionAxis::act(const command::Reset& /*it*/) {
+MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
-    return refuse(Cause::in_motion);
+    return Refusal{Cause::in_motion};
   now_.fault = Cause::none;
-  if (state_ != State::error_stop) return;
+  if (state_ != State::error_stop) return std::nullopt;
   ending_ = Ending::none;
   held_ = moving();
   state_ = !moving()                 ? State::standstill
            : active_->synchronized() ? State::synchronized_motion
                                      : State::discrete_motion;
+  return std::nullopt;
 }
 
-void MotionAxis::act(const command::SetPosition& what) {
-  set_position(what.position + (what.relative ? now_.position : 0));
+MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
+  return set_position(what.position + (what.relative ? now_.position : 0));
 }
 
-void MotionAxis::set_position(double position) {
-  if (waiting_) return refuse(Cause::in_motion);
-  if (!std::isfinite(position)) return refuse(Cause::no_value, position);
+MotionAxis::Rejection MotionAxis::set_position(double position) {
+  if (waiting_) return Refusal{Cause::in_motion};
+  if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
-    return refuse(Cause::position_limit, position, furthest(config_));
+    return Refusal{Cause::position_limit, position, furthest(config_)};
   now_.offset += position - now_.position;
   now_.position = position;
   outputs_.place(SwitchesOf::position);
+  return std::nullopt;
 }
 
 // ---- speed and end -----------------------------------------------------------------------------
 
-void MotionAxis::end_motion(Ending ending, const StopDynamics& asked) {
+MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const StopDynamics& asked) {
   // A search has no position range: it always ends with the stop of the axis.
   MoveDynamics dynamics;
   if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
   const bool stops = ending != Ending::halt || homing_;
-  now_.refused = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_);
-  if (now_.refused) return;
+  if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
   break_group();
   disarm();
   forget_next();
   if (stops) forget_later();
   const bool stopping = ending_ == Ending::stop || (stops && ending_ == ending);
-  if (!moving() || stopping) return;
+  if (!moving() || stopping) return std::nullopt;
   boundary_ = Boundary::none;
   ending_ = ending;
-  if (ending == Ending::group && unplayed()) return rest();
+  if (ending == Ending::group && unplayed()) {
+    rest();
+    return std::nullopt;
+  }
   state_ = stops ? State::stopping : State::discrete_motion;
-  if (on_path() && !above_.running() && change_rate(0)) return;
-  if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) return fail(Cause::jump);
-  now_.reason = Cause::none;
+  if (on_path() && !above_.running() && change_rate(0)) return std::nullopt;
+  if (adopt({Goal::Kind::rest, 0, dynamics}, 1))
+    now_.reason = Cause::none;
+  else
+    fail(Cause::jump);
+  return std::nullopt;
 }
 
 /// Ends the motion early. disarm() does the same for an armed movement.
@@ -125,7 +136,8 @@ void MotionAxis::join_group(std::int64_t group) {
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
-  if (inputs_.group_broken && active_ && ending_ == Ending::none) end_motion(Ending::group);
+  if (inputs_.group_broken && active_ && ending_ == Ending::none)
+    now_.refused = end_motion(Ending::group);
 }
 
 /// True if only the first point of the path was output, at the position of the axis.
@@ -133,36 +145,42 @@ bool MotionAxis::unplayed() const {
   return on_path() && !above_.running() && played_to_ == 0 && now_.velocity == 0;
 }
 
-void MotionAxis::hold(bool on) {
-  if (base_ == Base::movement && !on_path()) return refuse(Cause::not_on_path);
-  if (ending_ != Ending::none) return refuse(Cause::halting);
+MotionAxis::Rejection MotionAxis::hold(bool on) {
+  if (base_ == Base::movement && !on_path()) return Refusal{Cause::not_on_path};
+  if (ending_ != Ending::none) return Refusal{Cause::halting};
   const bool before = std::exchange(held_, on);
-  if (!replan()) held_ = before;
+  const auto no = replan();
+  if (no) held_ = before;
+  return no;
 }
 
-void MotionAxis::act(const command::Override& what) {
+MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
   const double factor = what.factor;
-  if (!(factor >= 0 && factor <= 2)) return refuse(Cause::no_value, factor, 2);
+  if (!(factor >= 0 && factor <= 2)) return Refusal{Cause::no_value, factor, 2};
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
-  if (above_.running() && factor > most) return refuse(Cause::in_motion, factor, most);
+  if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
-  if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path())) return;
-  if (!replan()) factor_ = before;
+  if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path()))
+    return std::nullopt;
+  const auto no = replan();
+  if (no) factor_ = before;
+  return no;
 }
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
-void MotionAxis::act(const command::Finish& /*it*/) {
-  if (!on_path()) return refuse(Cause::not_on_path);
-  if (ending_ != Ending::none) return refuse(Cause::halting);
-  if (!std::isinf(active_->known()) || active_->pass() <= 0) return;
+MotionAxis::Rejection MotionAxis::act(const command::Finish& /*it*/) {
+  if (!on_path()) return Refusal{Cause::not_on_path};
+  if (ending_ != Ending::none) return Refusal{Cause::halting};
+  if (!std::isinf(active_->known()) || active_->pass() <= 0) return std::nullopt;
   const auto end = active_->end();
   const double most = *config_.limits.acceleration * seconds(1);
-  if (!end) return refuse(Cause::no_movement);
-  if (std::abs(end->velocity) > most) return refuse(Cause::end_velocity, end->velocity, most);
+  if (!end) return Refusal{Cause::no_movement};
+  if (std::abs(end->velocity) > most) return Refusal{Cause::end_velocity, end->velocity, most};
   disarm();
   boundary_ = Boundary::finish;
   boundary_at_ = active_->pass() * (std::floor(clock_.at(now_.tick).s / active_->pass()) + 1);
+  return std::nullopt;
 }
 
 }  // namespace jounce

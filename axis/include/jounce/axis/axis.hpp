@@ -130,6 +130,9 @@ class MotionAxis {
   [[nodiscard]] State state() const { return state_; }
 
  private:
+  /// Reason to reject a command; nullopt: accepted.
+  using Rejection = std::optional<Refusal>;
+
   enum class Base : std::uint8_t { rest, movement, move };
   /// table: the played movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
@@ -147,7 +150,6 @@ class MotionAxis {
   void operate_outputs();
   void report();
   void hand_back(const Movement* movement);
-  void refuse(Cause cause, double value = 0, double limit = 0);
   void drop(const Refusal& why);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const;
@@ -159,41 +161,44 @@ class MotionAxis {
 
   // axis_commands.cpp: commands
   void obey(const Command& command);
-  void take_up(const Command& command);
+  Rejection take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
-  void act(const command::None& /*none*/) {}
-  void act(const command::Enable& /*on*/) { power(true); }
-  void act(const command::Disable& /*off*/) { power(false); }
-  void act(const command::Arm& what);
-  void act(const command::Disarm& what);
-  void act(const command::Start& what);
-  void act(const command::Stop& what) { end_motion(Ending::stop, what.dynamics); }
-  void act(const command::Abort& /*now*/) { fail(Cause::aborted); }
-  void act(const command::Reset& what);
-  void act(const command::SetPosition& what);
-  void act(const command::Home& what);
-  void act(const command::Hold& /*on*/) { hold(true); }
-  void act(const command::Resume& /*off*/) { hold(false); }
-  void act(const command::Override& what);
-  void act(const command::Finish& what);
-  void act(const command::MoveAbsolute& what);
-  void act(const command::MoveRelative& what);
-  void act(const command::MoveAdditive& what);
-  void act(const command::MoveSuperimposed& what);
-  void act(const command::MoveVelocity& what);
-  void act(const command::Halt& what) { end_motion(Ending::halt, what.dynamics); }
-  void act(const command::Couple& what);
-  void act(const command::GearOut& /*out*/) { decouple(); }
-  void act(const command::CamOut& /*out*/) { decouple(); }
-  void act(const command::Release& /*it*/) { end_motion(Ending::release); }
-  void power(bool on);
-  void set_position(double position);
-  void end_motion(Ending ending, const StopDynamics& asked = {});
+  Rejection act(const command::None& /*none*/) { return std::nullopt; }
+  Rejection act(const command::Enable& /*on*/) { return power(true); }
+  Rejection act(const command::Disable& /*off*/) { return power(false); }
+  Rejection act(const command::Arm& what);
+  Rejection act(const command::Disarm& what);
+  Rejection act(const command::Start& what);
+  Rejection act(const command::Stop& what) { return end_motion(Ending::stop, what.dynamics); }
+  Rejection act(const command::Abort& /*now*/) {
+    fail(Cause::aborted);
+    return std::nullopt;
+  }
+  Rejection act(const command::Reset& what);
+  Rejection act(const command::SetPosition& what);
+  Rejection act(const command::Home& what);
+  Rejection act(const command::Hold& /*on*/) { return hold(true); }
+  Rejection act(const command::Resume& /*off*/) { return hold(false); }
+  Rejection act(const command::Override& what);
+  Rejection act(const command::Finish& what);
+  Rejection act(const command::MoveAbsolute& what);
+  Rejection act(const command::MoveRelative& what);
+  Rejection act(const command::MoveAdditive& what);
+  Rejection act(const command::MoveSuperimposed& what);
+  Rejection act(const command::MoveVelocity& what);
+  Rejection act(const command::Halt& what) { return end_motion(Ending::halt, what.dynamics); }
+  Rejection act(const command::Couple& what);
+  Rejection act(const command::GearOut& /*out*/) { return decouple(); }
+  Rejection act(const command::CamOut& /*out*/) { return decouple(); }
+  Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
+  Rejection power(bool on);
+  Rejection set_position(double position);
+  Rejection end_motion(Ending ending, const StopDynamics& asked = {});
   void break_group();
   void join_group(std::int64_t group);
   void stop_with_group();
   [[nodiscard]] bool unplayed() const;
-  void hold(bool on);
+  Rejection hold(bool on);
 
   // axis_homing.cpp: the search for its home position
   void seek();
@@ -215,9 +220,9 @@ class MotionAxis {
   [[nodiscard]] bool stands() const;
 
   // axis_swap.cpp: from one path to the next
-  void start_at_end();
-  void start_at_pass_end();
-  bool ready_to_swap();
+  Rejection start_at_end();
+  Rejection start_at_pass_end();
+  Rejection ready_to_swap();
   [[nodiscard]] bool ends_somewhere() const;
   void seek_boundary();
   Cause swap_at_boundary();
@@ -238,14 +243,14 @@ class MotionAxis {
   bool change_rate(double rate);
   [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
   bool stop_on_path();
-  bool replan();
+  Rejection replan();
   bool replan_path();
 
   // axis_moves.cpp: moves of its own
   template <class Move>
-  void move(const Move& what);
+  Rejection move(const Move& what);
   template <class Move>
-  void move_or_buffer(const Move& what);
+  Rejection move_or_buffer(const Move& what);
   [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAbsolute& what,
                                                const MotionState& from, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveRelative& what,
@@ -262,8 +267,8 @@ class MotionAxis {
                                                      MoveDynamics dynamics, Goal& goal) const;
   [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
   [[nodiscard]] Peaks beneath() const;
-  [[nodiscard]] std::optional<Refusal> superimpose(double distance, const MoveDynamics& dynamics);
-  void decouple();
+  Rejection superimpose(double distance, const MoveDynamics& dynamics);
+  Rejection decouple();
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool replan_move();
@@ -274,17 +279,17 @@ class MotionAxis {
   [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
-  void postpone(const Command& command);
+  Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
-  void buffer(const BufferedMove& move);
+  Rejection buffer(const BufferedMove& move);
   [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
   [[nodiscard]] bool passes() const {
     return !next_.empty() && base_ == Base::move && goal_.through != 0;
   }
   Cause pass_target();
-  void take_back_next();
+  Rejection take_back_next();
   void begin_next();
   void forget(const WaitingMoves& moves);
   void forget_next();
