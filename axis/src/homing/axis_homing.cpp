@@ -44,7 +44,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   if (auto no = misses(spec, config_)) return no;
   if (!(std::abs(spec.offset) <= furthest(config_)))
     return Refusal{Cause::position_limit, spec.offset, furthest(config_)};
-  if (waiting_) return Refusal{Cause::in_motion};
+  if (armed_.waiting()) return Refusal{Cause::in_motion};
   if (!has_sensors(*method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;
   now_.reason = Cause::none;

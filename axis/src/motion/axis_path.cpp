@@ -87,14 +87,14 @@ double MotionAxis::wanted_rate() const {
 /// The highest rate of this path, and of the armed one if a swap is due.
 double MotionAxis::most_rate() const {
   const double own = highest_rate(peaks_, config_);
-  return waiting_ && pending_ ? std::min(own, highest_rate(pending_->peaks(), config_)) : own;
+  return armed_.waiting() ? std::min(own, highest_rate(armed_->peaks(), config_)) : own;
 }
 
 /// The rate that a path accepts now. Above full speed, govern() sets the rate of a growing path; a
 /// path that is about to be swapped for a growing one first returns to full speed.
 double MotionAxis::granted(double wanted) const {
   if (!on_path() || wanted <= 1) return wanted;
-  if (waiting_ && pending_ && pending_->growing()) return 1;
+  if (armed_.waiting() && armed_->growing()) return 1;
   return active_->growing() ? std::clamp(clock_.target(), 1.0, wanted) : wanted;
 }
 

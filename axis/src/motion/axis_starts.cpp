@@ -28,13 +28,13 @@ MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
     return no;
   }
   disarm();
-  pending_ = movement;
+  armed_.arm(movement, what.group);
   join_group(what.group);
   return std::nullopt;
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Disarm& /*it*/) {
-  if (!waiting_) disarm();
+  if (!armed_.waiting()) disarm();
   forget_later();
   return take_back_next();
 }
@@ -55,16 +55,15 @@ std::optional<MotionState> MotionAxis::expected_end() const {
 }
 
 void MotionAxis::disarm() {
-  if (pending_) hand_back(pending_);
-  if (pending_ && next_group_ != 0) now_.broken[1] = next_group_;
-  if (pending_ && next_group_ != 0 && waiting_) last_break_ = {next_group_, now_.tick};
-  pending_ = nullptr;
-  waiting_ = false;
+  const ArmedMotion was = std::exchange(armed_, {});
+  if (was) hand_back(was.movement());
+  if (was && was.group() != 0) now_.broken[1] = was.group();
+  if (was && was.group() != 0 && was.waiting()) last_break_ = {was.group(), now_.tick};
   if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
-  if (!pending_) return Refusal{Cause::not_armed};
+  if (!armed_) return Refusal{Cause::not_armed};
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
   if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
     return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
@@ -72,24 +71,22 @@ MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
     return Refusal{Cause::no_value, what.position};
   const bool swaps = what.when == StartAt::master_position && on_path();
   const bool rests = !moving() || (stands() && !swaps);
-  if (pending_->course() == Course::path && !rests && !swaps) return Refusal{Cause::in_motion};
+  if (!armed_.is_live() && !rests && !swaps) return Refusal{Cause::in_motion};
   if (swaps)
-    if (auto no = ready_to_swap()) return no;
+    if (auto no = against_swap()) return no;
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
   const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
-  if (rests && !(later && pending_->course() == Course::live)) {
-    auto no = pending_->admit(config_, last());
-    const Cause cause = pending_->begin(last(), moment(0));
+  if (rests && !(later && armed_.is_live())) {
+    auto no = armed_->admit(config_, last());
+    const Cause cause = armed_->begin(last(), moment(0));
     if (cause != Cause::none && !no) no = begin_refusal(cause, last());
     if (cause != Cause::none) no->cause = cause;
-    if (!no) no = against_switch(*pending_);
+    if (!no) no = against_switch(*armed_);
     if (no) return no;
   }
-  waiting_ = true;
-  accepted_ = now_.tick;
-  start_at_ = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
-  start_tick_ = std::max(what.tick, now_.tick);
-  start_position_ = what.position;
+  const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
+  armed_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
+  if (swaps) change_rate(granted_rate());
   return std::nullopt;
 }
 
@@ -115,38 +112,34 @@ MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
     return no;
   }
   disarm();
-  pending_ = movement;
-  waiting_ = true;
-  accepted_ = now_.tick;
-  next_group_ = 0;
-  start_at_ = StartAt::tick;
-  start_tick_ = std::max(what.tick, now_.tick);
+  armed_.arm(movement, 0);
+  armed_.accept(StartAt::tick, std::max(what.tick, now_.tick), 0, now_.tick);
   return std::nullopt;
 }
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of
 /// the active cam ends.
 void MotionAxis::begin_due() {
-  if (!waiting_) return;
-  const bool on_cam = on_path() && pending_->course() == Course::path;
-  if (start_at_ == StartAt::master_position && on_cam) return;  // see swap_at_master()
-  if (start_at_ == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
+  if (!armed_.waiting()) return;
+  const bool on_cam = on_path() && !armed_.is_live();
+  if (armed_.when() == StartAt::master_position && on_cam) return;  // see swap_at_master()
+  if (armed_.when() == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
   const auto at = begins_at();
   if (!at) return;
-  if (pending_->course() == Course::path && moving() && !stands())
-    return drop({.cause = Cause::in_motion});
+  if (!armed_.is_live() && moving() && !stands()) return drop({.cause = Cause::in_motion});
   begin_pending(*at);
 }
 
 /// The instant at which it begins, `t` s after this tick (0 or less); nullopt: it is not due.
 std::optional<Moment> MotionAxis::begins_at() {
-  if (start_at_ == StartAt::tick) {
-    if (start_tick_ > now_.tick) return std::nullopt;
+  if (armed_.when() == StartAt::tick) {
+    const std::int64_t late = now_.tick - armed_.tick_or(now_.tick);
+    if (late < 0) return std::nullopt;
     Moment at = moment(0);
-    at.t = -seconds(now_.tick - start_tick_);
+    at.t = -seconds(late);
     return at;
   }
-  if (start_at_ == StartAt::master_position) return crossing();
+  if (armed_.when() == StartAt::master_position) return crossing();
   if (base_ != Base::movement) {  // that movement has ended
     drop({.cause = Cause::no_movement});
     return std::nullopt;
@@ -162,21 +155,21 @@ std::optional<Moment> MotionAxis::begins_at() {
 /// The instant at which the live master passes the start position, between the previous tick and
 /// this one.
 std::optional<Moment> MotionAxis::crossing() const {
-  const double before = last_master_[0] - start_position_;
-  const double after = inputs_.master[0] - start_position_;
+  const double before = last_master_[0] - armed_.position();
+  const double after = inputs_.master[0] - armed_.position();
   if (!(before * after <= 0 && before != after)) return std::nullopt;
   const Sample earlier{-dt(), last_master_};
   const Sample now{0, inputs_.master};
   const Sample at =
-      before == 0 ? earlier : jounce::passing(earlier, now, start_position_).value_or(now);
+      before == 0 ? earlier : jounce::passing(earlier, now, armed_.position()).value_or(now);
   return Moment{at.t, dt(), at.master};
 }
 
 /// The state of the axis at that instant: the start of a coupling.
 std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
-  if (!moving() || pending_->course() != Course::live) return last();
+  if (!moving() || !armed_.is_live()) return last();
   Setpoint next;
-  if (start_at_ != StartAt::tick && base_ == Base::movement && !on_path()) {
+  if (armed_.when() != StartAt::tick && base_ == Base::movement && !on_path()) {
     Moment there = coupled(at);
     there.t += seconds(now_.tick - origin_);
     next = active_->at(there);
@@ -193,7 +186,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
 Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
   const bool placed = no == Cause::start_position;
   return {.cause = no,
-          .value = placed ? pending_->place() : state.position,
+          .value = placed ? armed_->place() : state.position,
           .limit = placed ? state.position : 0};
 }
 
@@ -207,25 +200,23 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
 
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
-  const bool live = pending_->course() == Course::live;
+  const bool live = armed_.is_live();
   const double ahead = -at.t;
   Cause no = Cause::none;
   const auto state = state_at(at, no);
   if (!state) return drop({.cause = no});
-  if (const auto refusal = live ? pending_->admit(config_, *state) : std::nullopt)
+  if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
-  if (const auto refusal = against_switch(*pending_)) return drop(*refusal);
-  const Moment begin = live && start_at_ != StartAt::tick ? at : moment(0);
-  no = pending_->begin(*state, begin);
+  if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
+  const Moment begin = live && armed_.when() != StartAt::tick ? at : moment(0);
+  no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
-  Movement* const next = pending_;
-  pending_ = nullptr;
-  waiting_ = false;
+  const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   drop_movement();
   forget_next();
-  active_ = next;
-  group_ = next_group_;
+  active_ = begun.movement();
+  group_ = begun.group();
   base_ = Base::movement;
   ending_ = Ending::none;
   held_ = false;
@@ -234,17 +225,17 @@ void MotionAxis::begin_pending(const Moment& at) {
   peaks_ = active_->peaks();
   origin_ = now_.tick;
   renamed_ = 0;
-  if (!was_moving) begun_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+  if (!was_moving) begun_ = begun.tick_or(now_.tick);
   if (!live) {
     const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
     played_to_ = 0;
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
-    if (start_at_ == StartAt::tick)
-      clock_.start(start_tick_, 0, rate);
+    if (begun.when() == StartAt::tick)
+      clock_.start(begun.tick_or(now_.tick), 0, rate);
     else
       clock_.start(now_.tick, ahead * rate, rate);
     shown_ = clock_;
-    from_ = start_at_ == StartAt::tick ? start_tick_ : now_.tick;
+    from_ = begun.tick_or(now_.tick);
   }
   now_.reason = Cause::none;
   state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;

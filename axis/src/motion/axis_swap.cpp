@@ -17,25 +17,23 @@ MotionAxis::Rejection MotionAxis::start_at_end() {
   const auto end = expected_end();
   if (!on_path() || !(end || ends_somewhere())) return Refusal{Cause::not_on_path};
   if (end)
-    if (auto no = pending_->admit(config_, *end)) return no;
-  if (auto no = ready_to_swap()) return no;
+    if (auto no = armed_->admit(config_, *end)) return no;
+  if (auto no = against_swap()) return no;
+  armed_.accept(StartAt::end_of_table, 0, 0, now_.tick);
+  change_rate(granted_rate());
   const double s = clock_.at(now_.tick).s;
   const bool repeats = std::isinf(active_->known());
   boundary_ = Boundary::swap;
   boundary_at_ = active_->pass() * (repeats ? std::floor(s / active_->pass()) + 1 : 1);
   if (!end) boundary_at_ = std::numeric_limits<double>::infinity();
-  accepted_ = now_.tick;
-  start_at_ = StartAt::end_of_table;
   return std::nullopt;
 }
 
 /// Another coupling, at the end of a pass of the cam that follows the live master.
 MotionAxis::Rejection MotionAxis::start_at_pass_end() {
   if (!active_->passes()) return Refusal{Cause::no_movement};
-  if (pending_->course() != Course::live || above_.running()) return Refusal{Cause::in_motion};
-  waiting_ = true;
-  accepted_ = now_.tick;
-  start_at_ = StartAt::end_of_table;
+  if (!armed_.is_live() || above_.running()) return Refusal{Cause::in_motion};
+  armed_.accept(StartAt::end_of_table, 0, 0, now_.tick);
   return std::nullopt;
 }
 
@@ -61,20 +59,19 @@ Cause MotionAxis::swap_at_boundary() {
   const Setpoint last = active_->at(moment(boundary_at_));
   if (active_->progress() == Progress::broken) return active_->cause();
   const MotionState end{last.slave[0] + above_.finished(), 0, 0};
-  if (const auto no = pending_->admit(config_, end))
+  if (const auto no = armed_->admit(config_, end))
     drop(*no);
   else
     swap(boundary_at_, {last.slave[0], 0, 0});
   return Cause::none;
 }
 
-/// Until the swap, the rate is limited to the range of both paths. It falls to that by the dynamics
-/// of the present path.
-MotionAxis::Rejection MotionAxis::ready_to_swap() {
-  if (above_.running() || pending_->course() == Course::live) return Refusal{Cause::in_motion};
+/// Reason why the armed movement cannot take over from the present path. From its accepted start to
+/// the swap, the rate is limited to the range of both paths. It falls to that by the dynamics of the
+/// present path.
+MotionAxis::Rejection MotionAxis::against_swap() const {
+  if (above_.running() || armed_.is_live()) return Refusal{Cause::in_motion};
   if (!clock_.steady(now_.tick)) return Refusal{Cause::rate_changing};
-  waiting_ = true;
-  change_rate(granted_rate());
   return std::nullopt;
 }
 
@@ -85,17 +82,16 @@ void MotionAxis::swap(double boundary, MotionState end) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   // The boundary may precede the end of the rate change.
   const double rate = clock_.at(now_.tick).rate;
-  const double most = pending_->growing() ? 1 : highest_rate(pending_->peaks(), config_);
+  const double most = armed_->growing() ? 1 : highest_rate(armed_->peaks(), config_);
   if (rate > most * (1 + 1e-9))
     return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
   end.position += above_.finished();
-  if (const Cause no = pending_->begin(end, moment(0)); no != Cause::none)
+  if (const Cause no = armed_->begin(end, moment(0)); no != Cause::none)
     return drop({.cause = no, .value = end.position});
   hand_back(active_);
-  active_ = pending_;
-  group_ = next_group_;
-  pending_ = nullptr;
-  waiting_ = false;
+  const ArmedMotion begun = std::exchange(armed_, {});
+  active_ = begun.movement();
+  group_ = begun.group();
   ++now_.finished;
   joint_ = true;
   above_.clear_finished();
@@ -111,13 +107,13 @@ void MotionAxis::swap(double boundary, MotionState end) {
 
 /// True if the armed movement begins when the master of this path passes a position.
 bool MotionAxis::swaps_at_master() const {
-  return waiting_ && start_at_ == StartAt::master_position && active_->synchronized();
+  return armed_.waiting() && armed_.when() == StartAt::master_position && active_->synchronized();
 }
 
 /// The path time, up to `to`, at which the master passes that position, by bisection. At the end of
 /// a pass the master jumps to its beginning: that jump passes nothing.
 std::optional<double> MotionAxis::passing(double to) const {
-  const auto beyond = [&](double s) { return active_->at(moment(s)).master - start_position_; };
+  const auto beyond = [&](double s) { return active_->at(moment(s)).master - armed_.position(); };
   const auto crossing = [&](double low, double high) -> std::optional<double> {
     const double before = beyond(low);
     const double after = beyond(high);
@@ -140,7 +136,7 @@ std::optional<double> MotionAxis::passing(double to) const {
 void MotionAxis::swap_at_master(double s) {
   const Jet& there = active_->at(moment(s)).slave;
   const MotionState end{there[0], there[1], there[2]};
-  if (const auto no = pending_->admit(
+  if (const auto no = armed_->admit(
           config_, {end.position + above_.finished(), end.velocity, end.acceleration}))
     return drop(*no);
   swap(s, end);

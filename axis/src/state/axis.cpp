@@ -37,7 +37,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
-  for (Movement* const movement : {active_, pending_, movement_of(command.what)})
+  for (Movement* const movement : {active_, armed_.movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
   obey_due();
@@ -60,13 +60,13 @@ void MotionAxis::report() {
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
   now_.job = active_ ? active_->id() : 0;
-  now_.armed = pending_ ? pending_->id() : 0;
+  now_.armed = armed_ ? armed_->id() : 0;
   now_.group = active_ ? group_ : 0;
   now_.next = {};
-  if (pending_ && next_group_ != 0)
-    now_.next = {next_group_, waiting_, start_at_ == StartAt::tick ? start_tick_ : -1};
+  if (armed_ && armed_.group() != 0)
+    now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
-  now_.waiting = waiting_ || !next_.empty() || later_;
+  now_.waiting = armed_.waiting() || !next_.empty() || later_;
   now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -108,7 +108,7 @@ void MotionAxis::watch() {
     state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
   }
   // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest.
-  const bool stops = state_ == State::error_stop || !(moving() || waiting_ || later_);
+  const bool stops = state_ == State::error_stop || !(moving() || armed_.waiting() || later_);
   if (wrong == Cause::watchdog && stops) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
@@ -226,7 +226,7 @@ void MotionAxis::hand_back(const Movement* movement) {
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
 void MotionAxis::drop(const Refusal& why) {
-  (accepted_ == now_.tick ? now_.refused : now_.dropped) = why;
+  (armed_.accepted_in(now_.tick) ? now_.refused : now_.dropped) = why;
   disarm();
 }
 

@@ -79,7 +79,7 @@ MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
 }
 
 MotionAxis::Rejection MotionAxis::set_position(double position) {
-  if (waiting_) return Refusal{Cause::in_motion};
+  if (armed_.waiting()) return Refusal{Cause::in_motion};
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
     return Refusal{Cause::position_limit, position, furthest(config_)};
@@ -128,14 +128,13 @@ void MotionAxis::break_group() {
 /// The armed movement now belongs to this group. A break of this tick stays: the other axes have
 /// not read it yet.
 void MotionAxis::join_group(std::int64_t group) {
-  next_group_ = group;
   if (last_break_.group == group && last_break_.tick == now_.tick) return;
   std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
 }
 
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
-  if (inputs_.peers == Peers::broken && waiting_) drop({.cause = Cause::group_stopped});
+  if (inputs_.peers == Peers::broken && armed_.waiting()) drop({.cause = Cause::group_stopped});
   if (inputs_.group_broken && active_ && ending_ == Ending::none)
     now_.refused = end_motion(Ending::group);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "jounce/axis/armed_motion.hpp"
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/command.hpp"
 #include "jounce/axis/homing.hpp"
@@ -222,7 +223,7 @@ class MotionAxis {
   // axis_swap.cpp: from one path to the next
   Rejection start_at_end();
   Rejection start_at_pass_end();
-  Rejection ready_to_swap();
+  [[nodiscard]] Rejection against_swap() const;
   [[nodiscard]] bool ends_somewhere() const;
   void seek_boundary();
   Cause swap_at_boundary();
@@ -313,14 +314,8 @@ class MotionAxis {
   Supervision windows_;
 
   Movement* active_ = nullptr;
-  Movement* pending_ = nullptr;
-  bool waiting_ = false;  // a start of the armed movement was accepted
-  StartAt start_at_ = StartAt::tick;
-  std::int64_t start_tick_ = 0;
-  double start_position_ = 0;    // start position of the master
-  std::int64_t accepted_ = -1;   // tick in which that start was accepted
-  std::int64_t group_ = 0;       // group of the motion
-  std::int64_t next_group_ = 0;  // group of the armed movement
+  ArmedMotion armed_;
+  std::int64_t group_ = 0;  // group of the motion
   GroupBreak last_break_;
 
   Base base_ = Base::rest;
