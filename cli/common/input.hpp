@@ -8,8 +8,7 @@
 
 namespace jounce::cli {
 
-/// Reads a spec, a table file or another maker's (see exchange.hpp), recognized by the content; "-"
-/// is standard input. One input for each axis; only the one named if `axis` is not empty.
+/// read_inputs(); only the input of the axis that `axis` names, if it is not empty. Throws InputError for --axis.
 std::vector<Input> load_axes(const std::string& path, const std::string& axis = "",
                              bool decimal_comma = false);
 

@@ -35,8 +35,4 @@ std::optional<Interpolation> rule_of(const TargetOptions& options);
 /// Target of the options, in these units. Throws InputError that names the option.
 Target target_of(const TargetOptions& options, Domain axis, Interpolation rule, const Units& units);
 
-/// The table of fewest knots. Throws InputError that names the option.
-template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target);
-
 }  // namespace jounce::cli

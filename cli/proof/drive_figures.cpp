@@ -9,11 +9,10 @@
 #include <fmt/format.h>
 
 #include "jounce/design/driven.hpp"
+#include "jounce/design/reference.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/vibration/vibration.hpp"
 #include "jounce/validate/linear_drive.hpp"
-
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {

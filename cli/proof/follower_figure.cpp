@@ -3,9 +3,8 @@
 
 #include <utility>
 
+#include "jounce/design/reference.hpp"
 #include "jounce/plot/label.hpp"
-
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 

@@ -8,12 +8,12 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/design/driven.hpp"
+#include "jounce/design/reference.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
 #include "cli/proof/drive_text.hpp"
 #include "cli/proof/follower_figure.hpp"
 #include "cli/proof/follower_text.hpp"
-#include "cli/proof/reference.hpp"
 #include "cli/proof/robustness.hpp"
 
 namespace jounce::cli {

@@ -6,14 +6,16 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/design/cam_check.hpp"
 #include "jounce/plot/findings.hpp"
+#include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/plot/page.hpp"
 
 #include "cli/common/folders.hpp"
-#include "cli/common/picture.hpp"
+#include "cli/common/input.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/cam_check.hpp"
 #include "cli/proof/drive_figures.hpp"
 #include "cli/proof/follower_figure.hpp"
 #include "cli/proof/loop_figures.hpp"
@@ -136,7 +138,7 @@ int run_report(const ReportArguments& options) {
             .subtitle = "Motion table report",
             .verdict = verdict(all),
             .footer = "Made by " + made_by()};
-  Figure figure = figure_of(input, before);
+  Figure figure = with_option_names({"before"}, [&] { return figure_of(input, before); });
   figure.title.clear();
   page.sections.push_back(
       {"Curve",

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/executor/played.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
@@ -21,7 +22,6 @@
 #include "jounce/pvt/check.hpp"
 
 #include "cli/common/input.hpp"
-#include "cli/proof/reference.hpp"
 #include "executor/site.hpp"
 
 namespace jounce::cli {
@@ -191,7 +191,7 @@ Promise promise_of(const Input& input) {
   const auto* const cam = std::get_if<Cam>(&*input.curve);
   StreamPlan plan;
   if (cam == nullptr || has_master(input)) {
-    Tables tables = executor_tables(input);
+    ExecutorTables tables = executor_tables(input);
     plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});
     if (tables.master)
       plan.tables.push_back({std::move(tables.master->table), tables.master->units});

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/reference.hpp"
+#include "jounce/design/executor_tables.hpp"
 
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/reference.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
-Tables executor_tables(const Input& input) {
+ExecutorTables executor_tables(const Input& input) {
   const Units& units = input.table.units;
   if (std::holds_alternative<Cam>(*input.curve)) {
     // A trapezoid and a straight line are what a cubic table holds exactly, knot for knot.
@@ -23,4 +24,4 @@ Tables executor_tables(const Input& input) {
           std::nullopt};
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,43 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/cam_check.hpp"
+#include "jounce/design/check_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/characteristics.hpp"
-#include "jounce/cam/design/warnings.hpp"
+#include "jounce/design/cam_check.hpp"
 #include "jounce/design/master_check.hpp"
 #include "jounce/design/sync_check.hpp"
 
-#include "cli/common/json.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t most_rises = 8;
-
-/// The design's segment of each segment of the cam: those that share a label.
-std::vector<std::size_t> origin_of(const Cam& cam, const Labels& labels) {
-  std::vector<std::size_t> origin;
-  const auto all = groups(cam.segments().size(), labels);
-  for (std::size_t g = 0; g < all.size(); ++g) origin.resize(all[g].last + 1, g);
-  return origin;
-}
-
-void append(Report& all, Report part) {
-  std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
-}
-
-/// Whether its rises are laws between knots that somebody chose: those of a generator for a slave in
-/// step are what they must be, and no bound is asked of them.
-bool is_designed(const Input& input) {
-  return !input.spec || !std::holds_alternative<SyncSpec>(input.spec->subject);
-}
 
 std::string rise_line(const Rise& rise, const Labels& labels) {
   const Characteristics c = characteristics(rise);
@@ -126,39 +107,32 @@ Json json_of(const Rise& rise) {
           {"rms", std::isinf(c.rms) ? Json() : Json(c.rms)}};
 }
 
-}  // namespace
-
-void add_cam_findings(Report& report, const Input& input, int continuity) {
-  if (!input.labels.over_master) return;
-  const Cam& cam = std::get<Cam>(*input.curve);
-  Report odd = warnings(cam, origin_of(cam, input.labels));
-  for (int k = 0; k <= continuity; ++k)
-    std::erase_if(odd.findings, [&](const Finding& f) {
-      return f.rule == std::string("joint/") + OverMaster::names[static_cast<std::size_t>(k)];
-    });
-  const bool told =
-      std::any_of(report.findings.begin(), report.findings.end(),
-                  [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
-  if (told)  // with what to do about it
-    std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
-  append(report, std::move(odd));
-  if (is_designed(input)) append(report, certificates(cam));
-  if (input.spec && has_slave_limits(*input.spec) && input.spec->master)
-    report.findings.push_back(master_finding(cam, *input.spec));
-  sort(report);
+/// "track 1: on from 350 to 10 deg of the master, positive direction"
+std::string text_of(const CamSwitch& s, const Spec& spec) {
+  const bool of_master = spec.switches.of == SwitchesOf::master;
+  const std::string unit = of_master ? spec.units.x + " of the master" : spec.units.position;
+  const std::string first = number(s.first_on_position);
+  const std::string where =
+      s.last_on_position
+          ? fmt::format("from {} to {} {}", first, number(*s.last_on_position), unit)
+          : fmt::format("at {} {} for {} s", first, unit, number(s.duration.value_or(0)));
+  const bool both = s.axis_direction == AxisDirection::both;
+  return fmt::format("track {}: on {}{}", s.track, where,
+                     both ? "" : fmt::format(", {} direction", name(s.axis_direction)));
 }
 
-Report checked(const Input& input, int continuity, const EngageState& at) {
-  Report report = check_all(input, continuity, at);
-  add_cam_findings(report, input, continuity);
-  return report;
+std::string switches_text(const Spec& spec) {
+  std::string text;
+  for (const CamSwitch& s : spec.switches.table.switches) text += text_of(s, spec) + "\n";
+  return text.empty() ? "" : "\n" + text;
 }
 
+/// A line for each rise with its characteristic values, and the fastest master; "" for a motion over time.
 std::string cam_text(const Input& input) {
   if (!input.labels.over_master) return "";
   const Cam& cam = std::get<Cam>(*input.curve);
   std::string text = figure_lines(input);
-  const auto all = is_designed(input) ? rises(cam) : std::vector<Rise>{};
+  const auto all = has_designed_rises(input) ? rises(cam) : std::vector<Rise>{};
   for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
     text += rise_line(all[i], input.labels);
   if (all.size() > most_rises)
@@ -167,6 +141,7 @@ std::string cam_text(const Input& input) {
   return text;
 }
 
+/// The same in full; null for a motion over time.
 Json cam_json(const Input& input) {
   if (!input.labels.over_master) return nullptr;
   const Cam& cam = std::get<Cam>(*input.curve);
@@ -185,4 +160,26 @@ Json cam_json(const Input& input) {
   return document;
 }
 
-}  // namespace jounce::cli
+}  // namespace
+
+std::string check_text(const Report& report, const Input& input) {
+  return fmt::format(
+             "{}: {}\n\n{}\n", input.name, one_line(report, input.labels),
+             of_motion(input,
+                       [&](const auto& motion) { return extrema_text(motion, input.labels); })) +
+         full_text(report, input.labels) + cam_text(input) +
+         (input.spec ? switches_text(*input.spec) : "");
+}
+
+std::string check_json(const Report& report, const Input& input) {
+  Json document = Json::parse(to_json(report, input.labels));
+  if (Json cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
+  document["segments"] = Json::parse(
+      of_motion(input, [&](const auto& motion) { return extrema_json(motion, input.labels); }));
+  if (input.spec)
+    for (const CamSwitch& s : input.spec->switches.table.switches)
+      document["switches"].push_back(text_of(s, *input.spec));
+  return document.dump();
+}
+
+}  // namespace jounce

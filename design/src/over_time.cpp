@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/over_time.hpp"
+#include "jounce/design/over_time.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "jounce/design/reference.hpp"
+#include "jounce/design/sync_zones.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 
-#include "cli/common/picture.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 constexpr std::size_t most_zones = 200;
@@ -44,15 +43,6 @@ std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
   return all;
 }
 
-/// The zones that the generator says; of a cam by knots those in which it is in step.
-std::vector<SyncZone> zones_of(const Input& input, const Cam& cam) {
-  if (!input.zones.empty()) return input.zones;
-  std::vector<SyncZone> all;
-  for (const Shade& shade : in_step(cam, input.labels))
-    all.push_back({shade.from, shade.to, shade.label});
-  return all;
-}
-
 /// Each piece of the motion by the name of the cam's segment that it is on.
 std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& master, const Cam& cam,
                                   const std::vector<std::string>& names) {
@@ -72,10 +62,8 @@ std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& mas
 
 Input over_time(const Input& input) {
   const auto* cam = std::get_if<Cam>(&*input.curve);
-  if (cam == nullptr || !input.spec)
-    throw InputError("--over", "time",
-                     input.name + (cam == nullptr ? " is over time already: leave out --over"
-                                                  : " is a table without a master: give its spec"));
+  if (cam == nullptr) throw InputError("input", input.name, "is over time already");
+  if (!input.spec) throw InputError("input", input.name, "is a table without a master");
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
   Trajectory motion = motion_over_time(input);
   Input slave = input;
@@ -83,10 +71,10 @@ Input over_time(const Input& input) {
   slave.labels.units.x = input.spec->time_unit;
   slave.labels.over_master = false;
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);
-  slave.zones = passed(zones_of(input, *cam), *cam, master);
+  slave.zones = passed(sync_zones(input), *cam, master);
   slave.curve = std::move(motion);
   slave.spec.reset();  // whose segments are over the master
   return slave;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce
