@@ -4,13 +4,14 @@
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/design/over_time.hpp"
+#include "jounce/proof/drive_figures.hpp"
+#include "jounce/proof/follower_figure.hpp"
+#include "jounce/proof/loop_figures.hpp"
 
+#include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/drive_figures.hpp"
-#include "cli/proof/follower_figure.hpp"
-#include "cli/proof/loop_figures.hpp"
 
 namespace jounce::cli {
 namespace {

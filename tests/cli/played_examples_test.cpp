@@ -14,11 +14,11 @@
 #include <unistd.h>
 
 #include "jounce/design/executor_tables.hpp"
-#include "jounce/executor/played.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/proof/played.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "cli/common/input.hpp"

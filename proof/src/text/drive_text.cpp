@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/drive_text.hpp"
+#include "proof/src/text/drive_text.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "cli/common/input.hpp"
-#include "cli/common/json.hpp"
-#include "cli/proof/loop_text.hpp"
+#include "jounce/proof/loop_text.hpp"
+#include "jounce/report/report_text.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string at(const Peak& peak, const std::string& unit) {
   return fmt::format("{} {} at {} s", rounded(peak.value), unit, rounded(peak.where));
@@ -118,4 +120,4 @@ nlohmann::ordered_json drive_json(const DriveResult& d, const DriveSpec& spec) {
   return json;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/drive_figures.hpp"
+#include "jounce/proof/drive_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "jounce/profiles/vibration/vibration.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
@@ -173,4 +173,4 @@ Figure drive_figure(const Input& input, const std::string& which) {
   return figure;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

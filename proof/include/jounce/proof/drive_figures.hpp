@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "jounce/design/input.hpp"
 #include "jounce/plot/figure.hpp"
 #include "jounce/validate/drive.hpp"
 
-#include "cli/common/input.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 
 /// Torque and following error over time, with their limits.
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit);
@@ -23,4 +22,4 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
 /// input without a [drive].
 Figure drive_figure(const Input& input, const std::string& which);
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -5,17 +5,17 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "jounce/spec/spec.hpp"
+#include "jounce/proof/proof.hpp"
 #include "jounce/validate/signal_view.hpp"
-#include "jounce/validate/tolerances.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
-/// The drive over its tolerances, on all cores, with a progress line.
-ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive);
+/// The drive over its tolerances, on all cores. Only the calling thread calls `progress`.
+ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive,
+                           const ProofProgress& progress);
 
 /// The worst case of every figure, as lines of `validate`; `unit` of the position.
 std::string robustness_text(const ToleranceResult& result, const std::string& unit);
 nlohmann::ordered_json robustness_json(const ToleranceResult& result);
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/proof.hpp"
+#include "jounce/proof/proof.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
 #include "jounce/design/driven.hpp"
 #include "jounce/design/reference.hpp"
+#include "jounce/proof/follower_figure.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
-#include "cli/proof/drive_text.hpp"
-#include "cli/proof/follower_figure.hpp"
-#include "cli/proof/follower_text.hpp"
-#include "cli/proof/robustness.hpp"
+#include "proof/src/robustness.hpp"
+#include "proof/src/text/drive_text.hpp"
+#include "proof/src/text/follower_text.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
-/// Takes the findings of one part over, with what they are counted in.
-void add(Report& all, const Report& part, const char* axis, const std::string& where_unit = "") {
+using Json = nlohmann::ordered_json;
+
+/// Adds the findings of one part, with their units.
+void add_part(Report& all, const Report& part, const char* axis,
+              const std::string& where_unit = "") {
   for (Finding finding : part.findings) {
     finding.axis = axis;
     if (finding.where_unit.empty()) finding.where_unit = where_unit;
@@ -29,7 +33,7 @@ void add(Report& all, const Report& part, const char* axis, const std::string& w
   }
 }
 
-/// The executor speaks of the slave's position.
+/// The executor reports positions of the slave.
 void in_position_unit(Report& report, const std::string& unit) {
   for (Finding& finding : report.findings)
     if (finding.unit.empty()) finding.unit = unit;
@@ -59,11 +63,20 @@ std::string played_text(const Played& played, const std::string& unit) {
   return text + "\n";
 }
 
+Json played_json(const Played& played) {
+  const auto part = [](const Deviation& from) {
+    return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
+  };
+  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
+  if (played.curve) json["curve"] = part(*played.curve);
+  return json;
+}
+
 }  // namespace
 
-Proof prove(const Input& input, const std::string& log, std::size_t drive_samples) {
-  // A table of straight lines steps in velocity: its rule says so. Where the table is all there is, so
-  // does the curve; and of a time table, whose segments begin at velocities of their own.
+Proof prove(const Input& input, const ProofOptions& options) {
+  // A table of straight lines steps in velocity, by its rule. So does the curve of an input that is such a table, and the
+  // curve of a time table, whose segments begin at velocities of their own.
   const WitnessOptions of_table{.velocity_steps =
                                     input.table.table.rule() == Interpolation::linear};
   const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);
@@ -74,28 +87,28 @@ Proof prove(const Input& input, const std::string& log, std::size_t drive_sample
               std::nullopt,
               std::nullopt,
               {}};
-  add(proof.report, proof.curve.report, "exact curve");
-  add(proof.report, proof.table.report, "table");
+  add_part(proof.report, proof.curve.report, "exact curve");
+  add_part(proof.report, proof.table.report, "table");
   Report fit = check_all(input);
   std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
-  add(proof.report, fit, "table");
+  add_part(proof.report, fit, "table");
   if (input.drive) {
     constexpr std::size_t compared = 201;
-    proof.drive = driven(input, drive_samples > 0 ? drive_samples : compared);
-    add(proof.report, proof.drive->report, "drive", "s");
+    proof.drive = driven(input, options.drive_samples > 0 ? options.drive_samples : compared);
+    add_part(proof.report, proof.drive->report, "drive", "s");
     if (input.drive->tolerances) {
       const Reference reference = table_reference(input);
-      proof.tolerances = robustness(view(reference), *input.drive);
-      add(proof.report, proof.tolerances->report, "drive");
+      proof.tolerances = robustness(view(reference), *input.drive, options.progress);
+      add_part(proof.report, proof.tolerances->report, "drive");
     }
   }
   if (input.spec && input.spec->follower) {
-    proof.follower = followed(input, drive_samples);
-    add(proof.report, proof.follower->report, "follower", "s");
+    proof.follower = followed(input, options.drive_samples);
+    add_part(proof.report, proof.follower->report, "follower", "s");
   }
-  if (!log.empty()) {
-    proof.played = played(input, log);
-    add(proof.report, proof.played->report, "executor", "s");
+  if (!options.log.empty()) {
+    proof.played = played(input, options.log);
+    add_part(proof.report, proof.played->report, "executor", "s");
   }
   in_position_unit(proof.report, input.labels.units.position);
   sort(proof.report);
@@ -120,4 +133,21 @@ std::string proof_text(const Proof& proof, const Input& input) {
   return text;
 }
 
-}  // namespace jounce::cli
+std::string proof_json(const Proof& proof, const Input& input) {
+  Json document = Json::parse(to_json(proof.report, input.labels));
+  const auto witness_json = [](const Witness& w) {
+    return Json{{"position", w.position.relative},
+                {"velocity", w.velocity.relative},
+                {"acceleration", w.acceleration.relative},
+                {"steps", w.integration.steps}};
+  };
+  document["witness"] = {{"curve", witness_json(proof.curve)},
+                         {"table", witness_json(proof.table)}};
+  if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
+  if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
+  if (proof.follower) document["follower"] = follower_json(*proof.follower);
+  if (proof.played) document["executor"] = played_json(*proof.played);
+  return document.dump();
+}
+
+}  // namespace jounce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/loop_figures.hpp"
+#include "jounce/proof/loop_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/proof/loop_text.hpp"
 #include "jounce/validate/loop.hpp"
 
-#include "cli/proof/loop_text.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
@@ -121,4 +120,4 @@ Figure nyquist_figure(const Drive& drive) {
   return figure;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/robustness.hpp"
+#include "proof/src/robustness.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -13,18 +13,18 @@
 
 #include "jounce/report/report_text.hpp"
 
-#include "cli/common/json.hpp"
-#include "cli/common/progress.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
-/// On every core; what a body throws is thrown again, of several the first.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& body) {
+using Json = nlohmann::ordered_json;
+
+/// Calls `body` on every core. Throws the first exception of a body again.
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& body,
+                  const ProofProgress& progress) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr thrown;
   std::mutex mutex;
-  const auto work = [&](Progress* progress) {
+  const auto work = [&](bool reports) {
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         body(i);
@@ -33,19 +33,18 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& bod
         if (!thrown) thrown = std::current_exception();
         next = count;
       }
-      if (progress != nullptr) progress->show(static_cast<double>(i) / static_cast<double>(count));
+      if (reports && progress) progress(static_cast<double>(i) / static_cast<double>(count));
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  Progress progress("tolerances");
   std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(work, nullptr);
-  work(&progress);
+  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(work, false);
+  work(true);
   others.clear();  // joins
   if (thrown) std::rethrow_exception(thrown);
 }
 
-std::string words(std::string key) {
+std::string in_words(std::string key) {
   std::replace(key.begin(), key.end(), '_', ' ');
   return key;
 }
@@ -59,8 +58,12 @@ std::string numbers_text(const ToleranceCase& worst) {
 
 }  // namespace
 
-ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive) {
-  return over_tolerances(reference, drive.drive, drive.options(), *drive.tolerances, on_all_cores);
+ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive,
+                           const ProofProgress& progress) {
+  const auto farm = [&](std::size_t count, const std::function<void(std::size_t)>& body) {
+    on_all_cores(count, body, progress);
+  };
+  return over_tolerances(reference, drive.drive, drive.options(), *drive.tolerances, farm);
 }
 
 std::string robustness_text(const ToleranceResult& result, const std::string& unit) {
@@ -73,7 +76,7 @@ std::string robustness_text(const ToleranceResult& result, const std::string& un
     const std::string& u = f.unit == "u" ? unit : f.unit;
     text +=
         fmt::format("  {:<12} {}: {} {} on paper, {} at the worst ({:.0f} % of cases within {})\n",
-                    "", words(f.figure), rounded(f.nominal), u, rounded(f.worst.value), 99.0,
+                    "", in_words(f.figure), rounded(f.nominal), u, rounded(f.worst.value), 99.0,
                     rounded(f.most_of_all));
     text += fmt::format("  {:<12}   worst at {}\n", "", numbers_text(f.worst));
   }
@@ -100,4 +103,4 @@ nlohmann::ordered_json robustness_json(const ToleranceResult& result) {
           {"unstable", result.unstable},   {"figures", figures}};
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/loop_text.hpp"
+#include "jounce/proof/loop_text.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "jounce/profiles/error.hpp"
 
-#include "cli/common/json.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 Json json_of(const std::optional<LoopMargin>& margin) {
   if (!margin) return nullptr;
@@ -63,4 +64,4 @@ Json loop_json(const LoopStability& loop) {
           {"poles", poles}};
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

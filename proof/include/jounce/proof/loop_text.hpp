@@ -8,7 +8,7 @@
 
 #include "jounce/validate/loop.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
 /// loop_stability(); nothing for a delay of too many cycles, which has no poles to look at.
 std::optional<LoopStability> loop_of(const Drive& drive);
@@ -26,4 +26,4 @@ std::string loop_text(const LoopStability& loop);
 
 nlohmann::ordered_json loop_json(const LoopStability& loop);
 
-}  // namespace jounce::cli
+}  // namespace jounce

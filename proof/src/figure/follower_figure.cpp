@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/follower_figure.hpp"
+#include "jounce/proof/follower_figure.hpp"
 
 #include <utility>
 
 #include "jounce/design/reference.hpp"
 #include "jounce/plot/label.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
 FollowerResult followed(const Input& input, std::size_t samples) {
   if (!input.spec || !input.spec->follower)
@@ -44,4 +44,4 @@ Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
   return figure;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/follower_text.hpp"
+#include "proof/src/text/follower_text.hpp"
 
 #include <algorithm>
 
@@ -8,9 +8,12 @@
 
 #include "jounce/report/report_text.hpp"
 
-#include "cli/common/json.hpp"
+namespace jounce {
+namespace {
 
-namespace jounce::cli {
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 std::string follower_text(const FollowerResult& run, const std::string& unit) {
   constexpr std::size_t shown = 5;
@@ -48,4 +51,4 @@ nlohmann::ordered_json follower_json(const FollowerResult& run) {
           {"flights", flights}};
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

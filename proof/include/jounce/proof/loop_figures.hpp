@@ -4,7 +4,7 @@
 #include "jounce/plot/figure.hpp"
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
 /// Magnitude and phase of the drive's loop over frequency (Bode), with its margins.
 Figure bode_figure(const Drive& drive);
@@ -15,4 +15,4 @@ Figure nyquist_figure(const Drive& drive);
 /// Height of the plot, px, at which nyquist_figure() has equal scales.
 inline constexpr double nyquist_height = 560;
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -3,12 +3,11 @@
 
 #include <cstddef>
 
+#include "jounce/design/input.hpp"
 #include "jounce/plot/figure.hpp"
 #include "jounce/validate/follower.hpp"
 
-#include "cli/common/input.hpp"
-
-namespace jounce::cli {
+namespace jounce {
 
 /// The input's table as lift of the [follower] of its spec. Throws InputError for an input without one.
 FollowerResult followed(const Input& input, std::size_t samples = 0);
@@ -17,4 +16,4 @@ FollowerResult followed(const Input& input, std::size_t samples = 0);
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
                        const std::string& unit);
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/proof/drive_signals.hpp"
+#include "jounce/proof/drive_signals.hpp"
 
 #include <numbers>
 #include <vector>
@@ -10,7 +10,7 @@
 #include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 struct Column {
@@ -46,7 +46,7 @@ std::vector<Column> columns_of(const DriveResult& run, const Input& input) {
   return all;
 }
 
-std::string csv_of(const std::vector<Column>& columns, const Input& input) {
+std::string signals_csv(const std::vector<Column>& columns, const Input& input) {
   std::string text = "# jounce drive signals 1\n# spec: " + printable(input.name) +
                      "\n# made by: " + made_by() + "\n";
   for (const Column& c : columns)
@@ -73,13 +73,12 @@ std::string npy_of(const std::vector<Column>& columns) {
 
 std::string signals_file(const DriveResult& run, const Input& input, const std::string& path) {
   const std::vector<Column> columns = columns_of(run, input);
-  return path.ends_with(".npy") ? npy_of(columns) : csv_of(columns, input);
+  return path.ends_with(".npy") ? npy_of(columns) : signals_csv(columns, input);
 }
 
-void require_signals(const std::string& path) {
+void require_signals(const std::string& key, const std::string& path) {
   if (path != "-" && !path.ends_with(".csv") && !path.ends_with(".npy"))
-    throw InputError("--signals", path,
-                     "must end in .csv or .npy, or be - for CSV on standard output");
+    throw InputError(key, path, "must end in .csv or .npy, or be - for CSV on standard output");
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

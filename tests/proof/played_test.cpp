@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/played.hpp"
+#include "jounce/proof/played.hpp"
 
 #include <string>
 

@@ -7,10 +7,10 @@
 
 #include "jounce/validate/follower.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
 /// Result of a cam follower, as lines of `validate`; `unit` of the lift.
 std::string follower_text(const FollowerResult& run, const std::string& unit);
 nlohmann::ordered_json follower_json(const FollowerResult& run);
 
-}  // namespace jounce::cli
+}  // namespace jounce
