@@ -29,7 +29,7 @@ int run_events(const EventsArguments& options) {
   write_file(options.output, options.json ? to_json(events) : to_csv(events));
   for (const Finding& f : events.report.findings) {
     if (!f.broken) continue;
-    fmt::print(stderr, "jounce: {}: {}\n", f.rule, sentence(f, events.labels));
+    fmt::print(stderr, "jounce: {}: {}\n", f.rule.text(), sentence(f, events.labels));
     if (!f.advice.empty()) fmt::print(stderr, "jounce:   {}\n", f.advice);
   }
   return events.report.ok() ? fine : finding;

@@ -36,7 +36,7 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   Report odd = warnings(cam, origin_of(cam, input.labels));
   for (int k = 0; k <= continuity; ++k)
     std::erase_if(odd.findings, [&](const Finding& f) {
-      return f.rule == std::string("joint/") + OverMaster::names[static_cast<std::size_t>(k)];
+      return f.rule == Rule(RuleFamily::joint, OverMaster::names[static_cast<std::size_t>(k)]);
     });
   const bool reported =
       std::any_of(report.findings.begin(), report.findings.end(),

@@ -201,7 +201,7 @@ void add_ends(const Input& input, const EngageState& at, Report& report) {
 /// Where a table is for HIMC, the error by which it refuses one that breaks a limit.
 void name_himc_errors(Report& report) {
   for (Finding& f : report.findings) {
-    if (!f.broken || !f.rule.starts_with("limit/")) continue;
+    if (!f.broken || f.rule.family() != RuleFamily::limit) continue;
     const std::string error = himc::pvt_limit_error(f.quantity);
     if (!error.empty()) f.advice = "MovePVT refuses the table: HIMC error " + error;
   }
@@ -236,7 +236,7 @@ void add_not_limited(Report& report, const Input& input) {
     const Extremum& peak = ranges[k].peak();
     if (limited[k] || peak.value == 0) continue;
     Finding f;
-    f.rule = std::string("unlimited/") + names[k];
+    f.rule = Rule(RuleFamily::unlimited, names[k]);
     f.quantity = names[k];
     f.where = peak.where;
     f.value = peak.value;

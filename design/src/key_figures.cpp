@@ -300,7 +300,8 @@ Assessment assessed(std::vector<Looked>& axes, const std::vector<std::string>& n
 
 bool states_limit(const Finding& f) {
   return f.severity == Severity::required &&
-         (f.broken || !(f.rule.starts_with("table/") || f.rule.starts_with("continuity/")));
+         (f.broken ||
+          !(f.rule.family() == RuleFamily::table || f.rule.family() == RuleFamily::continuity));
 }
 
 std::optional<double> Assessment::value(const std::string& name) const {
@@ -337,7 +338,7 @@ Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& n
 }
 
 std::string rule_of(const Finding& finding) {
-  return finding.rule + (finding.axis.empty() ? "" : " " + finding.axis);
+  return finding.rule.text() + (finding.axis.empty() ? "" : " " + finding.axis);
 }
 
 }  // namespace jounce

@@ -28,7 +28,7 @@ void add_part(Report& all, const Report& part, const char* axis,
   for (Finding finding : part.findings) {
     finding.axis = axis;
     if (finding.where_unit.empty()) finding.where_unit = where_unit;
-    if (finding.rule.starts_with("witness/")) finding.unit = "of the range";
+    if (finding.rule.family() == RuleFamily::witness) finding.unit = "of the range";
     all.findings.push_back(std::move(finding));
   }
 }

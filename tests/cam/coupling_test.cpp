@@ -433,7 +433,7 @@ TEST(CouplingCheck, RoundingIsNoJump) {
 TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
   const auto rules = [](const Report& report) {
     std::string all;
-    for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule + " ";
+    for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule.text() + " ";
     return all;
   };
   EXPECT_EQ(rules(check(Coupling(with(ramp(), Extrapolation::refuse)), {}, {20, 0, 0, 0})),

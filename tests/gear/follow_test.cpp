@@ -41,7 +41,7 @@ const Finding* found(const Report& report, const std::string& rule) {
 
 std::vector<std::string> rules(const Report& report) {
   std::vector<std::string> all;
-  for (const Finding& f : report.findings) all.push_back(f.rule);
+  for (const Finding& f : report.findings) all.push_back(f.rule.text());
   return all;
 }
 

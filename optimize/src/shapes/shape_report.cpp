@@ -13,7 +13,7 @@ constexpr double forgiven = 1e-12;         ///< what rounding may break, as in p
 constexpr double left_by_a_solver = 1e-4;  ///< relative: what lower_exceeded() takes for rounding
 constexpr double solved = 1e-9;            ///< share of a quantity's size: a solver leaves as much
 
-Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
+Finding finding(Rule rule, const std::string& quantity, const Extremum& e, double limit,
                 double margin, std::size_t piece, double rounding = forgiven) {
   return {.rule = std::move(rule),
           .axis = "",
