@@ -8,10 +8,10 @@
 
 namespace jounce::cli {
 
-/// require_picture_name() for the path of an option: before the work that the picture shows.
+/// Calls require_picture_name() for the path of an option. Call it before long work.
 void require_picture(const char* option, const std::string& path);
 
-/// write_figure() to the path of --output.
+/// Calls write_figure(); errors name --output.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce::cli

@@ -19,12 +19,13 @@ struct CheckArguments {
   std::string file;
   std::string axis;
   std::vector<std::string> limits;
-  std::string slave, master, master_velocity;  ///< where a coupling begins; units may be left out
+  std::string slave, master,
+      master_velocity;  ///< state at the start of a coupling; units may be omitted
   int continuity = 1;
   bool json = false;
 };
 
-/// `velocity=3` or `velocity="3 mm/s"`: a limit from the command line, over the spec's own.
+/// Sets a limit from the command line, `velocity=3` or `velocity="3 mm/s"`, in place of the limit of the spec.
 void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   const auto equals = text.find('=');
   const std::string key = text.substr(0, equals);
@@ -57,7 +58,7 @@ void set_limits(Input& input, const CheckArguments& options) {
   }
 }
 
-/// The state in which the coupling of the spec begins, as the options give it.
+/// The state at the start of the coupling, from the options.
 EngageState engage_state(const Input& input, const CheckArguments& options) {
   const Units& units = input.labels.units;
   EngageState at;

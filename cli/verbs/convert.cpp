@@ -66,7 +66,7 @@ Converted convert(const Input& input, const ConvertArguments& options) {
                            [&] { return converted(input, conversion_of(options, input)); });
 }
 
-/// The values at every step of a controller's cycle, for other programs to read.
+/// Samples at every --every, as CSV for other programs.
 std::string samples_of(const TableFile& file, const ConvertArguments& options) {
   if (format_of(options) || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
@@ -134,7 +134,7 @@ void print_text(std::FILE* out, const Converted& made, const ConvertArguments& o
   for (const auto& loss : losses(options, input, made.file.table)) fmt::print(out, "{}\n", loss);
 }
 
-/// What the file is to be must be said: by its ending, or by --to.
+/// The extension of the file or --to must determine the format.
 void require_known_ending(const ConvertArguments& options) {
   const std::string& path = options.output;
   if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
@@ -149,7 +149,7 @@ int run_convert(const ConvertArguments& options) {
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options);
   write_file(options.output, text_of(made.file, options));
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+  std::FILE* out = options.output == "-" ? stderr : stdout;  // standard output is for the table
   if (options.json)
     fmt::print(out, "{}\n", json_of(made, options, input).dump());
   else

@@ -22,7 +22,7 @@ struct DesignArguments {
   bool json = false;
 };
 
-/// The file of one axis: feeder.csv, or of several feeder-x.csv, feeder-y.csv.
+/// The file of one axis: feeder.csv; for several axes feeder-x.csv, feeder-y.csv.
 std::string file_of(const std::string& path, const std::string& axis, std::size_t axes) {
   if (axes == 1 || path.empty()) return path;
   if (path == "-")
@@ -35,7 +35,7 @@ std::string file_of(const std::string& path, const std::string& axis, std::size_
   return path.substr(0, end) + "-" + axis + path.substr(end);
 }
 
-/// What is written for one axis.
+/// Adds the files of one axis.
 void add_files(const Input& input, const DesignArguments& options, std::size_t axes,
                std::vector<Output>& files) {
   const std::string table = file_of(options.output, input.axis, axes);
@@ -58,7 +58,7 @@ int run_design(const DesignArguments& options) {
   }
   require_other_file(options.spec, options.output);
   write_files(files);
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // the table itself has standard output
+  std::FILE* out = options.output == "-" ? stderr : stdout;  // standard output is for the table
   AxisDocuments documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];

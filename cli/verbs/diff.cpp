@@ -26,7 +26,7 @@ struct DiffArguments {
   bool json = false;
 };
 
-/// `1e-6`, a share of every range, or `position=0.01` or `position="10 um"`.
+/// Reads a tolerance: `1e-6`, a share of every range; `position=0.01`; `position="10 um"`.
 void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& labels) {
   const auto equals = text.find('=');
   const std::string key = text.substr(0, equals);
@@ -49,7 +49,7 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
   }
 }
 
-/// The axes of both files that belong together: the only ones, or those of one name.
+/// Pairs of axes of both files: the only axes, or axes of the same name.
 std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
   std::vector<Input> before = load_axes(options.before, options.axis);
   std::vector<Input> after = load_axes(options.after, options.axis);

@@ -52,7 +52,7 @@ bool of_loop(const PlotArguments& options) {
   return options.drive == "bode" || options.drive == "nyquist";
 }
 
-/// over_time(), with the errors of --over.
+/// Calls over_time(); errors name --over.
 Input slave_of(const Input& input) {
   const bool is_cam = std::holds_alternative<Cam>(*input.curve);
   if (!is_cam || !input.spec)
@@ -70,7 +70,7 @@ Figure figure(const PlotArguments& options) {
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) {  // of a cam: one axis
+  if (options.follower) {  // a spec with a [follower] has one axis
     const Input& input = inputs.front();
     const FollowerResult run = followed(input, 2001);
     Figure figure = follower_figure(run, *input.spec->follower, input.labels.units.position);

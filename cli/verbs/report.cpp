@@ -23,7 +23,7 @@ struct ReportArguments {
   std::string output = "-";
 };
 
-/// Refuses a name that ends like that of another kind of file.
+/// Throws InputError for a path with the extension of another kind of file.
 void require_page(const char* option, const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
   if (path != "-" && !ending.empty() && ending != ".html" && ending != ".htm")

@@ -35,7 +35,7 @@ void print_text(std::FILE* out, const Proof& proof, const Input& input) {
   if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
 }
 
-/// Throws InputError where the run of one drive cannot be written as asked.
+/// Throws InputError if --signals cannot be written: a wrong path, several axes, or no [drive].
 void require_signals_of(const ValidateArguments& options, const std::vector<Input>& inputs) {
   if (options.signals.empty()) return;
   require_signals("--signals", options.signals);
@@ -47,7 +47,7 @@ void require_signals_of(const ValidateArguments& options, const std::vector<Inpu
     throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
 }
 
-/// prove() with a progress line.
+/// Calls prove() with a progress line.
 Proof proven(const Input& input, const ValidateArguments& options) {
   std::optional<Progress> line;
   const auto progress = [&](double share) {

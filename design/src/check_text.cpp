@@ -59,7 +59,7 @@ std::string fastest_line(const Cam& cam, const Input& input) {
                             rounded(limit.where), input.labels.units.x);
 }
 
-/// What a slave in step is made of, a line each.
+/// The figures of a slave in step, a line each.
 std::string figure_lines(const Input& input) {
   std::string text;
   if (!input.spec) return text;

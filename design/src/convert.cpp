@@ -57,8 +57,8 @@ Sampled with_knots(const Input& input, const Conversion& wanted) {
       *input.curve);
 }
 
-/// Error of a cubic spline through the knots: periodic where the cam repeats, otherwise with natural ends. KAS joins points
-/// of the type SPLINE by curves, and does not document their ends.
+/// Error of a cubic spline through the knots, periodic if the cam repeats, otherwise with natural ends. KAS joins
+/// points of the type SPLINE by curves; their ends are not documented.
 SampleError spline_error(const Input& input, const Table& made) {
   Columns columns{made.columns().x, made.columns().p, std::vector<double>(made.size()), {}};
   spline_velocities(columns.x, columns.p,

@@ -21,7 +21,7 @@ const DiscPart& require_disc(const Spec& spec) {
   return *spec.disc;
 }
 
-/// `work` with its errors placed in the document: the geometry knows its own keys only.
+/// Calls `work`; gives its errors the keys and the place of the document.
 template <class Work>
 auto placed(const Spec& spec, Work work) {
   try {

@@ -11,7 +11,7 @@ namespace jounce {
 ExecutorTables executor_tables(const Input& input) {
   const Units& units = input.table.units;
   if (std::holds_alternative<Cam>(*input.curve)) {
-    // A trapezoid and a straight line are what a cubic table holds exactly, knot for knot.
+    // A cubic table represents a trapezoid and a straight line exactly.
     const Trajectory motion = master_of(input);
     const std::vector<double> knots(motion.breaks().begin(), motion.breaks().end());
     Sampled master = sample(motion, Interpolation::cubic_hermite, knots);

@@ -134,7 +134,7 @@ std::vector<Law> rising_laws() {
 }
 
 Characteristics characteristics(Law law) {
-  // Beside a dwell, as most are used: a law whose acceleration steps there has no finite jerk.
+  // Values beside a dwell, the usual case: a law whose acceleration steps there has no finite jerk.
   const bool reverses = info(law).ends == Ends::rest_to_reversal;
   return characteristics(Cam(normalised(law, shown_form(law)), 0,
                              reverses ? Extrapolation::refuse : Extrapolation::hold));

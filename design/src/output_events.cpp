@@ -11,12 +11,12 @@
 namespace jounce {
 namespace {
 
-/// A motion that is over stays where it ended.
+/// The position; after the end of the motion, its last position.
 double position_at(const Trajectory& motion, double time) {
   return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
 }
 
-/// Those of [compare].
+/// The events of [compare].
 std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory& motion) {
   std::vector<OutputEvent> events;
   for (const OutputEdge& edge : compared(compare.compare, motion).edges)
@@ -24,15 +24,15 @@ std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory
   return events;
 }
 
-/// The slave behind its master, to 1e-12 of its positions: a position counts as reached to so much
-/// in any case (cam_switch.hpp).
+/// The slave behind its master, to 1e-12 of its positions: a switch position counts as reached within this distance
+/// (cam_switch.hpp).
 Trajectory slave_of(const Cam& cam, const Trajectory& master) {
   const double turns = std::abs(extrema(master, 0).peak().value) / cam.length();
   const double size = std::abs(extrema(cam, 0).peak().value) + std::abs(cam.advance()) * turns;
   return composed_within(cam, master, 1e-12 * (size > 0 ? size : 1)).curve;
 }
 
-/// Those of a cam's [[switch]] while its [master] runs, times in units of `unit` seconds.
+/// The events of a cam's [[switch]] while its [master] runs; times in units of `unit` seconds.
 std::vector<OutputEvent> of_switches(const Spec& spec, const Cam& cam, double unit) {
   const Trajectory master = make_master(spec);
   const bool of_master = spec.switches.of == SwitchesOf::master;

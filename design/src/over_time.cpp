@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t most_zones = 200;
 
-/// The time at which the master is at x on its way forward: its first crossing.
+/// The time at which the master first passes x.
 double time_at(const Trajectory& master, double x) {
   const std::vector<double> all = crossings(master, 0, x);
   return all.empty() ? master.end() : all.front();
 }
 
-/// Where the master passes the zones of one cam after another.
+/// The times at which the master passes the zones, period after period.
 std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
                              const Trajectory& master) {
   std::vector<SyncZone> all;
@@ -43,7 +43,7 @@ std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
   return all;
 }
 
-/// Each piece of the motion by the name of the cam's segment that it is on.
+/// The name of the cam's segment for each piece of the motion.
 std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& master, const Cam& cam,
                                   const std::vector<std::string>& names) {
   std::vector<std::string> all;
@@ -73,7 +73,7 @@ Input over_time(const Input& input) {
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);
   slave.zones = passed(sync_zones(input), *cam, master);
   slave.curve = std::move(motion);
-  slave.spec.reset();  // whose segments are over the master
+  slave.spec.reset();  // its segments are over the master
   return slave;
 }
 

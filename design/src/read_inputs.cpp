@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// One input for each cam: where there are several, a cam's name stands for the axis's.
+/// One input for each cam. If there are several, each has the name of its cam as its axis.
 std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
   std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
   const bool several = cams.size() > 1;

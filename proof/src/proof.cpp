@@ -33,7 +33,7 @@ void add_part(Report& all, const Report& part, const char* axis,
   }
 }
 
-/// The executor reports positions of the slave.
+/// Gives the unit of the position to findings without a unit.
 void in_position_unit(Report& report, const std::string& unit) {
   for (Finding& finding : report.findings)
     if (finding.unit.empty()) finding.unit = unit;
@@ -75,8 +75,8 @@ Json played_json(const Played& played) {
 }  // namespace
 
 Proof prove(const Input& input, const ProofOptions& options) {
-  // A table of straight lines steps in velocity, by its rule. So does the curve of an input that is such a table, and the
-  // curve of a time table, whose segments begin at velocities of their own.
+  // The velocity of a table of straight lines steps. So does that of an input without another curve, and of a time
+  // table, whose segments have velocities of their own.
   const WitnessOptions of_table{.velocity_steps =
                                     input.table.table.rule() == Interpolation::linear};
   const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);

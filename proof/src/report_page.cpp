@@ -18,12 +18,12 @@
 namespace jounce {
 namespace {
 
-/// A position for people: what is rounding beside the range is 0.
+/// A position for people. Rounding, below 1e-12 of the range, is 0.
 std::string tidy_number(double value, const Range& range) {
   return short_number(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
 }
 
-/// A row a segment of the spec: range of the position, peak of each derivative and where it is.
+/// One row for each segment of the spec: range of the position, and peak of each derivative with its place.
 DataTable extrema_table(const Input& input) {
   return std::visit(
       [&]<class Over>(const Curve<Over>& curve) {

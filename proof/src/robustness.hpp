@@ -14,7 +14,7 @@ namespace jounce {
 ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive,
                            const ProofProgress& progress);
 
-/// The worst case of every figure, as lines of `validate`; `unit` of the position.
+/// The worst case of every figure as lines of `jounce validate`, and as JSON; `unit`: unit of the position.
 std::string robustness_text(const ToleranceResult& result, const std::string& unit);
 nlohmann::ordered_json robustness_json(const ToleranceResult& result);
 

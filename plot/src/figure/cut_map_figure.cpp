@@ -66,7 +66,7 @@ std::vector<Marker> markers_of(const CutMap& map) {
   return markers;
 }
 
-/// Where which limit binds, for the strip above.
+/// The stretches in which each limit binds, for the strip above the panels.
 std::vector<Shade> strip_of(const CutMap& map) {
   std::vector<Shade> strip;
   double from = map.speeds.front().length;

@@ -12,7 +12,7 @@
 namespace jounce {
 namespace {
 
-/// Where the segments of the spec meet, not the pieces of a law.
+/// The ends of the segments of the spec. Ends of the pieces of a law are left out.
 std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
   std::vector<double> all{breaks.front()};
   for (const auto& group : groups(breaks.size() - 1, labels)) all.push_back(breaks[group.last + 1]);

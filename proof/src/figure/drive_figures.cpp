@@ -25,7 +25,7 @@ Series outline(const char* label, std::vector<std::pair<double, double>> corners
   return series;
 }
 
-/// Torque left at a speed, both ways: the corners of the envelope, once around.
+/// The greatest torque at each speed, in both directions: the corners of the envelope, once around.
 Series envelope(const Motor& m, double speed) {
   const double t = m.torque_limit;
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,8 @@ Marker marked(double x, double y, const std::string& text) {
   return {.x = x, .y = y, .text = text, .hint = text};
 }
 
-/// Modes of a linear drive whose controller is continuous that swing and die away; of any other drive none.
+/// The modes that oscillate and decay, of a linear drive with its controller taken as continuous; none for another
+/// drive.
 std::vector<DriveMode> swinging(const Drive& drive) {
   Drive continuous = drive;
   continuous.controller.cycle = 0;
@@ -50,12 +51,12 @@ std::vector<DriveMode> swinging(const Drive& drive) {
   std::vector<DriveMode> found = modes(continuous);
   std::erase_if(found, [](const DriveMode& m) {
     return m.frequency == 0 || m.damping > 0.7 ||
-           m.damping < 0;  // one that grows leaves no residual
+           m.damping < 0;  // an unstable mode has no residual
   });
   return found;
 }
 
-/// dB of the way; what is less than rounding is at the floor.
+/// The residual in dB of the travel, at least -160 dB: rounding lies below.
 double decibels(double left, double way) {
   constexpr double floor = 1e-8;
   return 20 * std::log10(std::max(way > 0 ? left / way : 0, floor));
@@ -108,7 +109,7 @@ Figure torque_speed_figure(const DriveResult& run, const Drive& drive) {
     const double most = m.rated_velocity > 0 ? m.rated_velocity * rpm : 1.1 * fastest;
     const double t = m.rated_torque;
     panel.series.push_back(
-        outline("for ever", {{-most, t}, {most, t}, {most, -t}, {-most, -t}, {-most, t}}));
+        outline("continuous torque", {{-most, t}, {most, t}, {most, -t}, {-most, -t}, {-most, t}}));
   }
   panel.series.push_back({.label = "rms torque at the mean speed",
                           .x = {speeds},

@@ -21,7 +21,7 @@ double decibels(std::complex<double> l) {
   return 20 * std::log10(std::abs(l));
 }
 
-/// The phase of each point in degrees, without steps of a turn, from between -360 and 0 on.
+/// The phase of each point in degrees, without steps of 360. The first is from -360 to 0.
 std::vector<double> phases(const std::vector<LoopPoint>& points) {
   std::vector<double> found;
   for (const LoopPoint& p : points) {
@@ -32,7 +32,7 @@ std::vector<double> phases(const std::vector<LoopPoint>& points) {
   return found;
 }
 
-/// The frequencies about the margins; without margins all.
+/// The range of frequencies around the margins; all frequencies if there are no margins.
 std::pair<double, double> window(const LoopStability& loop, const std::vector<LoopPoint>& points) {
   double first = std::numeric_limits<double>::infinity();
   double last = 0;
@@ -46,7 +46,7 @@ std::pair<double, double> window(const LoopStability& loop, const std::vector<Lo
   return {std::max(least, first / 50), std::min(most, 20 * last)};
 }
 
-/// A marker on the line of the panel, at the first of its points that is not below the frequency.
+/// Adds a marker to the line of the panel, at its first point at or above the frequency of the margin.
 void mark(Panel& panel, const LoopMargin& margin, const std::string& text, bool stable) {
   const double x = std::log10(margin.frequency);
   const Series& line = panel.series.back();

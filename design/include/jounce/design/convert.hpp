@@ -29,13 +29,14 @@ struct Converted {
       error;  ///< in the units of the input; nullopt: bit for bit the knots of the input
 };
 
-/// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule nor
-/// the target asks for others. Kollmorgen's KAS joins positions by a spline, so the error for it is that of the natural (or
-/// periodic) spline through the positions. Throws InputError with the name of a member of Target ("tolerance", "x_step",
-/// ...), or "master_unit", "position_unit" for a unit that is unknown or measures something else.
+/// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
+/// nor the target asks for others. Kollmorgen's KAS joins positions by a spline, so the error for it is that of the
+/// natural (or periodic) spline through the positions. Throws InputError with the name of a member of Target
+/// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
+/// else.
 Converted converted(const Input& input, const Conversion& conversion);
 
-/// What a file in this format does not contain of the input, one phrase each.
+/// The parts of the input that a file in this format does not contain, one phrase each.
 std::vector<std::string> losses(const Input& input, const std::optional<Format>& format,
                                 const Table& made);
 

@@ -26,8 +26,8 @@ struct CutMap {
   [[nodiscard]] std::string speed_unit() const;
 };
 
-/// [limits.slave], and the greatest speed of the line: `line_speed`, otherwise that of [master], otherwise infinity. Throws
-/// InputError, placed in the document, where nothing would limit the speed.
+/// [limits.slave], and the greatest speed of the line: `line_speed`, otherwise that of [master], otherwise infinity.
+/// Throws InputError, placed in the document, where nothing would limit the speed.
 CutLimits cut_limits(const Spec& spec, const std::optional<double>& line_speed);
 
 /// The map at `steps` >= 2 lengths from `from` to `to` (master unit), both included.

@@ -16,8 +16,8 @@ Disc make_disc(const Spec& spec, const Cam& cam);
 /// check() of it, with the units of its findings.
 Report check_disc(const Spec& spec, const Cam& cam);
 
-/// True where a finding of check_disc() says that no plate has this contour: it crosses itself, or the cutter does not reach
-/// it.
+/// True if the report of check_disc() excludes that the contour can be cut: the contour crosses itself, or the cutter
+/// does not reach it.
 bool cannot_be_cut(const Report& report);
 
 /// Extremes of the pressure angle, deg, and the sharpest radii of the profile, in lines, each with its place.

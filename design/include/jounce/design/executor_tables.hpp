@@ -11,7 +11,7 @@ namespace jounce {
 /// master.
 struct ExecutorTables {
   TableFile slave;
-  std::optional<TableFile> master;  ///< of a cam: position of the master, in its unit
+  std::optional<TableFile> master;  ///< for a cam: position of the master, in its unit
 };
 
 /// Throws InputError for a cam whose spec has no [master].

@@ -24,8 +24,8 @@ struct OutputEvents {
   Labels labels;                 ///< labels of the report
 };
 
-/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. `axes` are the inputs of one spec
-/// (inputs_of). Throws InputError for a table, and for a spec with neither.
+/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. `axes` are the inputs of one
+/// spec (inputs_of). Throws InputError for a table, and for a spec with neither.
 OutputEvents output_events(const std::vector<Input>& axes);
 
 /// A line for each edge, and the same as JSON.

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// An input as a version for compare(), with the segments of its spec as knots; `path` names it, as two versions of one cam
-/// have one name.
+/// An input as a version for compare(), with the segments of its spec as knots; `path` names it, as two versions of one
+/// cam have one name.
 Version version_of(const Input& input, const std::string& path);
 
 }  // namespace jounce

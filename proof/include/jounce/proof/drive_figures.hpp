@@ -10,16 +10,16 @@ namespace jounce {
 /// Torque and following error over time, with their limits.
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit);
 
-/// The run in the plane of speed and torque, within what the motor has: peak torque, falling from the
-/// rated to the greatest velocity; the continuous torque; and the point of mean speed and rms torque.
+/// The run in the plane of speed and torque, in the envelope of the motor: peak torque, which falls from the rated to
+/// the greatest velocity; the continuous torque; the point of mean speed and rms torque.
 Figure torque_speed_figure(const DriveResult& run, const Drive& drive);
 
-/// The amplitude in u that the motion leaves of a mode at its end, over the mode's frequency, undamped
-/// and damped; marked where the drive itself swings. Exact at each of its frequencies.
+/// Residual vibration of a mode after the motion over the frequency of the mode, undamped and damped, in dB of the
+/// travel; `unit` of the position. The modes of the drive are marked. Exact at each frequency shown.
 Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::string& unit);
 
-/// By the names of `jounce plot --drive`: response, torque-speed, spectrum. Throws InputError for an
-/// input without a [drive].
+/// The figure with this name of `jounce plot --drive`: response, torque-speed, spectrum. Throws InputError for an input
+/// without a [drive].
 Figure drive_figure(const Input& input, const std::string& which);
 
 }  // namespace jounce

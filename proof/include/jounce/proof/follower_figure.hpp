@@ -12,7 +12,7 @@ namespace jounce {
 /// The input's table as lift of the [follower] of its spec. Throws InputError for an input without one.
 FollowerResult followed(const Input& input, std::size_t samples = 0);
 
-/// Cam and mass, and the contact force with its limits; what is spent in the air is shaded.
+/// Lift of cam and mass, and the contact force with its limits. Flights of the follower are shaded.
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
                        const std::string& unit);
 

@@ -10,10 +10,11 @@
 
 namespace jounce {
 
-/// loop_stability(); nothing for a delay of too many cycles, which has no poles to look at.
+/// The result of loop_stability(); nullopt if it throws, as for a delay of too many cycles.
 std::optional<LoopStability> loop_of(const Drive& drive);
 
-/// "gain margin 8.2 dB at 98 Hz", with "downwards" where the gain of a stable loop must not fall by it; "" without one.
+/// "gain margin 8.2 dB at 98 Hz"; with "downwards" if a stable loop becomes unstable when its gain falls by the margin;
+/// "" without a margin.
 std::string gain_text(const LoopStability& loop);
 /// "phase margin 43.1 deg at 35 Hz".
 std::string phase_text(const LoopStability& loop);

@@ -41,8 +41,9 @@ struct ProofOptions {
       {};  ///< called by the calling thread while [drive.tolerances] is computed
 };
 
-/// Integrates the curve and its table, drives the [drive] and the [follower] with the table, and compares the log with both.
-/// Throws InputError for a cam with a [drive] or a [follower] without a [master], and for a log that is not a tick log.
+/// Integrates the curve and its table, drives the [drive] and the [follower] with the table, and compares the log with
+/// both. Throws InputError for a cam with a [drive] or a [follower] without a [master], and for a log that is not a
+/// tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
 /// The answer of `jounce validate` for one input, without the findings.

@@ -11,7 +11,7 @@ namespace jounce {
 /// The page of `jounce report`, and all findings on it.
 struct ReportPage {
   Page page;
-  Report findings;  ///< of the exact check, then of the proof
+  Report findings;  ///< findings of the exact check, then of the proof
 };
 
 /// The page: curve (over a paler one of `before`), extrema of each segment, limits and joints, proof, table. Throws
