@@ -13,6 +13,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::coupling_test {
@@ -292,12 +293,7 @@ TEST(Coupling, RefusesWhatItCannotDo) {
 
 TEST(Coupling, RefusesABadSpecByItsKey) {
   const auto key = [](const CouplingSpec& spec) -> std::string {
-    try {
-      require_valid(spec);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { require_valid(spec); });
   };
   EXPECT_EQ(key({}), "");
   EXPECT_EQ(key({.master_scaling = 0}), "master_scaling");

@@ -23,6 +23,7 @@
 
 #include "cli/common/input.hpp"
 #include "executor/site.hpp"
+#include "support/errors.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -396,7 +397,7 @@ class PlayedExample : public ::testing::TestWithParam<std::string> {};
 
 /// All its axes are played and compared; why one was not; empty: all were.
 std::string played(const std::string& file) {
-  try {
+  return test::error_of([&] {
     for (const Input& loaded : load_axes((examples / file).string())) {
       const Input input = from_rest_to_rest(loaded);
       SCOPED_TRACE(input.name);
@@ -404,10 +405,7 @@ std::string played(const std::string& file) {
       if (std::string why = play.run(); !why.empty()) return why;
       play.compare();
     }
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {
