@@ -17,7 +17,7 @@
 namespace jounce::cli {
 namespace {
 
-/// Breaks lines of words so that they hold at most so many characters.
+/// Breaks a text at its spaces into lines of at most `width` characters.
 std::string wrapped(std::string text, std::size_t width) {
   for (std::size_t begin = 0; text.size() - begin > width;) {
     std::size_t at = text.rfind(' ', begin + width);
@@ -29,8 +29,8 @@ std::string wrapped(std::string text, std::size_t width) {
   return text;
 }
 
-/// Help for people: a wide enough column, lines that fit, no type names in capitals beside every
-/// option; what takes a value has its default or three dots.
+/// Help for people: a wide column, lines that fit, no type names in capitals. An option that takes a value shows its
+/// default, or three dots.
 class Help : public CLI::Formatter {
  public:
   Help() { column_width(column); }
@@ -60,7 +60,7 @@ class Help : public CLI::Formatter {
   static constexpr std::size_t column = 34, line = 104;
 };
 
-/// "-x" or "--x", not "-", nor a negative number.
+/// True for "-x" and "--x"; false for "-" and for a negative number.
 bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
 }
@@ -71,8 +71,8 @@ InputError empty_argument(const std::vector<std::string>& words, std::size_t i) 
           "is empty: leave it out, or give it a value"};
 }
 
-/// The words in the parser's order, last first. "--log=" has no value, of which the parser would make the
-/// next word; and -.5 is a number, which it would take for an option.
+/// The words in the order of the parser, last first. Rejects "--log=", which has no value: the parser would take the
+/// next word. Turns -.5 into -0.5: the parser would take it for an option.
 std::vector<std::string> meant(std::span<char*> given) {
   std::vector<std::string> words(given.begin(), given.end());
   const auto end = std::find(words.begin(), words.end(), "--");
@@ -87,7 +87,7 @@ std::vector<std::string> meant(std::span<char*> given) {
   return words;
 }
 
-/// The first of the words that is meant as an option and is none.
+/// A sentence on the first word that looks like an option and is none; "" if there is none.
 std::string stranger(const CLI::App& app, std::span<char*> words) {
   std::vector<std::string> options;
   for (const auto* option : app.get_options()) {
@@ -106,8 +106,7 @@ std::string stranger(const CLI::App& app, std::span<char*> words) {
   return "";
 }
 
-/// What was wrong with the command line, with the nearest verb or option where one is near, and
-/// where to look.
+/// The error of the command line, with the nearest verb or option if there is one, and the command that lists all.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
   std::vector<std::string> verbs;
   for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());

@@ -10,7 +10,7 @@ namespace jounce::cli {
 
 void require_folders(std::initializer_list<AskedOutput> outputs) {
   namespace fs = std::filesystem;
-  std::error_code none;  // what cannot be looked at is no folder
+  std::error_code none;  // an error counts as no folder
   for (const auto& [option, path] : outputs) {
     if (path.empty() || path == "-") continue;
     if (fs::is_directory(path, none))

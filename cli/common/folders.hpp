@@ -6,7 +6,8 @@
 
 namespace jounce::cli {
 
-/// An output as it was asked for: {"--table", "t.csv"}; empty where it was not, "-" is standard output.
+/// An output option with its path: {"--table", "t.csv"}. An empty path is an option that was not given; "-" is standard
+/// output.
 struct AskedOutput {
   const char* option;
   const std::string& path;

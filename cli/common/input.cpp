@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "jounce/base/file.hpp"
-#include "jounce/controllers/exchange/exchange.hpp"
-
 namespace jounce::cli {
 namespace {
 
@@ -16,37 +13,17 @@ std::string names_of(const std::vector<Input>& inputs) {
   return names;
 }
 
-/// One input for each cam: where there are several, a cam's name stands for the axis's.
-std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
-  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
-  const bool several = cams.size() > 1;
-  std::vector<Input> all;
-  for (ExchangeCam& cam : cams) {
-    Input input = input_of(std::move(cam.file), several ? name + " " + cam.name : name);
-    if (several) input.axis = cam.name;
-    input.unread = std::move(cam.unread);
-    all.push_back(std::move(input));
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
-  std::string text = read_file(path);
-  const std::string name = path == "-" ? "standard input" : path;
-  std::vector<Input> all;
-  if (is_table(text))
-    all.push_back(input_of(parse_table(text, name), name));
-  else if (format_of_text(text))
-    all = cams_of(text, name, decimal_comma);
-  else
-    all = inputs_of(parse_spec(std::move(text), name), path);
+  std::vector<Input> all = read_inputs(path, decimal_comma);
   if (axis.empty()) return all;
+  const std::string name = path == "-" ? "standard input" : path;
   const auto is_meant = [&](const Input& input) { return input.axis == axis; };
   if (const auto n = std::count_if(all.begin(), all.end(), is_meant); n > 1)
-    throw InputError("--axis", axis,
-                     "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
+    throw InputError(
+        "--axis", axis,
+        "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
   const auto named = std::find_if(all.begin(), all.end(), is_meant);
   if (named == all.end())
     throw InputError("--axis", axis,

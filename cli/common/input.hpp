@@ -8,16 +8,16 @@
 
 namespace jounce::cli {
 
-/// Reads a spec, a table file or another maker's (see exchange.hpp), recognized by the content; "-"
-/// is standard input. One input for each axis; only the one named if `axis` is not empty.
+/// Calls read_inputs(). Returns all axes, or only the axis of this name if `axis` is not empty. Throws InputError for
+/// --axis.
 std::vector<Input> load_axes(const std::string& path, const std::string& axis = "",
                              bool decimal_comma = false);
 
-/// The same for verbs that take one axis. Throws InputError where there are several and none is
+/// The same for verbs that take one axis. Throws InputError if there are several and none is
 /// named.
 Input load(const std::string& path, const std::string& axis = "", bool decimal_comma = false);
 
-/// The counterpart of an input: the only axis of the file, or that of the same name.
+/// The only axis of the file, or the axis with the name of `input`.
 Input load_beside(const std::string& path, const Input& input);
 
 }  // namespace jounce::cli

@@ -5,8 +5,8 @@
 
 namespace jounce::cli {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM ask for an end instead of making one: what was found so far is
-/// kept. The second of the same kind ends the program as usual.
+/// While an object exists, the first Ctrl-C (SIGINT) or SIGTERM only sets asked(), so that the program can keep its
+/// best result. The second signal of the same kind ends the program as usual.
 class Interrupt {
  public:
   Interrupt();

@@ -15,8 +15,8 @@ using Json = nlohmann::ordered_json;
 /// Results of a verb for each axis, by its name.
 using AxisDocuments = std::vector<std::pair<std::string, Json>>;
 
-/// One axis: its document as it is. Several: {"ok": ..., "axes": {"x": ..., "y": ...}}, where `ok`,
-/// if they have one, is true if all are.
+/// The document of one axis unchanged. Of several axes {"ok": ..., "axes": {"x": ..., "y": ...}}; `ok` is true if it is
+/// true for all axes, and is left out if they have none.
 Json document_of(AxisDocuments axes);
 
 }  // namespace jounce::cli

@@ -32,20 +32,20 @@ int run(int argc, char** argv) {
   return line.run(argc, argv);
 }
 
-/// A standard stream that the caller has closed discards what it is given: a file that is opened later must not
-/// take its number.
+/// Opens /dev/null for each standard stream that the caller has closed: a file that is opened later must not get its
+/// number.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) std::abort();
 }
 
-/// Prints what went wrong, which may hold any bytes of a file, a file's name or a packet.
+/// Prints an error, which may contain any bytes of a file, of a file name or of a packet.
 int complain(const char* prefix, const char* what, int status) {
   fmt::print(stderr, "jounce: {}{}\n", prefix, printable_lines(what));
   return status;
 }
 
-/// What was printed is written at the latest here: a full disk is a fault. A reader that has left is none.
+/// Writes the rest of standard output. A full disk is a fault; a reader that has closed its pipe is not.
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   if (errno == EPIPE) return status;
@@ -59,7 +59,7 @@ int flushed(int status) {
 int main(int argc, char** argv) {
   using namespace jounce::cli;
   std::signal(SIGXFSZ,
-              SIG_IGN);  // a limit of the file's size is an error of write(), as a full disk is
+              SIG_IGN);  // so write() reports a limit of the file size, like a full disk
   open_standard_streams();
   const jounce::KeptInputs inputs;
   try {

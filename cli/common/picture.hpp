@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "jounce/plot/figure.hpp"
-
-#include "cli/common/input.hpp"
+#include "jounce/plot/input_figure.hpp"
+#include "jounce/plot/picture_file.hpp"
 
 namespace jounce::cli {
 
-/// The standard figure of an input's exact curve, with its limits and its stretches in step; over a
-/// paler one of `before` if there is one. Throws InputError if the two run over different axes.
-Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
-
-/// All axes in one figure, distinguished by colour; limits are drawn where all have the same. Throws
-/// InputError if they differ in their units.
-Figure figure_of(const std::vector<Input>& axes);
-
-/// The stretches in which the slave runs in step with the master: a constant velocity that is not
-/// zero, under the name of their segment.
-std::vector<Shade> in_step(const Cam& cam, const Labels& labels);
-
-/// Throws InputError for a path, given with `option`, that names no picture: before the work that it shows.
+/// Calls require_picture_name() for the path of an option. Call it before long work.
 void require_picture(const char* option, const std::string& path);
 
-/// Writes SVG, or PNG where the path ends in ".png" (by rsvg-convert); "-" is SVG on standard output.
-/// Throws InputError for any other name, std::system_error where rsvg-convert is missing or fails.
+/// Calls write_figure(); errors name --output.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce::cli

@@ -6,8 +6,8 @@
 
 namespace jounce::cli {
 
-/// A line on standard error with the progress of long work: only on a terminal, only after a
-/// second, at most ten times a second, gone at the end.
+/// A line on standard error with the progress of long work: on a terminal only, after the first second, at most ten
+/// times a second. The destructor clears it.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -15,7 +15,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `share` of the work done, 0 to 1, and what is going on.
+  /// Shows the share of the work that is done, from 0 to 1, and the current step.
   void show(double share, const std::string& now = "");
 
  private:

@@ -4,17 +4,10 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "cli/common/option_names.hpp"
+
 namespace jounce::cli {
 namespace {
-
-/// The option for a member of Target.
-std::string option_of(const std::string& member) {
-  if (member == "velocity_tolerance") return "--velocity-tolerance";
-  if (member == "x_step") return "--resolution";
-  if (member == "p_step") return "--position-resolution";
-  if (member == "v_step") return "--velocity-resolution";
-  return "--" + member;
-}
 
 /// True if a text is a quantity of this unit.
 bool is_quantity(const std::string& text, const std::string& unit) {
@@ -108,20 +101,5 @@ Target target_of(const TargetOptions& options, Domain axis, Interpolation rule,
   target.v_step = number_of("v_step", options.velocity_resolution, rate).value_or(0);
   return target;
 }
-
-template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target) {
-  if (target.tolerance) require_certifiable(f, "--tolerance", *target.tolerance);
-  if (target.velocity_tolerance)
-    require_certifiable(derivative(f), "--velocity-tolerance", *target.velocity_tolerance);
-  try {
-    return jounce::reduced(f, target);
-  } catch (const InputError& error) {
-    throw InputError(option_of(error.key()), error.value(), error.rule());
-  }
-}
-
-template Sampled reduced(const Curve<OverTime>&, const Target&);
-template Sampled reduced(const Curve<OverMaster>&, const Target&);
 
 }  // namespace jounce::cli

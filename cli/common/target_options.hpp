@@ -12,7 +12,7 @@
 
 namespace jounce::cli {
 
-/// The options that ask for new knots, as few as do: the keys of [table], with units where wanted.
+/// The options for a table of fewest knots: the keys of [table]. Units may be omitted.
 struct TargetOptions {
   std::string controller;
   std::string tolerance;
@@ -26,17 +26,13 @@ struct TargetOptions {
   [[nodiscard]] bool any() const;
 };
 
-/// Returns what was added.
+/// Returns the options that it added.
 std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options);
 
-/// The rule that a controller's table has; nothing where none is named.
+/// The interpolation of the controller's tables; nullopt without --controller.
 std::optional<Interpolation> rule_of(const TargetOptions& options);
 
 /// Target of the options, in these units. Throws InputError that names the option.
 Target target_of(const TargetOptions& options, Domain axis, Interpolation rule, const Units& units);
-
-/// The table of fewest knots. Throws InputError that names the option.
-template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target);
 
 }  // namespace jounce::cli

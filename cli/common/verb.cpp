@@ -18,7 +18,7 @@
 namespace jounce::cli {
 namespace {
 
-/// The whole word; whole numbers are decimal, with a 0 before them, too.
+/// Reads a whole word as a number. Integers are decimal, also with leading zeros.
 template <class Number>
 bool read(const std::string& word, Number& number) {
   if constexpr (std::is_integral_v<Number>) {
@@ -30,7 +30,7 @@ bool read(const std::string& word, Number& number) {
   }
 }
 
-/// Puts a word into the target; the rule that it breaks, if it does not fit.
+/// Puts a word into the target. Returns the rule that the word breaks, or "".
 template <class Target>
 std::string put(const std::string& word, Target& target) {
   if constexpr (std::is_assignable_v<Target&, const std::string&>) {
@@ -55,7 +55,7 @@ std::string shown_of(const Target& target) {
   return "";
 }
 
-/// As it is given: --output, FILE; of hidden ones too.
+/// The name of an option on the command line: --output, FILE. Includes hidden options.
 std::string name_of(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
 }
@@ -167,7 +167,7 @@ Option Verb::option(const std::string& name, Target& target, const std::string& 
   return Option(option);
 }
 
-// All that the verbs take.
+// All types that the verbs use.
 template Option Verb::option(const std::string&, std::string&, const std::string&) const;
 template Option Verb::option(const std::string&, std::vector<std::string>&,
                              const std::string&) const;
@@ -201,7 +201,7 @@ void Verb::work(Work work) const {
 
 void require_other_file(const std::string& input, const std::string& output,
                         const std::string& option) {
-  std::error_code none;  // a file that is not there is another one
+  std::error_code none;  // a missing file is a different file
   if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
     throw InputError(option, output, "is also the input: choose another name");
 }

@@ -35,7 +35,7 @@ enum Exit : int {
 /// Action of a verb after parsing the command line; returns the exit status.
 using Work = std::function<int()>;
 
-/// The rule that a value breaks; empty where it breaks none.
+/// Returns the rule that a value breaks, or "".
 using Check = std::function<std::string(const std::string& text)>;
 
 Check one_of(std::vector<std::string> words);
@@ -43,10 +43,10 @@ Check one_of(std::vector<std::string> words);
 Check whole(std::int64_t low, std::int64_t high);
 /// A number, both ends included; nan is none.
 Check within(double low, double high);
-/// A number of seconds, a millisecond at the least.
+/// A number of seconds, 0.001 or more.
 Check seconds();
 
-/// The whole text as a number, as options take theirs; nothing where it is none.
+/// The whole text as a number, by the rules of options; nullopt if it is none.
 std::optional<double> number_in(const std::string& text);
 
 /// An option of a verb, for further settings. Each call returns the same option.
@@ -77,7 +77,7 @@ class Verb {
   template <class Target>
   Option option(const std::string& name, Target& target, const std::string& help) const;
   Option flag(const std::string& name, bool& target, const std::string& help) const;
-  /// --axis NAME, for specs of several axes.
+  /// The option --axis NAME, for specs of several axes.
   Option axis(std::string& target) const;
 
   void work(Work work) const;
@@ -93,7 +93,7 @@ class CommandLine {
   CommandLine();
   ~CommandLine();
 
-  /// A new verb, with the examples that close its --help, a line each.
+  /// Adds a verb. The examples stand at the end of its --help, one a line.
   Verb verb(const std::string& name, const std::string& description, const std::string& examples);
 
   /// Executes the command and returns the exit status. Prints help and errors.
@@ -129,7 +129,7 @@ void add_run(CommandLine& line);
 void add_monitor(CommandLine& line);
 void add_replay(CommandLine& line);
 
-/// Throws InputError where both are one file: what is made must not replace what it is made from.
+/// Throws InputError if both are the same file: an output must not replace its input.
 void require_other_file(const std::string& input, const std::string& output,
                         const std::string& option = "--output");
 

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "jounce/axis/master.hpp"
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/drive/encoder.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/machine/axis_drive.hpp"
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -78,7 +78,7 @@ Follow make(const MachineMasterSpec::Encoder& encoder, const MachineMasterSpec& 
 
 /// The file's motion in s, in the master's unit.
 StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& unit) {
-  Tables tables = executor_tables(load(own.file));
+  ExecutorTables tables = executor_tables(load(own.file));
   if (tables.master || tables.slave.table.axis() != Domain::time)
     throw InputError("file", own.file, "must be over time: a master is a function of time");
   const Units units = tables.slave.units;

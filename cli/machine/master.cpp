@@ -16,16 +16,17 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/drive/encoder.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
+#include "cli/common/input.hpp"
 #include "cli/common/interrupt.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -81,7 +82,7 @@ struct Play {
 };
 
 Play play_of(const MasterArguments& options) {
-  Tables tables = executor_tables(load(options.file, options.axis));
+  ExecutorTables tables = executor_tables(load(options.file, options.axis));
   const Table& table = tables.slave.table;
   if (tables.master || table.axis() != Domain::time)
     throw InputError("FILE", options.file, "must be over time: a master is a function of time");

@@ -30,7 +30,7 @@
 namespace jounce::cli {
 namespace {
 
-constexpr auto turn = std::chrono::milliseconds(100);
+constexpr auto check_interval = std::chrono::milliseconds(100);
 
 struct PageArguments {
   std::vector<std::string> axes;
@@ -95,7 +95,7 @@ int run_page(const PageArguments& options) {
   const auto in_time = [&] {
     return options.seconds == 0 || steady_now() - begin < nanos(options.seconds);
   };
-  while (!interrupt.asked() && in_time()) std::this_thread::sleep_for(turn);
+  while (!interrupt.asked() && in_time()) std::this_thread::sleep_for(check_interval);
   return fine;
 }
 

@@ -29,13 +29,13 @@ Labels labels_of(const Spec& spec) {
 }
 
 std::string active_sentence(const Finding& finding, const Labels& labels) {
-  if (finding.rule.starts_with("bound/"))
+  if (finding.rule.family() == RuleFamily::bound)
     return fmt::format("{} is at its bound {}", finding.quantity, rounded(finding.limit));
   const std::string where =
       fmt::format("{} {} (segment {})", rounded(finding.where), labels.units.x,
                   labels.segments[finding.segment.value_or(0)]);
-  if (finding.rule.starts_with("objective/"))
-    return fmt::format("{} is attained at {}", finding.rule.substr(10), where);
+  if (finding.rule.family() == RuleFamily::objective)
+    return fmt::format("{} is attained at {}", finding.rule.name(), where);
   return fmt::format("{} reaches its limit {} at {}", finding.quantity, rounded(finding.limit),
                      where);
 }
@@ -74,7 +74,7 @@ nlohmann::ordered_json json_of(const CamProblem& problem, const Outcome<CamSpec>
   }
   Json active = Json::array();
   for (const auto& finding : outcome.active)
-    active.push_back({{"rule", finding.rule},
+    active.push_back({{"rule", finding.rule.text()},
                       {"quantity", finding.quantity},
                       {"where", finding.where},
                       {"value", finding.value},

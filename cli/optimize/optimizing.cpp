@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/design/cam_check.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/io/table_file.hpp"
 
@@ -13,7 +14,6 @@
 #include "cli/common/verb.hpp"
 #include "cli/optimize/before_after.hpp"
 #include "cli/optimize/peaks.hpp"
-#include "cli/proof/cam_check.hpp"
 
 namespace jounce::cli {
 namespace {

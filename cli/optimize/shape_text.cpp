@@ -26,8 +26,8 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
                             const ShapeWords& words) {
   constexpr std::size_t most = 3;
   const Finding& first = findings.front();
-  if (first.rule.starts_with("kept/")) return kept_sentence(findings, run, words);
-  const bool objective = first.rule.starts_with("objective/");
+  if (first.rule.family() == RuleFamily::kept) return kept_sentence(findings, run, words);
+  const bool objective = first.rule.family() == RuleFamily::objective;
   std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
   if (first.quantity == "residual" || first.quantity.starts_with("rms "))
     return text;  // these have no place
@@ -43,7 +43,7 @@ void print_active(std::FILE* out, const CamRunOutcome& run, const ShapeWords& wo
   for (auto first = active.begin(); first != active.end();) {
     const auto last =
         std::find_if(first, active.end(), [&](const Finding& f) { return f.rule != first->rule; });
-    if (!first->rule.starts_with("objective/") || first->quantity.starts_with("peak"))
+    if (first->rule.family() != RuleFamily::objective || first->quantity.starts_with("peak"))
       fmt::print(out, "  - {}\n", active_sentence({first, last}, run, words));
     first = last;
   }
@@ -63,7 +63,7 @@ void print_run(std::FILE* out, const CamRunOutcome& run, const ShapeWords& words
 }
 
 Json json_of(const Finding& finding, const ShapeWords& words) {
-  return {{"rule", finding.rule},
+  return {{"rule", finding.rule.text()},
           {"quantity", finding.quantity},
           {"where", words.place(finding.where)},
           {"value", finding.value},

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/gear/follow_banks.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/receiver/static_queue.hpp"
@@ -18,7 +19,6 @@
 #include "cli/common/interrupt.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
 #include "cli/common/verb.hpp"
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -33,10 +33,10 @@ void begin_at_cut(const Table& table, CouplingSpec& coupling) {
 /// Adds what this plays to the tables of the plan.
 SwapPlan add_input(StreamPlan& plan, Input input, const StreamVerb& options) {
   const auto coupling = input.spec ? input.spec->coupling : std::nullopt;
-  Tables tables = [&] {
-    if (options.live) return Tables{input.table, std::nullopt};
+  ExecutorTables tables = [&] {
+    if (options.live) return ExecutorTables{input.table, std::nullopt};
     if (options.master.empty()) return executor_tables(input);
-    return Tables{input.table, read_table(options.master)};
+    return ExecutorTables{input.table, read_table(options.master)};
   }();
   SwapPlan added{.slave = plan.tables.size(), .master = plan.tables.size() + 1};
   plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});

@@ -6,21 +6,22 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 
+#include "cli/common/input.hpp"
 #include "cli/common/interrupt.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/reference.hpp"
 
 namespace jounce::cli {
 namespace {
 
 RowPlan row_plan_of(const RollingOptions& options) {
   Input input = load(options.file, options.axis);
-  Tables tables = executor_tables(input);
+  ExecutorTables tables = executor_tables(input);
   if (tables.slave.table.axis() != Domain::time)
     throw InputError("--rolling", options.file, "must be a table over time");
   const Travel travel = travel_of(tables.slave.table);

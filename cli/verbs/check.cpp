@@ -2,14 +2,15 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/cam_check.hpp"
+#include "jounce/design/check_text.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/cam_check.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -18,12 +19,13 @@ struct CheckArguments {
   std::string file;
   std::string axis;
   std::vector<std::string> limits;
-  std::string slave, master, master_velocity;  ///< where a coupling begins; units may be left out
+  std::string slave, master,
+      master_velocity;  ///< state at the start of a coupling; units may be omitted
   int continuity = 1;
   bool json = false;
 };
 
-/// `velocity=3` or `velocity="3 mm/s"`: a limit from the command line, over the spec's own.
+/// Sets a limit from the command line, `velocity=3` or `velocity="3 mm/s"`, in place of the limit of the spec.
 void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   const auto equals = text.find('=');
   const std::string key = text.substr(0, equals);
@@ -37,11 +39,9 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   for (const auto& [name, target] : all) {
     if (equals == std::string::npos || key != name) continue;
     const std::string quantity_name = name.starts_with("position") ? "position" : name;
-    try {
-      *target = quantity(text.substr(equals + 1), labels.unit_of(quantity_name));
-    } catch (const InputError& error) {
-      throw InputError("--limit " + key, error.value(), error.rule());
-    }
+    *target = under_option("--limit " + key, [&] {
+      return quantity(text.substr(equals + 1), labels.unit_of(quantity_name));
+    });
     return;
   }
   std::string known;
@@ -58,7 +58,7 @@ void set_limits(Input& input, const CheckArguments& options) {
   }
 }
 
-/// The state in which the coupling of the spec begins, as the options give it.
+/// The state at the start of the coupling, from the options.
 EngageState engage_state(const Input& input, const CheckArguments& options) {
   const Units& units = input.labels.units;
   EngageState at;
@@ -67,58 +67,13 @@ EngageState engage_state(const Input& input, const CheckArguments& options) {
     if (text.empty()) return;
     if (!input.spec || !input.spec->coupling)
       throw InputError(key, text, "needs a spec with [coupling]");
-    try {
-      value = quantity(text, unit);
-    } catch (const InputError& error) {
-      throw InputError(key, error.value(), error.rule());
-    }
+    value = under_option(key, [&] { return quantity(text, unit); });
   };
   read("--slave", options.slave, units.position, at.slave);
   read("--master", options.master, units.x, at.master);
   read("--master-velocity", options.master_velocity, rate_unit(units.x, "s", 1),
        at.master_velocity);
   return at;
-}
-
-/// "track 1: on from 350 to 10 deg of the master, positive direction"
-std::string text_of(const CamSwitch& s, const Spec& spec) {
-  const bool of_master = spec.switches.of == SwitchesOf::master;
-  const std::string unit = of_master ? spec.units.x + " of the master" : spec.units.position;
-  const std::string first = number(s.first_on_position);
-  const std::string where =
-      s.last_on_position
-          ? fmt::format("from {} to {} {}", first, number(*s.last_on_position), unit)
-          : fmt::format("at {} {} for {} s", first, unit, number(s.duration.value_or(0)));
-  const bool both = s.axis_direction == AxisDirection::both;
-  return fmt::format("track {}: on {}{}", s.track, where,
-                     both ? "" : fmt::format(", {} direction", name(s.axis_direction)));
-}
-
-void print_switches(const Spec& spec) {
-  if (spec.switches.table.switches.empty()) return;
-  fmt::print("\n");
-  for (const CamSwitch& s : spec.switches.table.switches) fmt::print("{}\n", text_of(s, spec));
-}
-
-nlohmann::ordered_json json_of(const Report& report, const Input& input) {
-  auto document = nlohmann::ordered_json::parse(to_json(report, input.labels));
-  if (auto cam = cam_json(input); !cam.is_null()) document["cam"] = std::move(cam);
-  document["segments"] = nlohmann::ordered_json::parse(
-      of_motion(input, [&](const auto& motion) { return extrema_json(motion, input.labels); }));
-  if (input.spec)
-    for (const CamSwitch& s : input.spec->switches.table.switches)
-      document["switches"].push_back(text_of(s, *input.spec));
-  return document;
-}
-
-void print_text(const Report& report, const Input& input) {
-  fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
-  fmt::print("{}\n", of_motion(input, [&](const auto& motion) {
-               return extrema_text(motion, input.labels);
-             }));
-  fmt::print("{}", full_text(report, input.labels));
-  fmt::print("{}", cam_text(input));
-  if (input.spec) print_switches(*input.spec);
 }
 
 int run_check(const CheckArguments& options) {
@@ -131,9 +86,9 @@ int run_check(const CheckArguments& options) {
     add_not_limited(report, input);
     ok = ok && report.ok();
     if (options.json)
-      documents.emplace_back(input.axis, json_of(report, input));
+      documents.emplace_back(input.axis, Json::parse(check_json(report, input)));
     else
-      print_text(report, input);
+      fmt::print("{}", check_text(report, input));
     if (!options.json && &input != &inputs.back()) fmt::print("\n");
   }
   if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));

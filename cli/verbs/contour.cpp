@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <memory>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -27,32 +25,6 @@ std::string drawn(const ContourArguments& options, const Spec& spec, const Disc&
   throw InputError("--output", options.output, "must end in .dxf, .svg or .csv");
 }
 
-void print_extremes(const Disc& disc, const Spec& spec) {
-  const DiscExtremes e = extremes(disc);
-  const std::string& length = spec.disc->length;
-  const auto at = [&](const Extremum& x) { return rounded(x.where) + " " + spec.units.x; };
-  const auto deg = [](const Extremum& x) { return rounded(x.value * 180 / std::numbers::pi); };
-  const double roller = spec.disc->geometry.roller_radius;
-  fmt::print("pressure angle: {} deg at {} .. {} deg at {}\n", deg(e.pressure_angle.min),
-             at(e.pressure_angle.min), deg(e.pressure_angle.max), at(e.pressure_angle.max));
-  fmt::print("profile, most convex: radius {} {} at {}\n",
-             rounded(1 / e.pitch_curvature.max.value - roller), length, at(e.pitch_curvature.max));
-  if (e.pitch_curvature.min.value < 0)
-    fmt::print("profile, most hollow: radius {} {} at {}\n",
-               rounded(roller - 1 / e.pitch_curvature.min.value), length,
-               at(e.pitch_curvature.min));
-  else
-    fmt::print("profile: nowhere hollow\n");
-}
-
-/// Whether the contour crosses itself or the cutter does not get into it.
-bool cannot_be_cut(const Report& report) {
-  return std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
-    return f.broken && (f.rule == "disc/interference" || f.rule == "disc/cutter_radius" ||
-                        (f.rule == "disc/profile_radius" && f.value <= 0));
-  });
-}
-
 int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
   if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
@@ -70,8 +42,7 @@ int run_contour(const ContourArguments& options) {
   write_file(options.output, drawn(options, spec, disc));
   fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name,
              printable(options.output), rounded(spec.disc->tolerance), spec.disc->length);
-  print_extremes(disc, spec);
-  fmt::print("\n{}", full_text(report, input.labels));
+  fmt::print("{}\n{}", extremes_text(spec, disc), full_text(report, input.labels));
   return report.ok() ? fine : finding;
 }
 

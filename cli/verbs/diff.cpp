@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/csv.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/report/comparison.hpp"
+#include "jounce/design/version.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
@@ -27,26 +26,7 @@ struct DiffArguments {
   bool json = false;
 };
 
-/// Under the name of its file: two versions of one cam have one name.
-Version version_of(const Input& input, const std::string& path) {
-  Version version{printable(path) + (input.axis.empty() ? "" : " " + input.axis), *input.curve,
-                  input.labels};
-  const auto breaks = std::visit(
-      [](const auto& curve) {
-        return std::vector<double>(curve.breaks().begin(), curve.breaks().end());
-      },
-      *input.curve);
-  version.knots.push_back(breaks.front());
-  version.knot_names.emplace_back(input.labels.segments.empty() ? "" : "start");
-  for (const auto& [label, first, last] : groups(breaks.size() - 1, input.labels)) {
-    version.knots.push_back(breaks[last + 1]);
-    version.knot_names.push_back(input.labels.segments.empty() ? "" : "end of " + label);
-  }
-  if (input.spec) version.limits = input.limits;
-  return version;
-}
-
-/// `1e-6`, a share of every range, or `position=0.01` or `position="10 um"`.
+/// Reads a tolerance: `1e-6`, a share of every range; `position=0.01`; `position="10 um"`.
 void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& labels) {
   const auto equals = text.find('=');
   const std::string key = text.substr(0, equals);
@@ -69,7 +49,7 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
   }
 }
 
-/// The axes of both files that belong together: the only ones, or those of one name.
+/// Pairs of axes of both files: the only axes, or axes of the same name.
 std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
   std::vector<Input> before = load_axes(options.before, options.axis);
   std::vector<Input> after = load_axes(options.after, options.axis);
@@ -96,7 +76,8 @@ std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
 
 void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
   if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
-  write_picture(path, figure_of(all.front().second, all.front().first));
+  const auto& [before, after] = all.front();
+  write_picture(path, figure_of(after, before));
 }
 
 int run_diff(const DiffArguments& options) {

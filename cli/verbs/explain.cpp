@@ -31,11 +31,12 @@ struct Message {
   std::string code;
   std::string name;
   std::string meaning;
-  std::string remedy;  ///< of a controller's error: what Jounce reports instead
+  std::string
+      remedy;  ///< next step; for an error of a controller, the answer of Jounce in its place
   bool is_foreign = false;
 };
 
-/// The numbers of a Cause are in blocks.
+/// The group of a Cause. Each group has a block of numbers.
 const char* group_of(Cause cause) {
   if (is_fault(cause)) return "Faults of an axis";
   if (cause >= Cause::stopped) return "Why a motion ended";
@@ -64,7 +65,7 @@ std::vector<Message> all_messages() {
   return all;
 }
 
-/// In the order in which each group occurs first.
+/// All groups, in the order of their first message.
 std::vector<std::string> groups_of(const std::vector<Message>& all) {
   std::vector<std::string> groups;
   for (const Message& one : all)
@@ -73,7 +74,7 @@ std::vector<std::string> groups_of(const std::vector<Message>& all) {
   return groups;
 }
 
-/// A text in a cell of a table.
+/// A text for a cell of a Markdown table.
 std::string cell(std::string text) {
   for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
     text.insert(at, 1, '\\');
@@ -112,7 +113,7 @@ void print_json(const std::vector<Message>& all) {
   fmt::print("{}\n", document.dump(1));
 }
 
-/// Number and name, those that it has.
+/// The number and the name, if there are any.
 std::string title_of(const Message& one) {
   return one.code + (one.code.empty() || one.name.empty() ? "" : " ") + one.name;
 }
@@ -131,7 +132,7 @@ void print_list(const std::vector<Message>& all) {
   }
 }
 
-/// Those with this number or name.
+/// The messages with this number or name.
 std::vector<Message> matching(const std::vector<Message>& all, const std::string& code) {
   std::vector<Message> found;
   const RuleInfo* const rule = rule_info(code);

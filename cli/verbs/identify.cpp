@@ -35,11 +35,11 @@ struct IdentifyArguments {
   bool json = false;
 };
 
-/// What was recorded of a quantity, its unit, and what it is drawn as.
+/// The recorded values of a quantity, with its unit and its label in the picture.
 struct Quantity {
   const std::vector<double>& recorded;
   std::string unit;
-  bool deviation;  ///< drawn and told as its distance from the command
+  bool deviation;  ///< drawn and reported as its distance from the command
 };
 
 Quantity quantity_named(const Recording& run, const std::string& name, const std::string& u) {

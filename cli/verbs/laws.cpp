@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/design/law_guide.hpp"
 #include "jounce/plot/curve_figure.hpp"
@@ -23,30 +21,6 @@ struct LawsArguments {
   bool markdown = false;
   bool json = false;
 };
-
-nlohmann::ordered_json json_of(const LawInfo& law) {
-  nlohmann::ordered_json document{{"law", law.name},
-                                  {"title", law.title},
-                                  {"use", law.use},
-                                  {"strength", law.strength},
-                                  {"weakness", law.weakness},
-                                  {"ends", ends_in_words(law.ends)},
-                                  {"inflection", law.inflection}};
-  const auto rising = rising_laws();
-  if (std::find(rising.begin(), rising.end(), law.law) == rising.end()) return document;
-  const Characteristics c = characteristics(law.law);
-  const auto number = [](double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
-  for (const auto& [key, value] : {std::pair{"cv", c.cv.value},
-                                   {"ca", c.ca.value},
-                                   {"ca_star", c.ca_star.value},
-                                   {"cj", c.cj.value},
-                                   {"cm", c.cm.value},
-                                   {"rms", c.rms}})
-    document[key] = number(value);
-  return document;
-}
 
 Law law_of(const std::string& word) {
   const auto law = law_named(word);
@@ -72,9 +46,10 @@ int run_laws(const LawsArguments& options) {
   } else if (!options.output.empty()) {
     draw(options);
   } else if (options.json) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    Json all = Json::array();
     for (const LawInfo& law : all_laws())
-      if (options.law.empty() || law_of(options.law) == law.law) all.push_back(json_of(law));
+      if (options.law.empty() || law_of(options.law) == law.law)
+        all.push_back(Json::parse(law_json(law.law)));
     fmt::print("{}\n", all.dump(1));
   } else {
     fmt::print("{}", options.law.empty() ? law_table() : law_text(law_of(options.law)));

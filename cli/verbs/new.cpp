@@ -15,7 +15,7 @@ namespace jounce::cli {
 
 namespace {
 
-/// A key is not text for a terminal, and never replaces another one.
+/// Writes a new key. A key is not printed, and never replaces a file.
 int make_key(const std::string& output) {
   if (output == "-") throw InputError("--output", output, "must be a file: a key is a secret");
   write_new_key(output);

@@ -3,13 +3,15 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
+#include "jounce/design/over_time.hpp"
+#include "jounce/proof/drive_figures.hpp"
+#include "jounce/proof/follower_figure.hpp"
+#include "jounce/proof/loop_figures.hpp"
 
+#include "cli/common/input.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/drive_figures.hpp"
-#include "cli/proof/follower_figure.hpp"
-#include "cli/proof/loop_figures.hpp"
-#include "cli/proof/over_time.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -50,6 +52,16 @@ bool of_loop(const PlotArguments& options) {
   return options.drive == "bode" || options.drive == "nyquist";
 }
 
+/// Calls over_time(); errors name --over.
+Input slave_of(const Input& input) {
+  const bool is_cam = std::holds_alternative<Cam>(*input.curve);
+  if (!is_cam || !input.spec)
+    throw InputError("--over", "time",
+                     input.name + (is_cam ? " is a table without a master: give its spec"
+                                          : " is over time already: leave out --over"));
+  return over_time(input);
+}
+
 Figure figure(const PlotArguments& options) {
   if (of_loop(options)) return loop_figure(options);
   std::vector<Input> inputs = load_axes(options.file, options.axis);
@@ -58,7 +70,7 @@ Figure figure(const PlotArguments& options) {
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) {  // of a cam: one axis
+  if (options.follower) {  // a spec with a [follower] has one axis
     const Input& input = inputs.front();
     const FollowerResult run = followed(input, 2001);
     Figure figure = follower_figure(run, *input.spec->follower, input.labels.units.position);
@@ -67,12 +79,13 @@ Figure figure(const PlotArguments& options) {
   }
   const bool over = options.over == "time";
   if (over)
-    for (Input& input : inputs) input = over_time(input);
-  if (options.before.empty()) return figure_of(inputs);
+    for (Input& input : inputs) input = slave_of(input);
+  if (options.before.empty()) return with_option_names({"axis"}, [&] { return figure_of(inputs); });
   if (inputs.size() > 1)
     throw InputError("--before", options.before, "compares one axis: name it with --axis");
   const Input before = load_beside(options.before, inputs.front());
-  return figure_of(inputs.front(), over ? over_time(before) : before);
+  return with_option_names(
+      {"before"}, [&] { return figure_of(inputs.front(), over ? slave_of(before) : before); });
 }
 
 int run_plot(const PlotArguments& options) {

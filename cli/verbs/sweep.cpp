@@ -32,14 +32,14 @@ struct SweepArguments {
   bool json = false;
 };
 
-/// Beside the first file that is written; "" where nothing is.
+/// The journal, beside the first file that is written; "" if none is.
 std::string journal_of(const SweepArguments& options) {
   for (const std::string& path : {options.output, options.npy})
     if (!path.empty() && path != "-") return path + ".journal";
   return "";
 }
 
-/// "1200 of 5000, 2 min left": of the cases that this run makes, those of a journal take no time.
+/// "1200 of 5000, 2 min left", from the speed of the cases of this run: cases of a journal take no time.
 class Remaining {
  public:
   std::string text(std::size_t done, std::size_t cases) {
@@ -78,7 +78,7 @@ int stopped(const SweepSpec& spec, const SweepResult& result, const SweepArgumen
   return finding;
 }
 
-/// A front is looked at point by point; distributions are stacked.
+/// A Pareto front gets high panels, as its points are read one by one.
 SvgOptions look(const SweepSpec& spec) {
   SvgOptions options;
   if (spec.objectives.size() == 2) options.panel_height = 320;
@@ -108,7 +108,7 @@ int run_here(const SweepArguments& options) {
   return report(spec, worked_through(spec, options, on_threads(options.jobs)), options);
 }
 
-/// Every process reads the files for itself; the first speaks for all.
+/// Every process reads the files; the first prints for all.
 int run_under_mpi(const SweepArguments& options) {
   if (options.jobs != 0)
     throw InputError("--jobs", std::to_string(options.jobs),
@@ -120,12 +120,12 @@ int run_under_mpi(const SweepArguments& options) {
     const Farm farm = world.farm(hex(spec.identity()));
     if (world.rank() == 0) return report(spec, worked_through(spec, options, farm), options);
     for (const int signal :
-         {SIGINT, SIGTERM})  // the first takes what is being made, then stops all
+         {SIGINT, SIGTERM})  // the first process collects the current cases and stops all
       std::signal(signal, SIG_IGN);
     (void)run_sweep(spec, {.farm = farm});
     return fine;
   } catch (const std::exception& error) {
-    // What is wrong with the files all find; the first says it, unless it finds nothing.
+    // All processes find an error of the files. The first reports it; the others wait for that.
     if (world.rank() != 0) std::this_thread::sleep_for(std::chrono::seconds(1));
     fmt::print(stderr, "jounce: {}{}\n",
                world.rank() == 0 ? "" : fmt::format("rank {}: ", world.rank()), error.what());

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
+#include "jounce/proof/drive_signals.hpp"
+#include "jounce/proof/proof.hpp"
 
 #include "cli/common/folders.hpp"
+#include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/proof/drive_signals.hpp"
-#include "cli/proof/drive_text.hpp"
-#include "cli/proof/follower_text.hpp"
-#include "cli/proof/proof.hpp"
-#include "cli/proof/robustness.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -27,32 +26,6 @@ struct ValidateArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json played_json(const Played& played) {
-  const auto part = [](const Deviation& from) {
-    return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
-  };
-  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
-  if (played.curve) json["curve"] = part(*played.curve);
-  return json;
-}
-
-nlohmann::ordered_json json_of(const Proof& proof, const Input& input) {
-  Json document = Json::parse(to_json(proof.report, input.labels));
-  const auto witness_json = [](const Witness& w) {
-    return Json{{"position", w.position.relative},
-                {"velocity", w.velocity.relative},
-                {"acceleration", w.acceleration.relative},
-                {"steps", w.integration.steps}};
-  };
-  document["witness"] = {{"curve", witness_json(proof.curve)},
-                         {"table", witness_json(proof.table)}};
-  if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
-  if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
-  if (proof.follower) document["follower"] = follower_json(*proof.follower);
-  if (proof.played) document["executor"] = played_json(*proof.played);
-  return document;
-}
-
 void print_text(std::FILE* out, const Proof& proof, const Input& input) {
   fmt::print(out, "{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
              proof_text(proof, input));
@@ -62,16 +35,28 @@ void print_text(std::FILE* out, const Proof& proof, const Input& input) {
   if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
 }
 
-/// Throws InputError where the run of one drive cannot be written as asked.
+/// Throws InputError if --signals cannot be written: a wrong path, several axes, or no [drive].
 void require_signals_of(const ValidateArguments& options, const std::vector<Input>& inputs) {
   if (options.signals.empty()) return;
-  require_signals(options.signals);
+  require_signals("--signals", options.signals);
   require_other_file(options.file, options.signals);
   require_folders({{"--signals", options.signals}});
   if (inputs.size() > 1)
     throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
   if (!inputs.front().drive)
     throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
+}
+
+/// Calls prove() with a progress line.
+Proof proven(const Input& input, const ValidateArguments& options) {
+  std::optional<Progress> line;
+  const auto progress = [&](double share) {
+    if (!line) line.emplace("tolerances");
+    line->show(share);
+  };
+  return prove(input, {.log = options.log,
+                       .drive_samples = options.signals.empty() ? 0 : options.samples,
+                       .progress = progress});
 }
 
 int run_validate(const ValidateArguments& options) {
@@ -83,12 +68,12 @@ int run_validate(const ValidateArguments& options) {
   bool ok = true;
   AxisDocuments documents;
   for (const Input& input : inputs) {
-    const Proof proof = prove(input, options.log, options.signals.empty() ? 0 : options.samples);
+    const Proof proof = proven(input, options);
     ok = ok && proof.report.ok();
     if (!options.signals.empty())
       write_file(options.signals, signals_file(*proof.drive, input, options.signals));
     if (options.json)
-      documents.emplace_back(input.axis, json_of(proof, input));
+      documents.emplace_back(input.axis, Json::parse(proof_json(proof, input)));
     else
       print_text(out, proof, input);
   }

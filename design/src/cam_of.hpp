@@ -5,7 +5,7 @@
 
 namespace jounce::detail {
 
-/// The cam of a spec with what its knots leave out chosen as the spec says.
+/// The cam of a spec. Derivatives that its knots omit follow the rules of the spec.
 CamSpec cam_of(const Spec& spec);
 
 }  // namespace jounce::detail

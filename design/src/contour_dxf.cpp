@@ -8,9 +8,8 @@
 
 #include "jounce/design/disc.hpp"
 
-// DXF is pairs of lines, a group code and its value (Autodesk, "DXF Reference"). Release 12 is what
-// every program reads; its polylines are POLYLINE, VERTEX ..., SEQEND. $INSUNITS came later, and is
-// skipped by readers that do not know it.
+// DXF is pairs of lines, a group code and its value (Autodesk, "DXF Reference"). Every program reads release 12; its
+// polylines are POLYLINE, VERTEX ..., SEQEND. $INSUNITS is newer; older readers skip it.
 
 namespace jounce {
 namespace {
@@ -38,7 +37,7 @@ void point(std::string& out, double x, double y) {
   real(out, 30, 0);
 }
 
-/// How far from the centre anything of the drawing is, arcs included.
+/// The greatest distance of the drawing from the center, arcs included.
 double reach(const DiscDrawing& d) {
   double r = std::hypot(d.roller.x, d.roller.y) + d.roller_radius;
   for (const Contour* c : {&d.profile, &d.pitch, &d.cutter})

@@ -82,7 +82,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Widths in mm, so that it prints as a drawing; light or dark as its viewer prefers.
+/// Line widths in mm, for printing. Light or dark as the viewer prefers.
 constexpr const char* style_sheet =
     "<style>path,circle{fill:none;stroke:#222;stroke-width:.15}"
     ".cam{stroke-width:.5;fill:#8883}.pitch{stroke:#1a7f37;stroke-dasharray:4 1 .5 1}"

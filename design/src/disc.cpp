@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/disc.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
+#include "jounce/report/report_text.hpp"
 
 namespace jounce {
 namespace {
@@ -18,7 +21,7 @@ const DiscPart& require_disc(const Spec& spec) {
   return *spec.disc;
 }
 
-/// `work` with its errors placed in the document: the geometry knows its own keys only.
+/// Calls `work`; gives its errors the keys and the place of the document.
 template <class Work>
 auto placed(const Spec& spec, Work work) {
   try {
@@ -88,6 +91,31 @@ std::string contour_csv(const Spec& spec, const Disc& disc) {
   for (const Vertex& v : c)
     text += number(v.master) + "," + number(v.x * mm) + "," + number(v.y * mm) + "\n";
   return text;
+}
+
+bool cannot_be_cut(const Report& report) {
+  return std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
+    return f.broken && (f.rule == "disc/interference" || f.rule == "disc/cutter_radius" ||
+                        (f.rule == "disc/profile_radius" && f.value <= 0));
+  });
+}
+
+std::string extremes_text(const Spec& spec, const Disc& disc) {
+  const DiscExtremes e = extremes(disc);
+  const std::string& length = spec.disc->length;
+  const double roller = spec.disc->geometry.roller_radius;
+  const auto at = [&](const Extremum& x) { return rounded(x.where) + " " + spec.units.x; };
+  const auto deg = [](const Extremum& x) { return rounded(x.value * 180 / std::numbers::pi); };
+  const Extremum& hollow = e.pitch_curvature.min;
+  return fmt::format("pressure angle: {} deg at {} .. {} deg at {}\n", deg(e.pressure_angle.min),
+                     at(e.pressure_angle.min), deg(e.pressure_angle.max),
+                     at(e.pressure_angle.max)) +
+         fmt::format("profile, most convex: radius {} {} at {}\n",
+                     rounded(1 / e.pitch_curvature.max.value - roller), length,
+                     at(e.pitch_curvature.max)) +
+         (hollow.value < 0 ? fmt::format("profile, most hollow: radius {} {} at {}\n",
+                                         rounded(roller - 1 / hollow.value), length, at(hollow))
+                           : "profile: nowhere hollow\n");
 }
 
 }  // namespace jounce

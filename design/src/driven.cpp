@@ -6,10 +6,10 @@
 namespace jounce {
 namespace {
 
-/// What a finding is counted in; "": in the unit of the position.
-std::string unit_of(const std::string& rule) {
-  if (rule.ends_with("torque") || rule == "drive/saturation") return "N m";
-  if (rule.ends_with("velocity")) return "rad/s";
+/// Unit of the value of a finding; "": the unit of the position.
+std::string unit_of(const Rule& rule) {
+  if (rule.name().ends_with("torque") || rule == "drive/saturation") return "N m";
+  if (rule.name().ends_with("velocity")) return "rad/s";
   if (rule == "drive/current") return "A";
   if (rule == "drive/i2t") return "of the limit";
   return rule == "drive/settling_time" || rule == "drive/integration" ? "s" : "";

@@ -44,15 +44,15 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           made.sampled.binding};
 }
 
-/// Whether the table is the best one of so many knots: it has the error that it has.
+/// True if the number of knots is given: the table has the least error for it.
 bool is_best_of_so_many(const Input& input) {
   return input.options.target && !input.options.tolerance;
 }
 
-/// How far a derivative of a table may be off because its knots are rounded to doubles: an error of
-/// d in the position makes 60 d / L^3 of jerk in a quintic of length L, less in a cubic. A rounded place x
-/// counts as much as an error of v x in the position. Beside a shorter interval, of length S, a knot may have the
-/// velocity d / S more, which takes the error out of that interval (sample.cpp) and makes 36 d / (S L^2) here.
+/// The greatest error of a derivative of a table due to the rounding of its knots to doubles. An error d of the
+/// position makes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded place x
+/// counts as an error of v x of the position. A knot beside a shorter interval, of length S, may have d / S more
+/// velocity, which removes the error from that interval (sample.cpp) and makes an error of 36 d / (S L^2) here.
 double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
   constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
   constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
@@ -71,7 +71,7 @@ double rounding_of_knots(const Table& table, double largest_position, const Find
          std::pow(length, static_cast<double>(order));
 }
 
-/// Limits that the table alone breaks, between the knots, by more than the rounding of its knots.
+/// The limits that the table breaks between its knots and the curve does not, by more than the rounding of the knots.
 Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
   Report report = check(table, limits);
   const Ranges peaks = extrema(table);
@@ -91,7 +91,7 @@ Report check_table(const Table& table, const Limits& limits, const Report& of_cu
   return report;
 }
 
-/// How far the table is from its curve, against what was asked for.
+/// The error of the table against its tolerance.
 Finding table_error(const Input& input) {
   const double allowed = *table_tolerance(input);
   const bool broken = input.error->position > allowed;
@@ -113,8 +113,7 @@ void append(Report& report, const Report& part) {
   report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
 }
 
-/// Continuity at the joints. The ends at which a cam that runs once moves are no joints: add_ends() reports
-/// them.
+/// Continuity at the joints. The moving ends of a cam that runs once are no joints: add_ends() reports them.
 Report check_joints(const Input& input, int continuity) {
   if (input.labels.over_master) {
     const Cam& cam = std::get<Cam>(*input.curve);
@@ -130,18 +129,18 @@ Report check_curve(const Input& input, int continuity) {
   append(report, check_joints(input, continuity));
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
-  // Where the curve keeps a limit, its table may still break it between the knots.
+  // The table may break a limit between the knots that the curve keeps.
   append(report, check_table(table, input.limits, report));
   return report;
 }
 
-/// Of the master, in s; 0 where none is given.
+/// Velocity of the master per second; 0 if none is given.
 double master_speed(const Spec& spec, const EngageState& at) {
   const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
   return at.master_velocity.value_or(speed);
 }
 
-/// What engaging does. A coupling is in s, whatever the spec's unit of time is.
+/// Findings of the start of the coupling. A coupling counts in s, also if the spec has another unit of time.
 Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   const Coupling coupling(cam, *spec.coupling);
   const double slave = at.slave.value_or(value(cam.segments().front(), 0));
@@ -156,7 +155,8 @@ Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   return report;
 }
 
-/// Where a cam ends moving: what becomes of the slave. Where it begins moving: a slave at rest cannot follow.
+/// Adds advice to a moving end of a cam: the motion of the slave after the end, or the jump of a slave at rest at the
+/// beginning.
 void explain_end(Finding& end, const Input& input, const EngageState& at) {
   const Spec* const spec = input.spec ? &*input.spec : nullptr;
   const Units& units = input.labels.units;
@@ -183,7 +183,7 @@ void explain_end(Finding& end, const Input& input, const EngageState& at) {
   if (!in_gear) end.severity = Severity::warning;
 }
 
-/// The ends of a cam that runs once. Those of a follow spec are judged with its tables, the beginning of a
+/// Adds the ends of a cam that runs once. The ends of a follow spec are checked with its tables, the beginning of a
 /// coupled cam with its coupling. A cam that refuses a master outside may begin moving.
 void add_ends(const Input& input, const EngageState& at, Report& report) {
   if (!input.labels.over_master) return;
@@ -198,17 +198,17 @@ void add_ends(const Input& input, const EngageState& at, Report& report) {
     if (f.rule == "coupling/end" || f.rule == "coupling/begin") explain_end(f, input, at);
 }
 
-/// Where a table is for HIMC, the error by which it refuses one that breaks a limit.
+/// Names the error with which HIMC refuses a table that breaks a limit.
 void name_himc_errors(Report& report) {
   for (Finding& f : report.findings) {
-    if (!f.broken || !f.rule.starts_with("limit/")) continue;
+    if (!f.broken || f.rule.family() != RuleFamily::limit) continue;
     const std::string error = himc::pvt_limit_error(f.quantity);
     if (!error.empty()) f.advice = "MovePVT refuses the table: HIMC error " + error;
   }
 }
 
-/// A step of the velocity that the check of continuity has found is told once, with the advice of the
-/// warning, which knows more of tables.
+/// Reports a step of the velocity once: the finding of the continuity check, with the advice of the warning, which fits
+/// the type of the table.
 Report merged(Report warnings, Report& found) {
   std::erase_if(warnings.findings, [&](const Finding& w) {
     if (w.rule != "pt/velocity_step" && w.rule != "pt/end_velocity") return false;
@@ -236,7 +236,7 @@ void add_not_limited(Report& report, const Input& input) {
     const Extremum& peak = ranges[k].peak();
     if (limited[k] || peak.value == 0) continue;
     Finding f;
-    f.rule = std::string("unlimited/") + names[k];
+    f.rule = Rule(RuleFamily::unlimited, names[k]);
     f.quantity = names[k];
     f.where = peak.where;
     f.value = peak.value;

@@ -19,7 +19,7 @@
 namespace jounce {
 namespace {
 
-/// sqrt of the mean of the `order`th derivative's square.
+/// The rms of the `order`th derivative.
 template <class Over>
 double rms(const Curve<Over>& curve, int order) {
   double sum = 0;
@@ -45,8 +45,7 @@ bool has_current(const DriveSpec& spec) {
   return spec.drive.motor.torque_constant > 0;
 }
 
-/// What a run of the drive is judged by, where the spec has what it is made of. "u": the unit of the
-/// position.
+/// The figures of a run of the drive, as far as the spec has the data for them. "u": the unit of the position.
 struct DriveFigure {
   const char* name;
   const char* unit;
@@ -92,7 +91,7 @@ constexpr std::array drive_figures{
                 [](const auto& spec) { return spec.drive.motor.resistance > 0; }},
 };
 
-/// A figure that is computed when it is asked for.
+/// A figure that is computed on request.
 struct Offer {
   std::string name;
   std::string unit;
@@ -101,7 +100,7 @@ struct Offer {
   std::optional<double> limit = {};
 };
 
-/// One axis of a design, and what costs time, made at most once.
+/// One axis of a design. Costly results are computed at most once.
 class Looked {
  public:
   explicit Looked(Input input) : input_(std::move(input)) {}
@@ -300,7 +299,8 @@ Assessment assessed(std::vector<Looked>& axes, const std::vector<std::string>& n
 
 bool states_limit(const Finding& f) {
   return f.severity == Severity::required &&
-         (f.broken || !(f.rule.starts_with("table/") || f.rule.starts_with("continuity/")));
+         (f.broken ||
+          !(f.rule.family() == RuleFamily::table || f.rule.family() == RuleFamily::continuity));
 }
 
 std::optional<double> Assessment::value(const std::string& name) const {
@@ -337,7 +337,7 @@ Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& n
 }
 
 std::string rule_of(const Finding& finding) {
-  return finding.rule + (finding.axis.empty() ? "" : " " + finding.axis);
+  return finding.rule.text() + (finding.axis.empty() ? "" : " " + finding.axis);
 }
 
 }  // namespace jounce

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/law_guide.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace jounce {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string shown(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "∞";
@@ -130,7 +134,7 @@ std::vector<Law> rising_laws() {
 }
 
 Characteristics characteristics(Law law) {
-  // Beside a dwell, as most are used: a law whose acceleration steps there has no finite jerk.
+  // Values beside a dwell, the usual case: a law whose acceleration steps there has no finite jerk.
   const bool reverses = info(law).ends == Ends::rest_to_reversal;
   return characteristics(Cam(normalised(law, shown_form(law)), 0,
                              reverses ? Extrapolation::refuse : Extrapolation::hold));
@@ -197,6 +201,29 @@ std::string laws_markdown() {
   for (const LawInfo& law : all_laws()) text += markdown(law.law);
   text.pop_back();
   return text;
+}
+
+std::string law_json(Law which) {
+  const LawInfo& law = info(which);
+  Json document{{"law", law.name},
+                {"title", law.title},
+                {"use", law.use},
+                {"strength", law.strength},
+                {"weakness", law.weakness},
+                {"ends", ends_in_words(law.ends)},
+                {"inflection", law.inflection}};
+  const auto rising = rising_laws();
+  if (std::find(rising.begin(), rising.end(), which) == rising.end()) return document.dump();
+  const Characteristics c = characteristics(which);
+  const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  for (const auto& [key, value] : {std::pair{"cv", c.cv.value},
+                                   {"ca", c.ca.value},
+                                   {"ca_star", c.ca_star.value},
+                                   {"cj", c.cj.value},
+                                   {"cm", c.cm.value},
+                                   {"rms", c.rms}})
+    document[key] = finite(value);
+  return document.dump();
 }
 
 }  // namespace jounce

@@ -36,8 +36,8 @@ namespace {
 
 using detail::cam_of;
 
-/// A quintic needs one acceleration at each knot: where it steps, there are two. Steps at the ends of a
-/// curve that does not repeat are outside of the table.
+/// True if the acceleration steps at a knot: a quintic needs one acceleration there. Steps at the ends of a curve that
+/// does not repeat are outside the table.
 template <class Over>
 Interpolation rule_for(const Curve<Over>& curve, const TableOptions& options) {
   if (options.rule) return *options.rule;
@@ -46,7 +46,7 @@ Interpolation rule_for(const Curve<Over>& curve, const TableOptions& options) {
                                           : Interpolation::cubic_hermite;
 }
 
-/// A billionth of the stroke is finer than any encoder of today resolves.
+/// The default tolerance is a billionth of the stroke, below the resolution of encoders.
 template <class Over>
 double fine(const Curve<Over>& curve) {
   const Range travel = extrema(curve, 0);
@@ -94,12 +94,12 @@ Mode mode_over_master(const Spec& spec) {
   return {spec.polydyne->frequency / speed, spec.polydyne->damping};
 }
 
-/// The cam for the load behind the spec's mode, whose motion its knots say.
+/// The cam that moves the load as the knots state, through the mode of the spec.
 Polydyne driven(const Spec& spec, const Cam& output) {
   return polydyne(output, mode_over_master(spec));
 }
 
-/// What a cam leaves swinging after one run at the master's speed.
+/// Residual vibration after one run of the cam at the speed of the master.
 double residual_of(const Spec& spec, const Cam& cam) {
   const auto segments = cam.segments();
   return residual_vibration(Trajectory({segments.begin(), segments.end()}), mode_over_master(spec));
@@ -125,7 +125,7 @@ Made make_cam(const Spec& spec) {
 Made make_sync(const Spec& spec) {
   SyncCam made = sync_cam_of(std::get<SyncSpec>(spec.subject));
   std::vector<std::string> names;
-  std::size_t number = 0;  // one for all pieces of a law, which share a name
+  std::size_t number = 0;  // the pieces of a law share a number
   for (std::size_t i = 0; i < made.segments.size(); ++i) {
     if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
     names.push_back(numbered(number, made.segments[i]));
@@ -135,7 +135,7 @@ Made make_sync(const Spec& spec) {
           std::move(made.zones)};
 }
 
-/// The motions before any operator, and names for the segments where they are not just numbered.
+/// The motions before any operator, and the names of their segments; no names: 1, 2, ...
 struct Motions {
   std::vector<Trajectory> curves;
   std::vector<std::string> names;
@@ -155,7 +155,7 @@ Motions motions_of(const Spec& spec) {
   return {{detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
 }
 
-/// Names of the segments after the operators. A filter makes many, of which none means anything.
+/// Names of the segments after the operators. A filter makes many segments without a meaning: they have no names.
 std::vector<std::string> names_after(const Spec& spec, const Trajectory& curve,
                                      std::vector<std::string> names) {
   const bool same = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
@@ -190,8 +190,8 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
   return all;
 }
 
-/// A time table whose velocity steps is sampled as a linear one, the only rule with two velocities at
-/// a knot: within a millionth of the stroke, as its parabolas would take very many lines.
+/// A time table whose velocity steps is sampled as a linear table, the only rule with two velocities at a knot. The
+/// tolerance is a millionth of the stroke: its parabolas would need very many lines for less.
 void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
   if (!std::holds_alternative<TimeTableSpec>(spec.subject) || options.rule) return;
   const Jump step = largest_jump(with(curve, Extrapolation::refuse), 1);
@@ -205,7 +205,7 @@ void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& option
 
 std::vector<Made> make_motions(const Spec& spec) {
   std::vector<AxisPart> parts = spec.parts();
-  // The knots of a PVT spec are its table, unless operators make it another.
+  // The knots of a PVT spec are its table, unless an operator changes the motion.
   if (const auto* knots = std::get_if<Table>(&spec.subject); knots != nullptr && spec.then.empty())
     return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
   const Motions before = motions_of(spec);
@@ -253,7 +253,7 @@ Made make(const Spec& spec) {
 
 namespace {
 
-/// Where the cam of a spec begins and ends.
+/// Start and end of the cam of a spec, in the master unit.
 std::pair<double, double> master_range(const Spec& spec) {
   if (const auto* sync = std::get_if<SyncSpec>(&spec.subject)) {
     const Cam cam = sync_cam_of(*sync).cam;
@@ -272,7 +272,7 @@ Trajectory master_of(const Spec& spec) {
   const double velocity = master.velocity / unit;
   const auto [start, end] = master_range(spec);
   const double turn = end - start;
-  // Every period has breaks of its own, and each is integrated.
+  // Every period has its own breaks, and each is integrated.
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
                      "must be 1e-9 to 1e4 times the length of the cam, " + number(turn));
@@ -377,7 +377,7 @@ CamProblem make_problem(const Spec& spec) {
     problem.ramped = ramped_limits(spec);
     require_valid(problem);
   } catch (const InputError& error) {
-    // The problem names its own fields; in the document all but these stand under [optimize].
+    // The problem names its own fields. All but these are under [optimize] in the document.
     const bool of_a_knot = error.key().starts_with("segment") ||
                            error.key().starts_with("start.") || error.key().starts_with("limits.");
     const std::string key = of_a_knot ? error.key() : "optimize." + error.key();

@@ -6,7 +6,7 @@
 
 #include "design/src/cam_of.hpp"
 
-// A spec with free shapes -> the problem: what its knots leave out, and its limits over time.
+// From a spec with free shapes to the problem: the values that its knots omit, and its limits over time.
 
 namespace jounce {
 namespace {
@@ -19,8 +19,8 @@ bool is_free(const ShapeSpec& shape, std::size_t segment) {
   return false;
 }
 
-/// A knot that two free shapes share has its slave given; a derivative that it leaves out is theirs to
-/// choose. Start and last knot of a periodic cam are one.
+/// A knot between two free shapes states its slave position. The shapes choose the derivatives that it omits. Start and
+/// last knot of a periodic cam are one knot.
 void free_what_is_left_out(const CamSpec& cam, const ShapeSpec& shape,
                            std::vector<FreeKnot>& knots) {
   const std::size_t last = cam.segments.size();

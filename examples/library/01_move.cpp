@@ -21,8 +21,8 @@ int main() {
   const Trajectory both = concatenated(move, reversed(move));
   const Report report = check(both, {.velocity = 8});
   const Finding& worst = report.findings.front();
-  std::printf("%s: %.4g exceeds %.4g by %.0f %%\n", worst.rule.c_str(), std::abs(worst.value),
-              std::abs(worst.limit), -100 * worst.margin);
+  std::printf("%s: %.4g exceeds %.4g by %.0f %%\n", worst.rule.text().c_str(),
+              std::abs(worst.value), std::abs(worst.limit), -100 * worst.margin);
 }
 
 // > 5.7 s; at 0.25 s: 0.2583 at 3

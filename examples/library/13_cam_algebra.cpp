@@ -38,7 +38,7 @@ int main() {
 
   const Inversion inverse = inverted(cam);
   for (const Finding& finding : inverse.report.findings)
-    std::printf("%s: %s\n", finding.rule.c_str(), finding.advice.c_str());
+    std::printf("%s: %s\n", finding.rule.text().c_str(), finding.advice.c_str());
   const Transfer there = inverse.branches[0].at(25);
   std::printf("25 mm on the rise: %.6g deg, %.4g deg/mm\n", there.position, there.geo_velocity);
   for (const MasterSpan& at : positions_for(cam, 50))

@@ -43,8 +43,8 @@ int main() {
   // The default cam of a well-known editor: 0, 120, 240, 360 with slopes 0, 1, 1, 0.
   const Cam first({quintic(120, 0, 0, 0, 120, 1, 0)});
   for (const Finding& f : warnings(first).findings)
-    std::printf("%s: %.4g instead of %g at %g\n  %s\n", f.rule.c_str(), f.value, f.limit, f.where,
-                f.advice.c_str());
+    std::printf("%s: %.4g instead of %g at %g\n  %s\n", f.rule.text().c_str(), f.value, f.limit,
+                f.where, f.advice.c_str());
 }
 // > 0 to 120: Cv 1.875, Ca 5.7735, Cj 60, Cm 6.69427
 // >   Ca is 21.5 % above 4.753, the least for its jerk

@@ -23,7 +23,7 @@ int main() {
   const FollowTable bridge{{{20000, 10000}, {40000, 30000}, {260000, 46000}}};
   const FollowTable last{{{20000, 16000, PtType::continued}, {40000, 36000}, {60000, 52000}}, 0};
   for (const Finding& f : check(FollowSpec{{bridge, last}}).findings)
-    std::printf("%s %.3f at %g\n", f.rule.c_str(), f.value, f.where);
+    std::printf("%s %.3f at %g\n", f.rule.text().c_str(), f.value, f.where);
 
   // The controller plays it: one table, then the other, switched while it runs.
   googol::FollowFifos axis;

@@ -16,7 +16,7 @@ int main() {
   for (const PtRate& rate : pt_rates<OverTime>(points))
     std::printf("from %g to %g\n", rate.start, rate.end);
   for (const Finding& f : check_pt<OverTime>(points, 0, Extrapolation::hold).findings)
-    std::printf("%s: %g at %g\n", f.rule.c_str(), f.value, f.where);
+    std::printf("%s: %g at %g\n", f.rule.text().c_str(), f.value, f.where);
 
   const pmc600::ProfileTable stages{.points = {{1, 10000}, {2, 40000}, {1, -10000}, {0.5, -5000}},
                                     .is_absolute = false};

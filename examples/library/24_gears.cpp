@@ -33,7 +33,7 @@ int main() {
   const Report report =
       feasibility(cam.cam, {.velocity = 60, .acceleration = 0.02}, {.velocity = 100});
   for (const Finding& f : report.findings)
-    std::printf("%s: %s, master up to %.6g pulse/ms\n", f.rule.c_str(),
+    std::printf("%s: %s, master up to %.6g pulse/ms\n", f.rule.text().c_str(),
                 f.broken ? "broken" : "kept", f.limit);
 
   // PMC600 example 6.2: in step from master 5000, slave 2000.

@@ -10,119 +10,12 @@
 #include "jounce/base/units.hpp"
 #include "jounce/pvt/check.hpp"
 
-#include "report/src/sync_text.hpp"
+#include "report/src/words.hpp"
 
 namespace jounce {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string with_unit(double value, const std::string& unit) {
-  return unit.empty() ? rounded(value) : rounded(value) + " " + unit;
-}
-
-std::string place(const Finding& finding, const Labels& labels) {
-  const std::string segment = labels.segment_of(finding);
-  return with_unit(finding.where,
-                   finding.where_unit.empty() ? labels.units.x : finding.where_unit) +
-         (segment.empty() ? "" : " (segment " + segment + ")");
-}
-
-std::string percent(double share) {
-  return fmt::format("{:.3g} %", 100 * std::abs(share));
-}
-
-/// True if the limit is a lower one: a radius that a disc cam must have.
-bool is_least(const Finding& finding) {
-  return finding.rule == "disc/profile_radius" || finding.rule == "disc/cutter_radius";
-}
-
-/// Verdict of a curve against a limit, with its margin.
-std::string verdict(const Finding& finding) {
-  const std::string limit = rounded(finding.limit);
-  if (finding.broken && finding.rule.starts_with("limit/position"))
-    return fmt::format("is outside the limit {} by {}", limit,
-                       rounded(std::abs(finding.value - finding.limit)));
-  if (finding.rule == "follower/contact")  // its margin is no share of the limit
-    return finding.broken && finding.limit == 0
-               ? "shows that the follower lifts off"
-               : fmt::format("is {} the minimum {}", finding.broken ? "below" : "above", limit);
-  if (is_least(finding))
-    return fmt::format("is {} {} the minimum {}", percent(finding.margin),
-                       finding.broken ? "below" : "above", limit);
-  if (finding.margin < -10)
-    return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
-  if (finding.broken)
-    return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
-  if (std::abs(finding.margin) < 1e-9) return fmt::format("just meets the limit {}", limit);
-  if (finding.rule.starts_with("limit/position"))
-    return fmt::format("stays within the limit {} by {} of the travel", limit,
-                       percent(finding.margin));
-  return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
-}
-
-/// Distance above the proven bound.
-std::string of_bound(const Finding& f, const std::string& where) {
-  if (f.rule == "bound/duration")
-    return fmt::format("{} = {}: {} {} the whole rise, the greatest possible value", f.quantity,
-                       rounded(f.value), percent(f.margin), f.broken ? "above" : "below");
-  if (f.rule.starts_with("identity/"))
-    return fmt::format("{} of the rise from {} is {}, of any motion {}", f.quantity, where,
-                       rounded(f.value), rounded(f.limit));
-  const char* whose = f.rule == "bound/acceleration_for_jerk" ? "for its jerk" : "of any motion";
-  return fmt::format("{} {} at {} is {} {} {}, the minimum {}", f.quantity, rounded(f.value), where,
-                     percent(f.margin), f.broken ? "below" : "above", rounded(f.limit), whose);
-}
-
-/// Findings that are allowed but perhaps not intended.
-std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
-  if (f.rule == "warning/overshoot")
-    return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
-                       value, where, rounded(f.limit), percent(f.margin));
-  if (f.rule == "warning/velocity_overshoot")
-    return fmt::format("{} {} at {} is beyond {}, at which the segment ends", f.quantity, value,
-                       where, rounded(f.limit));
-  return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
-}
-
-/// Warnings of a time table.
-std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
-  if (f.rule == "pt/oscillation")
-    return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
-  if (f.rule == "pt/end_velocity")
-    return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
-  return fmt::format("{} is {} at {}", f.quantity, value, where);
-}
-
-/// Findings that prevent an output from firing as intended.
-std::string of_compare(const Finding& f, const std::string& value, const std::string& where) {
-  if (f.rule == "compare/missed")
-    return fmt::format("{} of {} points fire", rounded(f.value), rounded(f.limit));
-  if (f.rule == "compare/merged")
-    return fmt::format("points come {} apart at {}, and the pulse lasts longer", value, where);
-  return fmt::format("the output is up to {} late, at {}", value, where);
-}
-
-/// Findings of a coupling without a limit: a step, a figure, or a start that it refuses.
-std::string of_coupling(const Finding& f, const std::string& value, const std::string& where) {
-  const bool steps = f.value != 0;
-  if (f.rule == "coupling/start")
-    return steps ? fmt::format("{} steps by {} where the slave engages, at {}", f.quantity, value,
-                               where)
-                 : fmt::format("{} is continuous where the slave engages", f.quantity);
-  if (f.rule == "coupling/period")
-    return steps ? fmt::format("{} steps by {} at the end of each period", f.quantity, value)
-                 : fmt::format("{} is continuous from period to period", f.quantity);
-  if (f.rule == "coupling/enter")
-    return fmt::format("the cam moves at {} where the master enters it, at {}", value, where);
-  if (f.rule == "coupling/end" || f.rule == "coupling/begin")
-    return fmt::format("the cam {} moving, with {} {} at {}",
-                       f.rule == "coupling/end" ? "ends" : "begins", f.quantity, value, where);
-  if (f.rule == "coupling/ramp")
-    return fmt::format("the correction reaches {} {} {} {}", f.quantity, value,
-                       f.where_unit.empty() ? "at" : "after", where);
-  return fmt::format("the slave cannot engage with its master at {}", where);
-}
 
 /// A position for people: what is rounding beside the range is 0.
 std::string tidy(double value, const Range& range) {
@@ -130,10 +23,14 @@ std::string tidy(double value, const Range& range) {
 }
 
 Json to_object(const Finding& finding, const Labels& labels) {
-  Json object{
-      {"rule", finding.rule},   {"quantity", finding.quantity}, {"unit", labels.unit_of(finding)},
-      {"where", finding.where}, {"value", finding.value},       {"limit", nullptr},
-      {"margin", nullptr},      {"broken", finding.broken}};
+  Json object{{"rule", finding.rule.text()},
+              {"quantity", finding.quantity},
+              {"unit", labels.unit_of(finding)},
+              {"where", finding.where},
+              {"value", finding.value},
+              {"limit", nullptr},
+              {"margin", nullptr},
+              {"broken", finding.broken}};
   if (finding.has_limit) {
     object["limit"] = finding.limit;
     object["margin"] = finding.margin;
@@ -153,14 +50,15 @@ Json to_object(const Finding& finding, const Labels& labels) {
 
 /// True if one computation is compared with another: its limit is not one of the machine.
 bool is_proof(const Finding& f) {
-  return f.rule.starts_with("witness/") || f.rule.starts_with("played/") ||
-         f.rule.ends_with("/integration") || f.rule == "drive/exact";
+  return f.rule.family() == RuleFamily::witness || f.rule.family() == RuleFamily::played ||
+         f.rule.name() == "integration" || f.rule == "drive/exact";
 }
 
 /// True for a limit of the machine, not for a joint, the table's own error, a proof, or a fact.
 bool is_limit(const Finding& f) {
-  return f.has_limit && f.severity == Severity::required && !f.rule.starts_with("continuity/") &&
-         !f.rule.starts_with("table/") && !is_proof(f);
+  return f.has_limit && f.severity == Severity::required &&
+         f.rule.family() != RuleFamily::continuity && f.rule.family() != RuleFamily::table &&
+         !is_proof(f);
 }
 
 std::vector<SegmentGroup> taken_together(const std::vector<SegmentGroup>& all, std::size_t most) {
@@ -202,6 +100,10 @@ std::string rounded(double value) {
   return fmt::format("{:.6g}", value);
 }
 
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? rounded(value) : rounded(value) + " " + unit;
+}
+
 std::string Labels::unit_of(const std::string& quantity) const {
   if (quantity == "time") return units.x;
   const auto& names = over_master ? OverMaster::names : OverTime::names;
@@ -229,70 +131,6 @@ std::size_t Labels::number_of_segment(std::size_t piece) const {
   return number;
 }
 
-std::string sentence(const Finding& finding, const Labels& labels) {
-  if (finding.rule == "table/position")
-    return fmt::format("the table is {} from the exact curve at {}; {} is allowed",
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
-                       rounded(finding.limit));
-  if (finding.rule.starts_with("continuity/") || finding.rule == "disc/corner") {
-    const std::string step = with_unit(finding.value, labels.unit_of(finding));
-    const std::string where = place(finding, labels);
-    return finding.broken ? fmt::format("{} is {} at {}", finding.quantity, step, where)
-                          : fmt::format("{} is continuous (largest step {})",
-                                        finding.quantity.substr(8), step);
-  }
-  if (finding.rule == "disc/interference")
-    return fmt::format("{} is {} at {}", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
-  if (finding.rule == "disc/profile_radius" && finding.limit == 0)
-    return fmt::format("{} is {} at {}; it must be greater than 0", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
-  if (finding.rule.starts_with("bound/") || finding.rule.starts_with("identity/"))
-    return of_bound(finding, place(finding, labels));
-  if (finding.rule.starts_with("warning/"))
-    return of_warning(finding, with_unit(finding.value, labels.unit_of(finding)),
-                      place(finding, labels));
-  if (finding.rule == "fill/limits")
-    return fmt::format("no velocities keep the limits from {} to the next knot, {} later",
-                       place(finding, labels), with_unit(finding.value, labels.units.x));
-  if (finding.rule.starts_with("fill/"))
-    return fmt::format(
-        "{} {} at the knots of {} rules out {}", finding.quantity,
-        with_unit(finding.value, labels.unit_of(finding)), place(finding, labels),
-        finding.rule == "fill/convex" ? "the bend of the data" : "a way without turning back");
-  if (finding.rule.starts_with("compare/") && finding.rule != "compare/speed")
-    return of_compare(finding, with_unit(finding.value, labels.unit_of(finding)),
-                      place(finding, labels));
-  if (finding.rule.starts_with("pt/"))
-    return of_table(finding, with_unit(finding.value, labels.unit_of(finding)),
-                    place(finding, labels));
-  if (finding.rule == "tolerance/stability")
-    return fmt::format("the loop is unstable in {} cases", rounded(finding.value));
-  if (finding.rule == "drive/stability")
-    return fmt::format(
-        "the loop is unstable{}: what is left of an error grows by the factor e in {} ms",
-        finding.where > 0 ? " at " + place(finding, labels) : "", rounded(1e3 / finding.value));
-  if (finding.rule.ends_with("/integration"))
-    return fmt::format("the integration ended at {}", place(finding, labels));
-  if (is_sync_rule(finding.rule)) return sync_sentence(finding, place(finding, labels));
-  if (finding.rule.starts_with("joint/") || finding.rule.starts_with("follow/"))
-    return fmt::format("{} is {} at {}", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
-  if (finding.rule.starts_with("coupling/"))
-    return of_coupling(finding, with_unit(finding.value, labels.unit_of(finding)),
-                       place(finding, labels));
-  if (is_unlimited(finding))
-    return fmt::format("{} has no limit; its peak is {} at {}", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
-  if (!finding.has_limit)
-    return fmt::format("{} is {} at {}", finding.quantity,
-                       with_unit(finding.value, labels.unit_of(finding)), place(finding, labels));
-  const bool met = !finding.broken && std::abs(finding.margin) < 1e-9;
-  return fmt::format("{} {} at {} {}", finding.quantity,
-                     with_unit(met ? finding.limit : finding.value, labels.unit_of(finding)),
-                     place(finding, labels), verdict(finding));
-}
-
 std::string one_line(const Report& report, const Labels& labels) {
   const std::size_t w = report.warnings();
   const std::string more =
@@ -308,13 +146,13 @@ std::string one_line(const Report& report, const Labels& labels) {
   }
   const bool continuous =
       std::any_of(report.findings.begin(), report.findings.end(),
-                  [](const Finding& f) { return f.rule.starts_with("continuity/"); });
+                  [](const Finding& f) { return f.rule.family() == RuleFamily::continuity; });
   return (continuous ? "no limits are given; the curve is continuous" : "no limits are given") +
          more;
 }
 
 bool is_unlimited(const Finding& finding) {
-  return finding.rule.starts_with("unlimited/");
+  return finding.rule.family() == RuleFamily::unlimited;
 }
 
 std::string not_limited_text(const Report& report, const Labels& labels) {
@@ -339,7 +177,7 @@ std::string full_text(const Report& report, const Labels& labels, std::size_t mo
     ++shown;
     const bool warns = finding.severity == Severity::warning;
     text += fmt::format("  {:<6} {:<26} {}\n", finding.broken ? "BROKEN" : (warns ? "warn" : "ok"),
-                        finding.rule, sentence(finding, labels));
+                        finding.rule.text(), sentence(finding, labels));
     if (!finding.advice.empty())
       text += fmt::format("  {:<6} {:<26} -> {}\n", "", "", finding.advice);
   }

@@ -44,6 +44,12 @@ constexpr std::array rules{
              "Choose a law whose ends match, or give the knot a velocity and an acceleration."},
     RuleInfo{"kept/geo_jerk", "The result keeps a step of the jerk that the given cam has.",
              "No action; ends = { jerk = 0 } removes it."},
+    RuleInfo{
+        "fixed/*",
+        "The result of an optimization misses a value that the spec fixes at an end of a shape.",
+        "Give the search more time; if the finding stays, report it with the spec."},
+    RuleInfo{"constraint/*", "A constraint of a search is violated at its best point.",
+             "Permit a larger value, or free more numbers."},
     RuleInfo{"polydyne/geo_acceleration",
              "The acceleration of the load steps, so the cam itself would have to jump.",
              "Use a law with a continuous fourth derivative for the load."},

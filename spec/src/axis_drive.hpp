@@ -9,16 +9,16 @@
 
 namespace jounce::detail {
 
-/// [drive] with what an axis's executor needs of it; also `spec`, `name` and so on.
+/// [drive], as far as the executor of an axis needs it; also `spec`, `name` and so on.
 std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units);
 
 /// The keys of a drive behind shared memory.
 AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units);
 
-/// [drive.machine]: the switches and the index of a machine that is not there.
+/// [drive.machine]: the switches and the index of a simulated machine.
 std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const Units& units);
 
-/// A [drive] of which its owner may have read keys of its own.
+/// A [drive]. Its owner may have read keys of its own before.
 DriveSpec read_drive_table(TomlReader& table, const Units& units);
 
 }  // namespace jounce::detail

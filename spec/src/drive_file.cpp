@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// "mass[1]." is [[drive.mass]], "motor." [drive.motor].
+/// The table of a prefix: "mass[1]." is [[drive.mass]], "motor." is [drive.motor].
 std::string table_of(const std::string& part) {
   return part.starts_with("mass[") ? "[[drive.mass]]" : "[drive." + part + "]";
 }
@@ -52,7 +52,7 @@ std::string drive_text(const DriveSpec& spec, const Units& units, const std::str
       text += "\n" + table_of(part) + "\n";
     }
     const bool gap = n.key.ends_with("_feed_forward") || n.key.ends_with("efficiency") ||
-                     n.key.ends_with("gravity_ratio");  // left out they would not be 0
+                     n.key.ends_with("gravity_ratio");  // their default is not 0
     if (*n.value == 0 && !gap) continue;
     text += fmt::format("{} = {}  # {}", n.key.substr(dot + 1), number(*n.value), n.unit);
     if (const auto found = beside.find(n.key); found != beside.end()) text += "; " + found->second;

@@ -18,7 +18,7 @@ namespace {
 
 using detail::TomlEditor;
 
-/// A number of a knot. What is missing is added, if it may be, below the master.
+/// A number of a knot. A missing key is added below the master, if that is permitted.
 void set(TomlEditor& editor, const toml::table& table, const char* key, double before, double after,
          bool may_add) {
   if (before == after) return;
@@ -68,7 +68,7 @@ void set_law(TomlEditor& editor, const toml::table& segment, const CamSegment& a
   editor.add(segment, "law", "points", list_of(after.points));
 }
 
-/// What stands in the text and has changed: nothing is added.
+/// Changes values that are in the text; adds nothing.
 void set_given(TomlEditor& editor, const toml::table& table, const CamKnot& before,
                const CamKnot& after) {
   set(editor, table, "slave", before.slave, after.slave, false);

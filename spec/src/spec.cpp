@@ -21,7 +21,7 @@ using detail::TomlReader;
 
 using detail::read_unit;
 
-/// A kind of spec: what it runs over, and what reads its own part, after units, table and limits.
+/// A kind of spec: its independent axis, and the function that reads its own part, after units, table and limits.
 struct Kind {
   const char* name;
   enum { over_time, over_master, no_curve } runs;
@@ -60,7 +60,7 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
   return master;
 }
 
-/// What belongs to the one axis of a spec.
+/// Reads the parts of a spec of one axis.
 void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
   spec.table =
@@ -71,7 +71,7 @@ void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   if (kind.name != std::string_view("axis")) spec.drive = detail::read_drive(top, spec.units);
 }
 
-/// What any cam may have beside it: a master, a coupling, switches.
+/// Reads the parts that any cam may have: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
   if (auto master = read_master(top, spec)) spec.master = master;
   spec.follower = detail::read_follower(top, spec);
@@ -144,7 +144,7 @@ constexpr std::array kinds{
     Kind{"drive", Kind::no_curve, read_drive_alone},
 };
 
-/// Kinds of files that other verbs take.
+/// Kinds of files for other verbs.
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
@@ -189,8 +189,8 @@ void detail::require_version(TomlReader& top) {
 
 namespace {
 
-/// The parser keeps a table for each part of a dotted key within the one before, and destroys them by calls
-/// within calls: 50 000 parts overrun the stack. It bounds nested values itself.
+/// Throws InputError for a dotted key of too many parts. The parser nests a table for each part and destroys them
+/// recursively: 50 000 parts overrun the stack. It limits nested values itself.
 void require_shallow_keys(const Document& document) {
   constexpr std::size_t most = 256;
   int line = 1;
@@ -256,7 +256,7 @@ std::optional<double> Spec::master_period() const {
   const auto* cam = std::get_if<CamSpec>(&subject);
   if (cam == nullptr || !cam->periodic || cam->segments.empty()) return std::nullopt;
   const double period = cam->segments.back().end.master - cam->start.master;
-  if (!(period > 0)) return std::nullopt;  // design() says what is wrong
+  if (!(period > 0)) return std::nullopt;  // design() reports the error
   return period;
 }
 

@@ -7,6 +7,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::units_test {
 namespace {
 
@@ -42,12 +44,7 @@ TEST(Quantity, ReadsANumberWithOrWithoutUnit) {
 }
 
 std::string complaint(const char* text, const char* unit) {
-  try {
-    (void)quantity(text, unit);
-  } catch (const InputError& error) {
-    return error.rule();
-  }
-  return "no error";
+  return test::rule_of([&] { (void)quantity(text, unit); }, "no error");
 }
 
 TEST(Quantity, SaysWhatIsWrongAndWhatFits) {

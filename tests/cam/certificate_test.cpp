@@ -162,7 +162,7 @@ TEST(Certificates, HoldForAHundredThousandRandomCams) {
     ++cams;
     for (const CamSegment& s : spec.segments) ++used[s.law];
     for (const Finding& f : certificates(*cam).findings) {
-      ++held[f.rule];
+      ++held[f.rule.text()];
       EXPECT_FALSE(f.broken) << f.rule << " " << f.quantity << " = " << number(f.value)
                              << ", bound " << number(f.limit) << ": " << text(spec);
     }

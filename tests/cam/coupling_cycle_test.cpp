@@ -11,6 +11,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
+#include "support/errors.hpp"
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
 
@@ -333,12 +334,7 @@ TEST(Trigger, ComesAtAPositionOrAPeriodsEnd) {
 
 TEST(Trigger, RefusesAPositionOrWindowThatIsNotInTheCam) {
   const auto key = [](const Trigger& trigger) -> std::string {
-    try {
-      require_valid(trigger, indexing(), "engage");
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { require_valid(trigger, indexing(), "engage"); });
   };
   using When = Trigger::When;
   EXPECT_EQ(key({When::master_position, 360, 180}), "");

@@ -13,6 +13,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::coupling_test {
@@ -292,12 +293,7 @@ TEST(Coupling, RefusesWhatItCannotDo) {
 
 TEST(Coupling, RefusesABadSpecByItsKey) {
   const auto key = [](const CouplingSpec& spec) -> std::string {
-    try {
-      require_valid(spec);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { require_valid(spec); });
   };
   EXPECT_EQ(key({}), "");
   EXPECT_EQ(key({.master_scaling = 0}), "master_scaling");
@@ -433,7 +429,7 @@ TEST(CouplingCheck, RoundingIsNoJump) {
 TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
   const auto rules = [](const Report& report) {
     std::string all;
-    for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule + " ";
+    for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule.text() + " ";
     return all;
   };
   EXPECT_EQ(rules(check(Coupling(with(ramp(), Extrapolation::refuse)), {}, {20, 0, 0, 0})),

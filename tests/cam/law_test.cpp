@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"
 
@@ -212,12 +213,7 @@ TEST(EndVelocities, EqualOnesArePutUnderTheLaw) {
 
 TEST(LawForms, NameWhatALawDoesNotTake) {
   const auto complaint = [](Law law, const LawForm& form) {
-    try {
-      (void)normalised(law, form);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return test::error_of([&] { (void)normalised(law, form); }, "no error");
   };
   EXPECT_EQ(complaint(Law::double_harmonic, {.inflection = 0.4}),
             "inflection = 0.4: the law `double_harmonic` does not take this");

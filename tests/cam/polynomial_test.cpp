@@ -9,6 +9,7 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::polynomial_test {
@@ -49,12 +50,7 @@ TEST(Polynomial, RecoversAnyOneFromItsOwnValues) {
 
 TEST(Polynomial, RefusesWhatHasNoAnswer) {
   const auto complaint = [](const std::vector<Condition>& conditions, double length = 1) {
-    try {
-      (void)polynomial(length, conditions);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return std::string("no error");
+    return test::key_of([&] { (void)polynomial(length, conditions); }, "no error");
   };
   EXPECT_EQ(complaint({}), "conditions");
   EXPECT_EQ(complaint(std::vector<Condition>(13)), "conditions");

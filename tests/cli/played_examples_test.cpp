@@ -13,16 +13,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/executor/played.hpp"
+#include "jounce/design/executor_tables.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/proof/played.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "cli/common/input.hpp"
-#include "cli/proof/reference.hpp"
 #include "executor/site.hpp"
+#include "support/errors.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -191,7 +192,7 @@ Promise promise_of(const Input& input) {
   const auto* const cam = std::get_if<Cam>(&*input.curve);
   StreamPlan plan;
   if (cam == nullptr || has_master(input)) {
-    Tables tables = executor_tables(input);
+    ExecutorTables tables = executor_tables(input);
     plan.tables.push_back({std::move(tables.slave.table), tables.slave.units});
     if (tables.master)
       plan.tables.push_back({std::move(tables.master->table), tables.master->units});
@@ -397,7 +398,7 @@ class PlayedExample : public ::testing::TestWithParam<std::string> {};
 
 /// All its axes are played and compared; why one was not; empty: all were.
 std::string played(const std::string& file) {
-  try {
+  return test::error_of([&] {
     for (const Input& loaded : load_axes((examples / file).string())) {
       const Input input = from_rest_to_rest(loaded);
       SCOPED_TRACE(input.name);
@@ -405,10 +406,7 @@ std::string played(const std::string& file) {
       if (std::string why = play.run(); !why.empty()) return why;
       play.compare();
     }
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {

@@ -10,6 +10,7 @@
 #include "jounce/profiles/sequences/splice.hpp"
 
 #include "controllers/motion.hpp"
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::googol {
@@ -254,12 +255,7 @@ TEST(GoogolJog, Example72SlowsDownAfterTheCrossing) {
 /// Key and text of the error; empty if there is none.
 template <class Call>
 std::string refused_key(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.key();
-  }
-  return "";
+  return test::key_of([&] { call(); });
 }
 
 TEST(GoogolJog, RefusesTimesThatDoNotAscendAndAStandingStart) {

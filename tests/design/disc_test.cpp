@@ -14,6 +14,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::disc_test {
 namespace {
 
@@ -80,13 +82,10 @@ TEST(DiscSpec, AnAngularSlaveIsTheArmsAngleAndLengthsAreMillimetres) {
 
 TEST(DiscSpec, ErrorsNameFileLineAndKey) {
   const auto complaint = [](const std::string& text) -> std::string {
-    try {
+    return test::error_of([&] {
       const Spec spec = spec_of(text);
       (void)drawing_of(spec, disc_of(spec));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    });
   };
   EXPECT_THAT(complaint(spec_text("roller_radius = 8\n")), HasSubstr("disc.base_radius"));
   EXPECT_THAT(complaint(spec_text("base_radius = 20\nofset = 3\n")), HasSubstr("offset"));

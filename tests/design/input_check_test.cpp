@@ -60,7 +60,7 @@ std::string faults(const Input& input) {
 std::vector<std::string> rules(const Report& report, bool broken) {
   std::vector<std::string> all;
   for (const Finding& f : report.findings)
-    if (f.broken == broken) all.push_back(f.rule);
+    if (f.broken == broken) all.push_back(f.rule.text());
   return all;
 }
 

@@ -13,6 +13,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/bench.hpp"
+#include "support/errors.hpp"
 
 // Every homing method of CiA 402 on a machine whose switches and index are known: where its home must lie is
 // read off the standard's figures by hand.
@@ -388,12 +389,7 @@ TEST(Homing, AConfigurationThatCannotBeIsRefusedWithItsKey) {
   const auto complaint = [](const HomingSpec& spec) {
     AxisConfig config = config_of();
     config.homing = spec;
-    try {
-      (void)resolved(config);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return std::string();
+    return test::key_of([&] { (void)resolved(config); });
   };
   EXPECT_EQ(complaint({.method = 15}), "homing.method");
   EXPECT_EQ(complaint({.search_velocity = 201}), "homing.search_velocity");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/played.hpp"
 #include "jounce/io/points.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/proof/played.hpp"
 
 #include "fuzz/fuzz.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::encoder_follow_test {
@@ -81,12 +82,7 @@ TEST(EncoderFollow, KeepsAnAdditionWithinAPulseOfTheLine) {
 
 TEST(EncoderFollow, RefusesInTheControllersNumbers) {
   const auto words = [](const EncoderFollowSpec& spec) -> std::string {
-    try {
-      (void)EncoderFollow(spec);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { (void)EncoderFollow(spec); });
   };
   EXPECT_EQ(words({.denominator = 0}),
             "denominator = 0: must be between 1 and 10000 (PMC600 error 5000)");

@@ -12,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "gear/follow_tables.hpp"
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
@@ -258,12 +259,7 @@ TEST(FollowPlan, RandomTablesMeetEveryPointAndRatioAndNeverTurnBack) {
 
 TEST(FollowPlan, RefusesWhatContradictsItself) {
   const auto text = [](const FollowPlan& plan) -> std::string {
-    try {
-      (void)cam_spec(plan);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { (void)cam_spec(plan); });
   };
   EXPECT_EQ(text({}), "point = none: there must be a sync point or a zone after the start");
   EXPECT_EQ(text({.points = {{0, 1}}}),

@@ -12,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "gear/follow_tables.hpp"
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
@@ -41,7 +42,7 @@ const Finding* found(const Report& report, const std::string& rule) {
 
 std::vector<std::string> rules(const Report& report) {
   std::vector<std::string> all;
-  for (const Finding& f : report.findings) all.push_back(f.rule);
+  for (const Finding& f : report.findings) all.push_back(f.rule.text());
   return all;
 }
 
@@ -237,12 +238,7 @@ TEST(Follow, FiniteLoopsTakeTheRatioOfThePassBefore) {
 
 TEST(Follow, RefusesWhatCannotBePlayed) {
   const auto text = [](const FollowSpec& spec) -> std::string {
-    try {
-      (void)follow(spec);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { (void)follow(spec); });
   };
   EXPECT_EQ(text({}), "table = none: there must be at least one");
   EXPECT_EQ(text({{{{{100, 50}, {100, 60}}}}}),

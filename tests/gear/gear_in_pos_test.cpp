@@ -9,6 +9,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
@@ -235,12 +236,7 @@ TEST(GearInPos, RefusesWhatIsOutOfRange) {
   const auto key_of = [](auto change) -> std::string {
     GearInPosSpec spec = example_62();
     change(spec);
-    try {
-      gear_in_pos(spec);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { gear_in_pos(spec); });
   };
   EXPECT_EQ(key_of([](auto& s) { s.denominator = 0; }), "denominator");
   EXPECT_EQ(key_of([](auto& s) { s.numerator = 0; }), "numerator");

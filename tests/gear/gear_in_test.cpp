@@ -11,6 +11,7 @@
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::gear_in_test {
@@ -135,12 +136,7 @@ TEST(GearIn, IsReplacedByAnotherAndLetGo) {
 
 TEST(GearIn, RefusesInTheControllersNumbers) {
   const auto words = [](const GearInSpec& spec) -> std::string {
-    try {
-      gear_in(spec, {}, Jet{}, 0);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { gear_in(spec, {}, Jet{}, 0); });
   };
   EXPECT_EQ(words({.denominator = 0, .acceleration = 1}),
             "denominator = 0: must be greater than 0");

@@ -7,6 +7,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::line_follow_test {
 namespace {
 
@@ -51,12 +53,7 @@ TEST(LineFollow, RefusesZeroes) {
   const auto key_of = [&](auto change) -> std::string {
     pmc600::LineFollow spec = fine;
     change(spec);
-    try {
-      pmc600::line_follow(spec);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { pmc600::line_follow(spec); });
   };
   EXPECT_EQ(key_of([](auto& s) { s.velocity = 0; }), "velocity");
   EXPECT_EQ(key_of([](auto& s) { s.acceleration = 0; }), "acceleration");

@@ -13,6 +13,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
+#include "support/errors.hpp"
 #include "support/invariants.hpp"
 #include "support/random.hpp"
 
@@ -223,12 +224,7 @@ TEST(Registration, AShearGoesOnFromAState) {
 }
 
 std::string refusal(const Registration& registration, const Cam& cam, double error) {
-  try {
-    registered(cam, registration, std::vector<double>{error});
-  } catch (const InputError& error_found) {
-    return error_found.what();
-  }
-  return "";
+  return test::error_of([&] { registered(cam, registration, std::vector<double>{error}); });
 }
 
 TEST(Registration, SaysWhatDoesNotFit) {

@@ -7,6 +7,7 @@
 #include "jounce/profiles/sequences/splice.hpp"
 
 #include "controllers/motion.hpp"
+#include "support/errors.hpp"
 #include "support/random.hpp"
 
 namespace jounce::dynamics_test {
@@ -153,12 +154,7 @@ TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
 
 TEST(VelocityRamp, NamesTheJerkThatItRefuses) {
   const auto key = [](const RampLimits& up, const RampLimits& down) -> std::string {
-    try {
-      velocity_ramp({}, 1, up, down);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "";
+    return test::key_of([&] { velocity_ramp({}, 1, up, down); });
   };
   EXPECT_EQ(key({1, 1, 0}, {1, 1, 1}), "up.jerk_end");
   EXPECT_EQ(key({1, 1, 1}, {1, 0, 1}), "down.jerk_begin");

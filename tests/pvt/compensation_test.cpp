@@ -14,6 +14,8 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::compensation_test {
 namespace {
 
@@ -155,12 +157,7 @@ TEST(Compensation, AsABicubicSplineIsASplineOfSplines) {
 
 TEST(Compensation, NamesWhatIsWrongWithItsTable) {
   const auto complaint = [](const CompensationSpec& spec) {
-    try {
-      const Compensation c(spec);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
+    return test::error_of([&] { const Compensation c(spec); }, "none");
   };
   CompensationSpec spec = line_of_five();
   spec.most = 1;

@@ -662,12 +662,7 @@ TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
     EXPECT_LE(made.error.velocity, 0.01);
   }
   const auto key = [&](const Target& target) {
-    try {
-      (void)reduced(f, target);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return std::string();
+    return test::key_of([&] { (void)reduced(f, target); });
   };
   EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-6, .most = 9}), "most");
   EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-3, .p_step = 0.01}), "p_step");

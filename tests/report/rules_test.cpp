@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/limits/rule.hpp"
+
 namespace jounce::rules_test {
 namespace {
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 /// The rules that the sources name in quotes, "family/name", each with a file.
 std::map<std::string, std::string> named_rules() {
   const std::regex quoted(
-      R"re((?:rule = (?:std::string\()?|(?:finding|add|against|obstacle|check|peak_finding|at_most|at_least|equal)\((?:report, spec, |std::string\()?|rule_of\()"([a-z]+/[a-z_]*)")re");
+      R"re((?:rule = (?:std::string\()?|(?:finding|add|against|obstacle|check|peak_finding|at_most|at_least|equal|expect)\((?:report, spec, |std::string\()?|rule_of\()"([a-z]+/[a-z_]*)")re");
   std::map<std::string, std::string> found;
   for (const char* module : {"profiles", "cam", "gear", "pvt", "design", "validate", "optimize",
                              "study", "executor", "axis", "controllers"})
@@ -38,8 +40,10 @@ std::map<std::string, std::string> named_rules() {
 TEST(Rules, EachRuleOfAFindingIsExplained) {
   const auto rules = named_rules();
   EXPECT_GT(rules.size(), 60U) << "the pattern above has to find them";
-  for (const auto& [rule, file] : rules)
+  for (const auto& [rule, file] : rules) {
     EXPECT_NE(rule_info(rule), nullptr) << rule << " of " << file;
+    EXPECT_NE(Rule(rule).family(), RuleFamily::none) << rule << " of " << file;
+  }
 }
 
 TEST(Rules, ARuleHasOneRowWithSentences) {

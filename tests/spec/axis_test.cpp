@@ -4,6 +4,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::axis_test {
 namespace {
 
@@ -77,12 +79,7 @@ distance = 400
 
 TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   const auto complaint = [](const std::string& keys) -> std::string {
-    try {
-      (void)read(keys);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::error_of([&] { (void)read(keys); });
   };
   using testing::AllOf;
   using testing::HasSubstr;

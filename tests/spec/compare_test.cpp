@@ -10,6 +10,8 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::compare_test {
 namespace {
 
@@ -34,12 +36,7 @@ TEST(SpecCompare, ReadsAListInTheSpecsUnits) {
 
 TEST(SpecCompare, NamesWhatIsWrong) {
   const auto complaint = [](const std::string& compare) {
-    try {
-      (void)parse_spec(move + compare, "c.toml");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
+    return test::error_of([&] { (void)parse_spec(move + compare, "c.toml"); }, "none");
   };
   EXPECT_THAT(complaint("[compare]\nmode = \"fifo_time\"\npulse = 1\n"),
               ::testing::HasSubstr("compare.point: is missing"));
@@ -112,12 +109,11 @@ TEST(SpecCompensation, TellsWhatItsFitMayDiffer) {
 
 TEST(SpecCompensation, NamesWhatIsWrong) {
   const auto complaint = [](const std::string& then) {
-    try {
-      (void)make(parse_spec(move + "[[then]]\noperator = \"compensation\"\n" + then, "c.toml"));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("none");
+    return test::error_of(
+        [&] {
+          (void)make(parse_spec(move + "[[then]]\noperator = \"compensation\"\n" + then, "c.toml"));
+        },
+        "none");
   };
   EXPECT_THAT(complaint("reference = [{ base = 0, interval = 10, count = 4 }]\n"
                         "values = [0, 0.1, -0.1, 0.2]\nmost = 0.15\n"),

@@ -113,12 +113,7 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
   const auto complaint = [](const std::string& body) {
     const std::string head =
         "jounce = 1\nkind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\n";
-    try {
-      (void)make(parse_spec(head + body, "f.toml"));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::error_of([&] { (void)make(parse_spec(head + body, "f.toml")); });
   };
   const std::string googol = "[follow]\ncontroller = \"googol\"\nincrements = true\n[[segment]]\n";
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 512\n"), "");

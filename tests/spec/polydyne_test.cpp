@@ -8,6 +8,8 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
+
 namespace jounce::polydyne_test {
 namespace {
 
@@ -63,12 +65,7 @@ TEST(PolydyneSpec, WarnsOfTheKnockAndRefusesWhatCannotBe) {
   const std::string tail = "[polydyne]\nfrequency = 12\n";
   EXPECT_EQ(table_warnings(spec_of(spec_text("4567", tail))).warnings(), 1U);
   const auto refused = [](const std::string& text) {
-    try {
-      (void)make(spec_of(text));
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing");
+    return test::error_of([&] { (void)make(spec_of(text)); }, "nothing");
   };
   EXPECT_THAT(refused(spec_text("345", tail)), HasSubstr("geo_velocity would step"));
   EXPECT_THAT(refused(spec_text("56789", tail, "")), HasSubstr("add [master]"));

@@ -34,7 +34,7 @@ std::string message(const std::string& text) {
 std::vector<std::string> rules(const std::string& text) {
   std::vector<std::string> all;
   for (const Finding& f : table_warnings(parse_spec(text, "t.toml")).findings)
-    all.push_back(f.rule);
+    all.push_back(f.rule.text());
   return all;
 }
 

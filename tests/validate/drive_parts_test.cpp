@@ -14,6 +14,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/drive.hpp"
 
+#include "support/errors.hpp"
 #include "validate/references.hpp"
 
 namespace jounce::drive_parts_test {
@@ -420,12 +421,7 @@ TEST(DriveRules, NameTheNumber) {
   const auto refused = [](auto change) -> std::string {
     Drive drive = servo_400w();
     change(drive);
-    try {
-      require_valid(drive);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return "nothing";
+    return test::key_of([&] { require_valid(drive); }, "nothing");
   };
   EXPECT_EQ(refused([](Drive& d) { d.motor.friction = {0, 2, 1, 0}; }), "motor.friction.breakaway");
   EXPECT_EQ(refused([](Drive& d) { d.train[0].efficiency = 1.1; }), "mass[1].efficiency");

@@ -10,6 +10,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
+#include "support/errors.hpp"
 #include "validate/references.hpp"
 
 namespace jounce::drive_stepper_test {
@@ -228,12 +229,7 @@ TEST(DriveStepper, AFrozenSetpointIsNotLeftAgain) {
 
 TEST(DriveStepper, RefusesByName) {
   const auto key = [](const Drive& drive, double period) {
-    try {
-      DriveStepper stepper(drive, period);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return std::string("accepted");
+    return test::key_of([&] { DriveStepper stepper(drive, period); }, "accepted");
   };
   Drive drive = servo_400w();
   EXPECT_EQ(key(drive, 0.001), "accepted");

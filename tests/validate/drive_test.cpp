@@ -20,6 +20,7 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
+#include "support/errors.hpp"
 #include "validate/exact_drive.hpp"
 #include "validate/references.hpp"
 
@@ -444,12 +445,7 @@ std::string refused(Change change) {
   Drive drive = servo_400w();
   DriveOptions options;
   change(drive, options);
-  try {
-    drive_through(test::law_345(1, 1), drive, options);
-  } catch (const InputError& error) {
-    return error.key();
-  }
-  return "nothing";
+  return test::key_of([&] { drive_through(test::law_345(1, 1), drive, options); }, "nothing");
 }
 
 TEST(Drive, RefusesParametersOutOfRangeByName) {

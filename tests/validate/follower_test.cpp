@@ -13,6 +13,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/errors.hpp"
 #include "validate/references.hpp"
 
 namespace jounce::follower_test {
@@ -237,12 +238,7 @@ std::string refused(Change change) {
   SpringFollower f = valve();
   FollowerOptions options;
   change(f, options);
-  try {
-    follow(harmonic(10, 1), f, options);
-  } catch (const InputError& error) {
-    return error.key();
-  }
-  return "nothing";
+  return test::key_of([&] { follow(harmonic(10, 1), f, options); }, "nothing");
 }
 
 TEST(Follower, RefusesParametersOutOfRangeByName) {

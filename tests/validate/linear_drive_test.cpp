@@ -17,6 +17,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/sample.hpp"
 
+#include "support/errors.hpp"
 #include "support/random.hpp"
 #include "validate/references.hpp"
 
@@ -430,12 +431,7 @@ std::string refused(Change change) {
   Drive drive = servo_400w();
   std::vector<double> times{0, 0.1};
   change(drive, times);
-  try {
-    exact_run(reference("s_curve"), drive, times);
-  } catch (const InputError& error) {
-    return error.key();
-  }
-  return "nothing";
+  return test::key_of([&] { exact_run(reference("s_curve"), drive, times); }, "nothing");
 }
 
 TEST(LinearDrive, RefusesWhatIsNotLinearByName) {

@@ -10,6 +10,7 @@
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/loop.hpp"
 
+#include "support/errors.hpp"
 #include "validate/references.hpp"
 
 namespace jounce::periodic_test {
@@ -168,12 +169,7 @@ template <class Change>
 std::string refused(Change change) {
   Drive drive = strong();
   change(drive);
-  try {
-    drive_through(to_and_fro(), drive, {.periodic = true});
-  } catch (const InputError& error) {
-    return error.key();
-  }
-  return "nothing";
+  return test::key_of([&] { drive_through(to_and_fro(), drive, {.periodic = true}); }, "nothing");
 }
 
 TEST(PeriodicDrive, RefusesWhatHasNoKnownSteadyState) {

@@ -17,6 +17,7 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
 
+#include "support/errors.hpp"
 #include "validate/references.hpp"
 
 namespace jounce::witness_test {
@@ -260,12 +261,7 @@ TEST(Witness, AnExceptionOfTheSignalComesThroughTheSolver) {
 TEST(Witness, RefusesBadOptionsAndBreaks) {
   const Trajectory f = test::s_curve_move();
   const auto key = [&](const WitnessOptions& options) {
-    try {
-      witness(f, options);
-    } catch (const InputError& error) {
-      return error.key();
-    }
-    return std::string("none");
+    return test::key_of([&] { witness(f, options); }, "none");
   };
   EXPECT_EQ(key({.limit = 0}), "limit");
   EXPECT_EQ(key({.tolerance = 1}), "tolerance");

@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-Finding finding(std::string rule, const char* quantity, double where, double value, bool broken,
+Finding finding(Rule rule, const char* quantity, double where, double value, bool broken,
                 const char* advice) {
   return {.rule = std::move(rule),
           .axis = {},

@@ -100,17 +100,17 @@ class Certificate {
   }
 
   /// `value` cannot be below `bound`.
-  void at_least(std::string rule, std::string quantity, Coefficient c, double bound) {
+  void at_least(Rule rule, std::string quantity, Coefficient c, double bound) {
     add(std::move(rule), std::move(quantity), c, bound, c.value / bound - 1,
         c.value < bound * (1 - rounding - blur_));
   }
   /// `value` cannot be above `bound`.
-  void at_most(std::string rule, std::string quantity, double value, double bound) {
+  void at_most(Rule rule, std::string quantity, double value, double bound) {
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, bound, 1 - value / bound,
         value > bound * (1 + rounding + blur_));
   }
   /// `value` is `expected`, to 1e-9 of `scale` plus rounding.
-  void equal(std::string rule, std::string quantity, double value, double expected, double scale) {
+  void equal(Rule rule, std::string quantity, double value, double expected, double scale) {
     const double room = (1e-9 + blur_) * scale - std::abs(value - expected);
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, expected,
         room / ((1e-9 + blur_) * scale), room < 0);
@@ -119,7 +119,7 @@ class Certificate {
   [[nodiscard]] Report report() && { return std::move(report_); }
 
  private:
-  void add(std::string rule, std::string quantity, Coefficient c, double limit, double margin,
+  void add(Rule rule, std::string quantity, Coefficient c, double limit, double margin,
            bool broken) {
     Finding f;
     f.rule = std::move(rule);
@@ -153,7 +153,7 @@ void add_peaks(Certificate& all, const Rise& rise, const Characteristics& c) {
       Coefficient{c.cj_inside, c.cj.where},
       Coefficient{std::abs(jounce.value / rise.stroke) * b * b * b * b, jounce.where}};
   for (std::size_t n = 1; n <= static_cast<std::size_t>(std::min(4, rise.smooth + 1)); ++n)
-    all.at_least(std::string("bound/") + names[n], quantities[n], peaks[n], bounds[n]);
+    all.at_least(Rule(RuleFamily::bound, names[n]), quantities[n], peaks[n], bounds[n]);
 }
 
 void add_squares(Certificate& all, const Rise& rise, const Integrals& integrals) {

@@ -200,7 +200,7 @@ class Inspection {
           std::max(rounded_input * scale_[k], 1e-14 * std::abs(all_[k].peak().value));
       if (step <= limit) continue;
       Finding f;
-      f.rule = std::string("joint/") + OverMaster::names[k];
+      f.rule = Rule(RuleFamily::joint, OverMaster::names[k]);
       f.quantity = std::string("step of ") + OverMaster::names[k];
       f.where = where;
       f.value = step;

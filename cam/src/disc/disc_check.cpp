@@ -87,8 +87,8 @@ std::optional<double> climb(const Cam& cam, const DiscSpec& spec, const DiscLimi
   return std::nullopt;
 }
 
-Finding finding(std::string rule, std::string quantity, const Extremum& at, double value,
-                double limit, bool least) {
+Finding finding(Rule rule, std::string quantity, const Extremum& at, double value, double limit,
+                bool least) {
   Finding f;
   f.rule = std::move(rule);
   f.quantity = std::move(quantity);

@@ -28,7 +28,7 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   const RotaryKnifeFigures f = figures(spec);
   const CamOfLength cams = cams_of(spec, f.sync_length);
   CutLengths all;
-  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);  // at the longest it does not
+  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);  // the longest does not reverse
   all.fastest = [cams, back = all.turns_back](double length, const CutLimits& limits) -> CutSpeed {
     if (length > back) return {length, 0, "reversal", 0};
     return fastest_cut(cams, length, limits);
@@ -62,7 +62,7 @@ std::optional<double> shortest_shear(FlyingShear shear, double speed, const CutL
   return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }
 
-/// A shear gets faster with every length: the line's own speed ends it.
+/// A shear is faster for longer cuts, up to the speed of the line.
 std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
   if (!spec.sync_time && !spec.sync_length)
     throw InputError("shear.sync_time", "",

@@ -47,7 +47,7 @@ Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
   return report;
 }
 
-/// A sync that stroke and return leave may be as good as none: as no cut is made in it.
+/// Warns if stroke and return leave too little time in step for a cut.
 Report findings_of(const FlyingShear& shear, const Spec& spec) {
   if (shear.sync_time || shear.sync_length) return {};
   const ShearPlan plan = shear_plan(shear);
@@ -84,7 +84,7 @@ std::string speed_unit(const Spec& spec) {
   return rate_unit(spec.units.x, spec.time_unit, 1);
 }
 
-/// Of the line that the spec's master is.
+/// Adds the shortest cut at the speed of the line, which is the master of the spec.
 void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   if (!spec.master) return;
   const CutLengths cuts = cut_lengths(spec);

@@ -12,7 +12,7 @@
 namespace jounce::detail {
 namespace {
 
-/// A generator names its own fields; the clutch of `distance` is the course's first change.
+/// The key in the document for a field of the generator. The clutch of `distance` is the first change of the course.
 InputError in_document(const InputError& error) {
   std::string key = error.key();
   for (const auto& [ours, theirs] : {std::pair{"change[1].at", "engage_at"},
@@ -27,7 +27,7 @@ InputError in_document(const InputError& error) {
   return {"gear." + key, error.value(), error.rule()};
 }
 
-/// What to change where GearInPos answers that it cannot be had.
+/// The change that makes an impossible GearInPos possible.
 std::string rule_of(const GearInPos& gear, const GearInPosSpec& spec) {
   const std::string code = " (PMC600 error " + std::to_string(static_cast<int>(gear.status)) + ")";
   const EngageWindow window = engage_window(spec);
@@ -76,9 +76,10 @@ Report check_gear(const GearCourse& course, const Units& units) {
 
 Report check_gear(const GearInPosPart& part, const Units& units) {
   const GearInPos gear = gear_in_pos(part.gear);
-  const double way = gear.ratio * part.gear.master_start_distance;  // of the gear meanwhile
+  const double way =
+      gear.ratio * part.gear.master_start_distance;  // travel of the gear in this time
   const double h = gear.slave_sync - gear.slave_start;
-  // One that turns back though it need not is told of by the cam's warnings.
+  // The warnings of the cam report a reversal that could be avoided.
   if (!gear || h * way > 0) return {};
   const Range slope = extrema(*gear.curve, 1);
   const Extremum back = gear.ratio > 0 ? slope.min : slope.max;

@@ -6,13 +6,12 @@
 
 namespace jounce::detail {
 
-/// The cam of a gear that is engaged. Throws InputError with the document's keys, and where
-/// GearInPos cannot be had, which the spec asks for.
+/// The cam of a gear that engages. Throws InputError with keys of the document, also if GearInPos is impossible.
 SyncCam made_gear(const GearCourse& spec);
 SyncCam made_gear(const GearInPosPart& spec);
 
-/// What the cam alone does not tell, in the spec's units: "gear/ratio_step", a clutch of no distance
-/// where the cam begins; "gear/reversal", an engagement that must turn back.
+/// Findings that the cam alone does not show, in the units of the spec: "gear/ratio_step" for a clutch without a
+/// distance at the start of the cam; "gear/reversal" for an engagement that must reverse.
 Report check_gear(const GearCourse& course, const Units& units);
 Report check_gear(const GearInPosPart& part, const Units& units);
 

@@ -14,7 +14,7 @@ Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave
                 const MasterRange& master) {
   const MasterLimit most = greatest_master_velocity(cam, slave, master.rates);
   Finding f;
-  f.rule = "feasible/" + quantity;
+  f.rule = Rule(RuleFamily::feasible, quantity);
   f.quantity = quantity;
   f.where = most.where;
   f.value = master.velocity;

@@ -21,8 +21,8 @@ std::string rule_of(const DerivativeBound& ceiling) {
          OverMaster::names[ceiling.order] + end;
 }
 
-Finding at(std::string rule, const std::string& quantity, const Extremum& e, double limit,
-           double margin, std::size_t segment) {
+Finding at(Rule rule, const std::string& quantity, const Extremum& e, double limit, double margin,
+           std::size_t segment) {
   return {std::move(rule), "", quantity, e.where, e.value, limit, margin, false, segment, ""};
 }
 

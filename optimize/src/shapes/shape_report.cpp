@@ -15,7 +15,7 @@ constexpr double left_by_a_solver =
     1e-4;                        ///< relative excess that lower_exceeded() treats as rounding
 constexpr double solved = 1e-9;  ///< share of the size of a quantity that a solver leaves
 
-Finding finding(std::string rule, const std::string& quantity, const Extremum& e, double limit,
+Finding finding(Rule rule, const std::string& quantity, const Extremum& e, double limit,
                 double margin, std::size_t piece, double rounding = rounding_tolerance) {
   return {.rule = std::move(rule),
           .axis = "",

@@ -15,7 +15,7 @@ namespace {
 
 std::string margin(const Finding& f) {
   if (!f.has_limit) return "";
-  if (f.limit == 0 && f.rule.starts_with("continuity/")) return short_number(f.margin, 3);
+  if (f.limit == 0 && f.rule.family() == RuleFamily::continuity) return short_number(f.margin, 3);
   if (f.margin < -10)
     return "< −1000 %";  // a tolerance, not a limit: its multiples have no meaning
   if (!f.broken && std::abs(f.margin) < 1e-9) return "0 %";
@@ -28,7 +28,7 @@ std::string limit(const Finding& f) {
 }
 
 std::vector<std::string> cells(const Finding& f, const Labels& labels) {
-  return {f.rule,
+  return {f.rule.text(),
           f.axis,
           labels.segment_of(f),
           short_number(f.where) + (f.where_unit.empty() ? "" : " " + f.where_unit),

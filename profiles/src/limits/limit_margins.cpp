@@ -12,7 +12,7 @@ std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limit
   const detail::LimitCheck check(limits, Over::names, travel.max.value - travel.min.value);
   std::vector<LimitMargin> rooms;
   for (const detail::Bound& bound : check.bounds()) {
-    LimitMargin& room = rooms.emplace_back(LimitMargin{bound.rule, {}});
+    LimitMargin& room = rooms.emplace_back(LimitMargin{bound.rule.text(), {}});
     for (std::size_t i = 0; i < f.segments().size(); ++i)
       room.segments.push_back(
           detail::room_of(bound, segment_range(f, i, static_cast<int>(bound.order))));

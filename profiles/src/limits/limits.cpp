@@ -27,7 +27,7 @@ std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*,
   const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
   for (std::size_t k = 0; k < rates.size(); ++k) {
     if (!rates[k]) continue;
-    const std::string rule = std::string("limit/") + names[k + 1];
+    const Rule rule(RuleFamily::limit, names[k + 1]);
     bounds.push_back({k + 1, rule, *rates[k], true, *rates[k]});
     bounds.push_back({k + 1, rule, -*rates[k], false, *rates[k]});
   }
@@ -178,7 +178,7 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
     const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;
-    report.findings.push_back({std::string("continuity/") + names[k], "",
+    report.findings.push_back({Rule(RuleFamily::continuity, names[k]), "",
                                std::string("step of ") + names[k], jumps[k].where, step, limit,
                                margin, step > limit, std::nullopt,
                                step > limit ? "make both sides of the joint agree" : ""});

@@ -124,7 +124,7 @@ Plan planned(double h, double velocity, const Rates& l) {
 }
 
 /// What takes less than this share of a move is rounding.
-constexpr double dust = 1e-15;
+constexpr double negligible = 1e-15;
 
 Segment segment(const Jet& x, const Phase& phase) {
   const double t = phase.duration;
@@ -144,7 +144,7 @@ Trajectory curve(const Plan& plan, double velocity, double total, double from, d
   Jet x{from};
   Jet y{to};
   for (auto [t, jounce] : plan.half.phases) {
-    if (t <= dust * total) continue;
+    if (t <= negligible * total) continue;
     jounce *= sign;
     segments.push_back(segment(x, {t, jounce}));
     x = advanced(x, jounce, t);
@@ -152,7 +152,7 @@ Trajectory curve(const Plan& plan, double velocity, double total, double from, d
     back.push_back(segment(y, {t, -jounce}));
   }
   const double cruise = plan.cruise > 0 ? (y[0] - x[0]) / (sign * velocity) : 0;
-  if (cruise > dust * total) segments.push_back(line(cruise, x[0], y[0]));
+  if (cruise > negligible * total) segments.push_back(line(cruise, x[0], y[0]));
   segments.insert(segments.end(), back.rbegin(), back.rend());
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }
@@ -178,7 +178,7 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
   const double total = 2 * plan.half.duration() + plan.cruise;
   require_finite("duration", total);
   if (!(total > 0)) throw InputError("to", spec.to, "is too close to `from` for a move");
-  if (plan.half.phases[0].duration <= dust * total)
+  if (plan.half.phases[0].duration <= negligible * total)
     throw InputError("jounce", spec.jounce,
                      "is so high that its phases vanish in the duration of the move, " +
                          number(total) + " s: use an S-curve");

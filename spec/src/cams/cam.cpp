@@ -146,7 +146,7 @@ void read_optimize(TomlReader& top, Spec& spec) {
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)
     top.fail("optimize", "", "is missing: free shapes need `minimize`, the figure to improve");
-  if (!table || table->has("parameter")) return;  // the latter: read_parameters()
+  if (!table || table->has("parameter")) return;  // read_parameters() reads [[optimize.parameter]]
   if (shapes)
     read_shape_optimize(*table, spec);
   else

@@ -23,7 +23,7 @@ std::optional<CouplingSpec> read_coupling(TomlReader& top, const Units& units,
   for (std::size_t i = 0; i < start_mode_count; ++i)
     modes.emplace_back(name(static_cast<StartMode>(i)));
   c.start = static_cast<StartMode>(table->optional_choice("start", modes).value_or(0));
-  // A coupling is in s, whatever the spec's unit of time is.
+  // A coupling counts in s, also if the spec has another unit of time.
   const auto rate = [&](const char* key, int order) {
     auto value = table->optional_number(key, rate_unit(units.position, time_unit, order));
     for (int k = 0; value && k < order; ++k) *value /= conversion(time_unit, "s");

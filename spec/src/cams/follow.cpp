@@ -14,7 +14,7 @@ namespace {
 const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
 const std::array<std::string, 2> forms{"smooth", "table"};
 
-/// A file's segments, from the table's origin.
+/// The segments of a file, from the origin of the table.
 std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool increments,
                                  bool googol) {
   std::vector<PtPoint> points =
@@ -33,7 +33,7 @@ std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool in
   return points;
 }
 
-/// [[segment]] with `repeat`: cumulative, or `increments` that are added up.
+/// [[segment]] with `repeat`: cumulative, or `increments` that are summed.
 void read_segments(TomlReader& owner, const Units& units, bool increments, bool googol,
                    std::vector<PtPoint>& points) {
   constexpr std::size_t most = 1'000'000;

@@ -17,7 +17,7 @@ std::optional<double> factor(const std::string& from, const std::string& to) {
   }
 }
 
-/// u of a revolution: what the unit of an angle says, the circumference for a length, otherwise `turn`.
+/// Slave units of a revolution: by the unit for an angle, the circumference for a length, otherwise `turn`.
 double read_turn(TomlReader& knife, const Units& units, double diameter) {
   if (const auto given = knife.optional_number("turn", units.position)) return *given;
   if (const auto angle = factor("rev", units.position)) return *angle;
@@ -36,7 +36,7 @@ RotaryKnifeSpec read_knife(TomlReader knife, const Units& units) {
   spec.blades = knife.optional_count("blades").value_or(1);
   spec.cut_length = knife.number("cut_length", units.x);
   spec.turn = read_turn(knife, units, spec.diameter);
-  // An angle of the knife stands in degrees where the slave is counted in something else.
+  // An angle of the knife is in degrees if the unit of the slave is not an angle.
   const bool angular = factor("rev", units.position).has_value();
   const double degree = angular ? 1 : spec.turn / 360;
   if (const auto angle = knife.optional_number("sync_angle", angular ? units.position : "deg"))

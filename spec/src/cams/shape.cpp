@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [load] and what [optimize] says about free shapes.
+// [load], and the keys of [optimize] for free shapes.
 #include <array>
 #include <utility>
 
@@ -55,7 +55,7 @@ std::optional<Edge> read_edge(TomlReader& each, const char* key, const std::stri
   return Edge{ends->first, ends->second};
 }
 
-/// `value` within `tolerance`, left out: exactly.
+/// `value` within `tolerance`; default: exactly.
 void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
   const auto value = read_edge(each, "value", unit);
   const double tolerance = each.optional_number("tolerance", unit).value_or(0);

@@ -94,7 +94,7 @@ std::optional<std::size_t> index_of(const std::array<std::string, 5>& names,
   return std::nullopt;
 }
 
-/// The quantity called `name`, which the spec writes as part of `said`.
+/// The quantity `name`, which is a part of the text `said` of the spec.
 std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const std::string& name,
                                    const std::string& said, const ShapeWords& words) {
   const auto rate = [&](const std::string& x, std::size_t k) {
@@ -158,7 +158,7 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
   return figure;
 }
 
-/// Not known before the drive is.
+/// A figure that needs a drive, which is not given yet.
 ShapeFigureSpec driven(TomlReader& reader, const char* key, DriveFigure figure,
                        const ShapeWords& words) {
   speed_for(reader, key, name(figure), words);

@@ -8,20 +8,20 @@
 #include "jounce/spec/shape_spec.hpp"
 #include "jounce/spec/spec.hpp"
 
-/// The words of [optimize] about shapes -> what they mean over the master.
+/// From the words of [optimize] on shapes to figures over the master.
 namespace jounce::detail {
 
-/// What figures need to know beside their own words.
+/// Data for figures beside their own words.
 struct ShapeWords {
   Units units;
   std::string time_unit;
   std::optional<double> speed;     ///< speed of the master, x a time unit
   double seconds = 1;              ///< a time unit
-  const LoadSpec* load = nullptr;  ///< where there is one
+  const LoadSpec* load = nullptr;  ///< nullptr: none
 };
 
 /// A quantity at one place and its unit: "slave", "geo_jerk", "velocity", "torque". `reader` and `key`
-/// are where it stands, for messages.
+/// give its place for messages.
 struct NamedQuantity {
   LinearQuantity quantity;
   std::string unit;

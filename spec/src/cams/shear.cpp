@@ -60,7 +60,7 @@ FlyingShear read_shear(TomlReader shear, Spec& spec) {
        {std::pair{"cut_length", made.cut_length}, {"line_speed", made.line_speed}})
     if (!(value > 0)) shear.fail(key, number(value), "must be greater than 0");
   shear.finish();
-  // The line is the master: a spec of ten lines does not say it twice.
+  // The line is the master, so a spec without [master] gets one from the shear.
   spec.master = MasterSpec{made.line_speed, 3 * made.cut_length, {}};
   return made;
 }

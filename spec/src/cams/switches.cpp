@@ -27,7 +27,7 @@ CamSwitch read_switch(TomlReader& reader, const std::string& unit) {
   s.duration = reader.optional_number("duration", "s");
   s.axis_direction =
       static_cast<AxisDirection>(reader.optional_choice("axis_direction", directions).value_or(0));
-  // A duration says well enough that time is meant.
+  // A duration implies a switch by time.
   s.mode = static_cast<CamSwitchMode>(
       reader.optional_choice("mode", modes).value_or(s.duration && !s.last_on_position ? 1 : 0));
   reader.finish();

@@ -25,7 +25,7 @@ std::string read_position_unit(TomlReader& reader, const char* key, const char* 
   for (const char* base : {"m", "rad", "pulse"}) {
     try {
       if (conversion(unit, base) > 0) return unit;
-    } catch (const InputError&) {  // it measures something else
+    } catch (const InputError&) {  // the unit measures something else
     }
   }
   reader.fail(key, '"' + unit + '"',
@@ -58,7 +58,7 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
 
 namespace {
 
-/// The three rates under their names, per `x`.
+/// The three rates, with their names as keys, per `x`.
 void read_rates(TomlReader& table, Limits& limits, const std::array<const char*, 4>& names,
                 const std::string& position, const std::string& x) {
   const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};

@@ -21,7 +21,7 @@ bool is_machine(const Document& document) {
     const toml::table root = detail::parse_toml(document);
     return root["kind"].value<std::string>() == "machine";
   } catch (const InputError&) {
-    return false;  // whoever reads it as something else says what is wrong
+    return false;  // the reader of another kind reports the error
   }
 }
 
@@ -35,7 +35,7 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
   return axis;
 }
 
-/// The communication thread turns every 2 ms: one that is watched more closely would often be late.
+/// The communication thread runs every 2 ms: a shorter watchdog time would expire without a fault.
 std::optional<double> read_watchdog(TomlReader& top) {
   const auto watchdog = top.optional_number("watchdog", "s");
   if (watchdog && *watchdog != 0 && !(*watchdog >= 0.01 && *watchdog <= 3600))

@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::string> syncs{"none", "time", "phase", "time_if_moving", "phase_or_time"};
 static_assert(static_cast<int>(Sync::phase) == 2 && static_cast<int>(Sync::phase_or_time) == 4);
 
-/// A name becomes part of file names.
+/// Checks the name of an axis, which becomes part of file names.
 std::string read_name(TomlReader& axis, std::set<std::string>& taken) {
   std::string name = axis.text("name");
   const bool fits = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
@@ -61,7 +61,7 @@ std::vector<double> optional_rates(TomlReader& table, const char* key,
   return table.has(key) ? table.numbers(key, rate_units(axes, order)) : std::vector<double>{};
 }
 
-/// The axes' bounds with what the limits of a stretch say in their place.
+/// The bounds of the axes; the limits of a stretch replace them.
 std::vector<Bounds> read_stretch(TomlReader limits, const std::vector<AxisPart>& parts,
                                  const std::vector<AxisMove>& axes) {
   const auto velocity = optional_rates(limits, "velocity", parts, 1);
@@ -99,7 +99,7 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
   return norm;
 }
 
-/// [[point]] of a spline, whose times are chosen: positions alone.
+/// [[point]] of a spline whose times are computed: positions only.
 std::vector<std::vector<double>> read_positions(TomlReader& top,
                                                 const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
@@ -111,8 +111,8 @@ std::vector<std::vector<double>> read_positions(TomlReader& top,
   return points;
 }
 
-/// [[point]]: a position an axis; at the first and the last rates, too; from the second on the limits of
-/// the way to it.
+/// [[point]]: a position for each axis. The first and the last may have rates. From the second on, a point may have
+/// limits for the stretch before it.
 void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& axes) {
   std::vector<TomlReader> points = top.tables("point");
   std::vector<Bounds> own;

@@ -18,7 +18,7 @@ const std::vector<std::string> mode_names{"equal",     "less",   "greater",
 
 const std::vector<std::string> sources{"position", "actual"};
 
-/// How many points a line has, 1 to 1e7.
+/// The number of points on a line, 1 to 1e7.
 std::int64_t count_of(TomlReader& compare) {
   const std::int64_t count = compare.whole("count");
   if (count < 1 || count > 10'000'000)

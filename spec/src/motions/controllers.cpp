@@ -234,7 +234,7 @@ MoveSpec read_pmc600_ls_velocity(MotionFields& f) {
   return s;
 }
 
-/// Two numbers, the first move's and the second's.
+/// Two numbers: of the first move, and of the second.
 void read_both(MotionFields& f, const char* key, int order, std::array<double, 2>& values) {
   const std::string unit = rate_unit(f.units().position, f.units().x, order);
   const std::array units{unit, unit};

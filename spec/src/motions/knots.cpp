@@ -19,7 +19,7 @@ const std::vector<std::string> fillings{"natural",      "clamped",      "periodi
                                         "minimum_jerk", "within_limits"};
 const std::vector<std::string> objectives{"shortest"};
 
-/// A derivative of a knot; left out only where `velocities` says how to find it.
+/// A derivative of a knot. It may be left out only if `velocities` names the rule that fills it in.
 std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
                                     bool may_be_missing) {
   if (!knot.has(key)) knot.refuse_misspelt(key);
@@ -108,7 +108,7 @@ Table made_of(FillSpec fill, Spec& spec) {
   }
 }
 
-/// The table, if all its segments are finite: otherwise the knot that ends the first that is not.
+/// The table. Throws InputError for the knot at the end of the first segment that is not finite.
 Table with_finite_segments(Table table) {
   try {
     require_curve(table);
@@ -125,7 +125,7 @@ Table with_finite_segments(Table table) {
 Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
   std::optional<Points> points = knots_file(top, rule);
   FillSpec fill = read_fill(top, spec.units, rule, points);
-  if (points) points->columns.clear();  // read; the lines are kept for errors
+  if (points) points->columns.clear();  // already read; errors still need the lines
   const auto table = [&] {
     if (spec.himc) himc::require_pvt(fill.x);
     return with_finite_segments(made_of(fill, spec));
@@ -133,7 +133,7 @@ Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
   return points ? placed_in(*points, table) : table();
 }
 
-/// The knots of a cubic spline, exactly: cubics are quintics too.
+/// The table with the knots of a cubic spline. It is exact, also as a quintic table.
 Table table_of(const Trajectory& spline, Interpolation rule) {
   Columns columns;
   for (const double x : spline.breaks()) {

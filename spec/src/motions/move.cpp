@@ -20,8 +20,8 @@ MoveSpec read_trapezoid(MotionFields& f) {
   return t;
 }
 
-/// Jerk, or what controllers ask for instead: the time in which the acceleration builds up, so that
-/// jerk = acceleration / smoothing in each half (Googol smoothTime, HMPL SetSmoothTime).
+/// The jerk, or the parameter of controllers in its place: the time in which the acceleration builds up. In each half
+/// jerk = acceleration / smoothing (Googol smoothTime, HMPL SetSmoothTime).
 void read_jerk(MotionFields& f, SCurveSpec& s) {
   const auto jerk = f.optional("jerk", 3);
   const auto smoothing = f.optional_time("smoothing");
@@ -69,7 +69,7 @@ MoveSpec read_point_to_point(MotionFields& f) {
   PointToPointSpec s;
   TomlReader& move = f.reader();
   s.from = f.state("from");
-  (void)move.number("to", f.units().position);  // must be there
+  (void)move.number("to", f.units().position);  // required
   s.to = f.state("to");
   s.bounds = f.bounds();
   s.duration = f.optional_time("duration");

@@ -10,7 +10,7 @@
 namespace jounce::detail {
 namespace {
 
-/// Takes the filter only if the controller that the operator names does.
+/// Throws InputError if the controller that the operator names does not accept the filter.
 template <class Require>
 void require_of_himc(TomlReader& then, const Require& require) {
   try {
@@ -97,14 +97,14 @@ Operator read_move_superimposed(MotionFields& f) {
   return c;
 }
 
-/// The unit of the axis of that name; of the only one, or of the spec, where there is none.
+/// The unit of the axis of this name; without a name, the unit of the only axis, or of the spec.
 const std::string& unit_of(const std::string& axis, std::span<const AxisPart> parts) {
   const auto named = std::find_if(parts.begin(), parts.end(),
                                   [&](const AxisPart& part) { return part.name == axis; });
   return (named == parts.end() ? parts.front() : *named).units.position;
 }
 
-/// One point at least, and no more than a spec holds.
+/// Throws InputError unless there is at least one point, and no more than a spec may have.
 std::size_t count_of(TomlReader& reference) {
   const std::size_t count = reference.optional_count("count").value_or(0);
   if (count < 2 || count > 1'000'000)
@@ -112,7 +112,7 @@ std::size_t count_of(TomlReader& reference) {
   return count;
 }
 
-/// Values in the unit of the corrected axis, the grid in those of its references.
+/// Reads values in the unit of the corrected axis, and the grid in the units of its references.
 Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
   static const std::vector<std::string> rules{"linear", "cubic"};
   TomlReader& then = f.reader();

@@ -7,7 +7,7 @@ namespace jounce::detail {
 
 namespace {
 
-/// How the axis stops, and what it watches: each is off, or the executor's default, if left out.
+/// Stops and supervision of the axis. A key that is left out is off, or has the default of the executor.
 void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
   const auto read = [&](const char* key, const std::string& unit, double& value) {
     const auto given = axis.optional_number(key, unit);
@@ -26,7 +26,7 @@ void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
   read("in_position_time", "s", spec.in_position_time);
 }
 
-/// How long the executor itself may be late, and whoever owns the axis silent.
+/// The longest permitted delay of a cycle, and the longest time without a heartbeat of the owner of the axis.
 void read_patience(TomlReader& axis, AxisSpec& spec) {
   if (const auto gap = axis.optional_number("longest_gap", "s")) {
     if (!(*gap >= spec.cycle && *gap <= 1e6 * spec.cycle))
@@ -36,7 +36,7 @@ void read_patience(TomlReader& axis, AxisSpec& spec) {
   }
   spec.session_timeout =
       axis.optional_number("session_timeout", "s").value_or(spec.session_timeout);
-  // Signs of life come every 100 ms, and one may be lost.
+  // A heartbeat is sent every 100 ms, and one may be lost.
   if (!(spec.session_timeout >= 0.25 && spec.session_timeout <= 3600))
     axis.fail("session_timeout", jounce::number(spec.session_timeout),
               "must be between 250 ms and 1 h");

@@ -21,7 +21,7 @@ const std::vector<std::string> point_types{"normal", "even", "stop", "continue"}
 const std::vector<std::string> quantities{"position", "velocity", "acceleration"};
 const std::vector<std::string> position_rules{"cubic", "linear"};
 
-/// A point counts from the table's origin, or (increments) from the point before.
+/// Points count from the origin of the table, increments from the point before.
 std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool increments,
                                  std::span<const std::string> permitted) {
   std::vector<PtPoint> points;
@@ -42,7 +42,7 @@ std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool incre
   return points;
 }
 
-/// A file's points are played once here, so that a mistake is placed in the file's own line.
+/// Checks the points of a file here, so that an error names the line of the file.
 PtSpec with_points(PtSpec spec, const Points& file, const Units& units, bool increments,
                    std::span<const std::string> permitted) {
   spec.points =
@@ -89,7 +89,7 @@ bool is_whole_ms(double t) {
 }
 constexpr const char* whole_ms_rule = "must be a whole number of ms, the resolution of TIME";
 
-/// A point as `point` has it, its value under the name of the quantity.
+/// Reads a point; its value has the name of the quantity as its key.
 pmc600::ProfilePoint read_profile_point(TomlReader& point, const char* quantity,
                                         const std::string& unit) {
   const double t = point.number("delta_time", "s");

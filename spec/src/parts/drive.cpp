@@ -13,7 +13,7 @@
 namespace jounce::detail {
 namespace {
 
-/// Where the keys of format 1 before composable drives went: they are refused with that.
+/// The new names of keys that the first version of format 1 had. The error for an old key names the new one.
 constexpr std::array<std::pair<const char*, const char*>, 12> moved{{
     {"motor_inertia", "inertia in [drive.motor]"},
     {"motor_friction", "friction = { viscous = ... } in [drive.motor]"},
@@ -34,7 +34,7 @@ void refuse_moved(TomlReader& table) {
     if (table.has(key)) table.fail(key, "", std::string("is now ") + where);
 }
 
-/// The numbers whose key begins with `prefix`, from the table of that part.
+/// Reads the numbers whose key begins with `prefix` from the table of their part.
 void read_part(TomlReader& table, const std::string& prefix, Drive& drive) {
   auto friction = table.optional_table("friction");
   const std::string of_friction = "friction.";
@@ -52,7 +52,7 @@ void read_part(TomlReader& table, const std::string& prefix, Drive& drive) {
   if (friction) friction->finish();
 }
 
-/// A load that moves along a line, as seen at the motor's shaft: per radian it goes `lever` m.
+/// A linear load at the shaft of the motor: it travels `lever` m per radian.
 void read_linear(TomlReader& table, const Units& units, const Drive& drive, Mass& mass) {
   const auto lever = [&](const char* key) {
     try {
@@ -89,7 +89,7 @@ void read_train(TomlReader& table, const Units& units, Drive& drive) {
 
 void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
   drive.position_per_rev = table.number("position_per_rev", units.position + "/rev");
-  if (drive.position_per_rev == 0)  // before a mass is counted with it
+  if (drive.position_per_rev == 0)  // masses need it below
     table.fail("position_per_rev", "0", "must not be 0");
   for (const char* part : {"motor", "controller"})
     if (auto reader = table.optional_table(part)) {

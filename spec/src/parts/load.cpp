@@ -19,13 +19,13 @@ bool measures(const std::string& unit, const char* as) {
   }
 }
 
-/// Metres or radians a slave's unit; a pulse is neither.
+/// Meters or radians per slave unit. A pulse is neither.
 double si(const std::string& unit) {
   if (measures(unit, "m")) return conversion(unit, "m");
   return measures(unit, "rad") ? conversion(unit, "rad") : 0;
 }
 
-/// Radians of the motor a slave's unit.
+/// Radians of the motor per slave unit.
 double turned(const LoadSpec& load) {
   return 2 * std::numbers::pi / load.position_per_rev;
 }
@@ -83,8 +83,8 @@ namespace {
 
 struct LoadKey {
   const char* key;
-  const char* unit;         ///< of a slave that moves straight, or of any
-  const char* rotary_unit;  ///< nullptr: straight alone; "": any; `unit` nullptr: rotary alone
+  const char* unit;         ///< for a linear slave, or for any slave
+  const char* rotary_unit;  ///< nullptr: linear only; "": any; `unit` nullptr: rotary only
   double LoadSpec::*field;
   bool may_be_negative;
 };

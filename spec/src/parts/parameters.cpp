@@ -12,7 +12,7 @@
 namespace jounce::detail {
 namespace {
 
-/// The unit of a number that the spec has read. Throws InputError where there is none of that name.
+/// The unit of a number that the spec has read. Throws InputError if no number has this name.
 std::string unit_of(TomlReader& parameter, const std::string& key) {
   const auto& units = parameter.document().units;
   if (const auto it = units.find(key); it != units.end() && !key.starts_with("optimize"))
@@ -87,7 +87,7 @@ std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole
   if (!top.has("optimize")) return std::nullopt;
   TomlReader table = top.table("optimize");
   if (std::holds_alternative<CamSpec>(whole.subject) && !table.has("parameter"))
-    return std::nullopt;  // of free knots: read_optimize()
+    return std::nullopt;  // read_optimize() reads free knots
   ParametersSpec spec;
   std::set<std::string> chosen;
   for (TomlReader& parameter : table.tables("parameter")) {

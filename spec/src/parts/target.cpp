@@ -13,8 +13,7 @@ std::optional<double> positive(TomlReader& table, const std::string& key, const 
   return value;
 }
 
-/// The controller's own numbers, and its rule unless the spec names one; with the resolution of the
-/// first column.
+/// The numbers of the controller, with its resolution of the first column, and its rule unless the spec names one.
 Target read_controller(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
   const std::string resolution = spec_key(axis, "x_step");
   const auto x_step = positive(table, resolution, units.x);

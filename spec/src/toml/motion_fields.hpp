@@ -10,8 +10,8 @@
 
 namespace jounce::detail {
 
-/// One table of the document whose keys are positions and their rates: each is read by the order of
-/// its derivative (0: position), straight to where it belongs.
+/// One table of the document whose keys are positions and their rates. Each is read, by the order of its derivative (0:
+/// position), into the field of its struct.
 class MotionFields {
  public:
   MotionFields(TomlReader& reader, const Units& units) : reader_(&reader), units_(&units) {}
@@ -19,14 +19,14 @@ class MotionFields {
   void need(const char* key, int order, double& value);
   void may(const char* key, int order, double& value);
   std::optional<double> optional(const char* key, int order);
-  /// In the spec's unit of time, or in one of the controller's own.
+  /// In the unit of time of the spec, or of the controller.
   std::optional<double> optional_time(const char* key);
   void may_in(const char* key, const char* unit, double& value);
 
-  /// from, from_velocity, from_acceleration (or to...); what is left out is 0.
+  /// from, from_velocity, from_acceleration (or to...); default: 0.
   MotionState state(const std::string& prefix);
-  /// velocity, acceleration, jerk (magnitudes), each with its ..._down for the negative direction
-  /// where that differs; position_min, position_max. What is left out is not limited.
+  /// velocity, acceleration, jerk (magnitudes), each with ..._down for another value in the negative
+  /// direction; position_min, position_max. A key that is left out is not limited.
   Bounds bounds();
 
   [[nodiscard]] TomlReader& reader() { return *reader_; }

@@ -13,19 +13,17 @@
 
 namespace jounce::detail {
 
-/// The CSV file that the key `points` names, beside the document, with no other columns than these;
-/// nothing where the key is left out. With it `rows`, which it stands for, must be.
+/// Reads the CSV file that the key `points` names, relative to the document, with these columns only. Returns nullopt
+/// if the key is left out. Throws InputError if `rows`, which the file replaces, is given too.
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                                       std::initializer_list<std::string_view> columns);
 
-/// Which of `words` each point has in its column "type", or the number of it; the first where there is
-/// no such column.
+/// The index in `words` of the column "type" of each point, given as a word or as a number; 0 without such a column.
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words);
 
-/// What `make` makes of the points. A complaint about "knot[3].time", whatever stands before the
-/// bracket, is placed in the line of the third point (placed).
-/// Points of a PT or follow table, from the table's origin; `increments` are added up. Throws InputError,
-/// placed, where x does not ascend.
+/// The result of `make` for the points. An error for "knot[3].time", with any word before the bracket, gets the line of
+/// the third point. Points of a PT or follow table, from the origin of the table; `increments` are summed. Throws
+/// InputError with the place if x does not ascend.
 struct PointQuantity {
   const char* name;
   const std::string& unit;

@@ -14,7 +14,7 @@ std::optional<double> optional_share(TomlReader& table, const char* key) {
   try {
     if (sign != given.npos && given.find_first_not_of(" \t", sign + 1) == given.npos)
       return quantity(given.substr(0, sign), "1") / 100;
-  } catch (const InputError&) {  // told below, with what a share looks like
+  } catch (const InputError&) {  // the error below shows the form of a share
   }
   table.fail(key, '"' + given + '"', "must be a share such as \"5 %\" or 0.05");
 }

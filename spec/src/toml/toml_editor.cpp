@@ -17,7 +17,7 @@ void TomlEditor::replace(const toml::table& table, const char* key, std::string 
 
 void TomlEditor::add_beside(const toml::table& table, const char* beside, const char* key,
                             const std::string& value) {
-  // The other's line has the indent and, with dotted keys, the prefix.
+  // The line of the other entry has the indent and, with dotted keys, the prefix.
   const std::string entry = std::string(key) + " = " + value;
   const toml::source_region& source = table.get(beside)->source();
   const std::size_t other = text_.rfind(beside, offset(source.begin));

@@ -11,20 +11,20 @@
 
 namespace jounce::detail {
 
-/// Changes values in the text of a TOML document and leaves everything else as it stands: comments,
+/// Changes values in the text of a TOML document and keeps everything else: comments,
 /// order, layout. Tables and nodes are those parsed from this text, which must outlive the editor.
 class TomlEditor {
  public:
   explicit TomlEditor(const std::string& text) : text_(text) {}
 
-  /// Another value, as it is to stand in the text. The key exists.
+  /// Replaces a value by this text. The key must exist.
   void replace(const toml::table& table, const char* key, std::string value);
-  /// A further entry: beside the entry `beside`, on a line below it unless the table is inline.
+  /// Adds an entry after the entry `beside`, on a new line unless the table is inline.
   void add_beside(const toml::table& table, const char* beside, const char* key,
                   const std::string& value);
-  /// A further entry at the end of an inline table, or else below `beside`.
+  /// Adds an entry at the end of an inline table, otherwise below `beside`.
   void add(const toml::table& table, const char* beside, const char* key, const std::string& value);
-  /// Takes the entry out, if there is one; of [[key]] all its tables.
+  /// Removes an entry if it exists; for [[key]] all its tables.
   void erase(const toml::table& table, const char* key);
 
   [[nodiscard]] std::string result() const;

@@ -94,7 +94,7 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
   if (!node.is_number())
     throw error(shown(node),
                 "must be a number in " + unit + ", or a quantity such as \"12.5 " + unit + '"');
-  // Not value<double>(): that has none for a whole number beyond 2^53.
+  // Not value<double>(): it returns nothing for an integer beyond 2^53.
   const auto whole = node.value_exact<std::int64_t>();
   const double value =
       whole ? static_cast<double>(*whole) : node.value_exact<double>().value_or(NAN);

@@ -48,7 +48,7 @@ SweepRow impossible(const SweepSpec& spec, std::size_t number, const std::string
 std::string broken_limit(const SweepSpec& spec, const Assessment& all) {
   if (!all.report.ok()) {
     const Finding& worst = all.report.findings.front();  // in the order of sort()
-    return worst.rule + (worst.axis.empty() ? "" : " (" + worst.axis + ")");
+    return worst.rule.text() + (worst.axis.empty() ? "" : " (" + worst.axis + ")");
   }
   for (const SweepLimit& limit : spec.limits)
     if (!(all.value(limit.figure) <= limit.at_most))

@@ -11,17 +11,17 @@ constexpr double most = 1e6;        ///< greatest margin that matters
 constexpr double least = 1e-9;      ///< least violation of a broken limit
 constexpr std::size_t places = 32;  ///< more segments share constraints with their neighbors
 
-struct Rule {
+struct RuleMargin {
   double margin = most;
   bool broken = false;
 };
 
 /// The smallest margin of each rule. `check` decides what is broken, not the sign.
-std::map<std::string, Rule> rules_of(const Report& report) {
-  std::map<std::string, Rule> all;
+std::map<std::string, RuleMargin> rules_of(const Report& report) {
+  std::map<std::string, RuleMargin> all;
   for (const Finding& f : report.findings) {
     if (!states_limit(f)) continue;
-    Rule& rule = all[rule_of(f)];
+    RuleMargin& rule = all[rule_of(f)];
     rule.margin = std::min(rule.margin, f.margin);
     rule.broken = rule.broken || f.broken;
   }
@@ -71,13 +71,13 @@ void TuneRows::settle(const Assessment& at) {
 
 std::vector<double> TuneRows::of(const Assessment& at) {
   if (rules_.empty()) settle(at);
-  std::map<std::string, Rule> left = rules_of(at.report);
+  std::map<std::string, RuleMargin> left = rules_of(at.report);
   std::vector<double> all;
   std::size_t first = 0;  // constraint of a rule
   for (const Group& group : groups_) {
     if (group.bound == 0) first = all.size();
     const auto it = left.find(group.rule);
-    const Rule rule = it == left.end() ? Rule{1, false} : it->second;
+    const RuleMargin rule = it == left.end() ? RuleMargin{1, false} : it->second;
     const auto rooms = rooms_of(at, group.rule);
     const bool known = group.by_segment && group.bound < rooms.size();
     for (const double margin : known ? by_place(rooms[group.bound]->segments, group.places)

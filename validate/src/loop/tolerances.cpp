@@ -245,7 +245,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
     const std::optional<double> limit = limit_of(figure, limits);
     if (!limit || result.failed == result.cases) continue;
     Finding finding;
-    finding.rule = "tolerance/" + s.figure;
+    finding.rule = Rule(RuleFamily::tolerance, s.figure);
     finding.quantity = s.figure;
     if (s.unit != "u") finding.unit = s.unit;
     finding.value = s.worst.value;

@@ -16,6 +16,13 @@ Disc make_disc(const Spec& spec, const Cam& cam);
 /// check() of it, with the units of its findings.
 Report check_disc(const Spec& spec, const Cam& cam);
 
+/// True if the report of check_disc() excludes that the contour can be cut: the contour crosses itself, or the cutter
+/// does not reach it.
+bool cannot_be_cut(const Report& report);
+
+/// Extremes of the pressure angle, deg, and the sharpest radii of the profile, in lines, each with its place.
+std::string extremes_text(const Spec& spec, const Disc& disc);
+
 /// Drawing of a disc, in mm for all units of its spec, as it stands at master 0.
 struct DiscDrawing {
   std::string name;

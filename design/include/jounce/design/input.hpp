@@ -65,4 +65,9 @@ std::optional<double> table_tolerance(const Input& input);
 Input input_of(TableFile file, const std::string& path);
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 
+/// Reads a spec, a table file or a table in the format of a controller (exchange.hpp), recognized by its content; "-"
+/// is standard input. One input for each axis of a spec, or for each cam of a file. `decimal_comma` reads 0,5 as 0.5 in
+/// a controller's table. Throws InputError with file, line, key, value and rule.
+std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
+
 }  // namespace jounce

@@ -26,6 +26,9 @@ std::string law_table();
 /// One law, in full.
 std::string law_text(Law law);
 
+/// The law as a JSON object: its words, and its characteristic values (null where they are infinite).
+std::string law_json(Law law);
+
 /// docs/laws.md.
 std::string laws_markdown();
 

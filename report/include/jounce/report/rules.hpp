@@ -6,7 +6,8 @@
 
 namespace jounce {
 
-/// A rule of a Finding in words, for a person who reads a report.
+/// A rule of a Finding in words, for a person who reads a report. Its sentence, with the numbers: sentence() of
+/// report_text.hpp.
 struct RuleInfo {
   const char* rule;     ///< "limit/position_max", or a family: "limit/*"
   const char* meaning;  ///< one sentence: what was found
@@ -16,7 +17,7 @@ struct RuleInfo {
 /// All rules, by family; the rule of each Finding has a row, or its family has one.
 std::span<const RuleInfo> all_rules();
 
-/// The row of a rule: its own, otherwise that of its family; nullptr if there is none.
+/// The row of a rule, by its text: its own, otherwise that of its family; nullptr if there is none.
 const RuleInfo* rule_info(std::string_view rule);
 
 }  // namespace jounce

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
@@ -17,7 +16,7 @@ namespace jounce::detail {
 /// One bound on one derivative: it must stay below `limit` (upper), or above.
 struct Bound {
   std::size_t order;
-  std::string rule;
+  Rule rule;
   double limit;
   bool upper;
   double scale;  ///< value of a margin of 1

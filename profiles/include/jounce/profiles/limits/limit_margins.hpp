@@ -12,7 +12,7 @@ namespace jounce {
 /// Margin of each segment of a curve to one bound: check() gives the least margin of a limit,
 /// these are all of them. A limit of a rate has two bounds, and so two of these with the same rule.
 struct LimitMargin {
-  std::string rule;              ///< the rule of a Finding
+  std::string rule;              ///< the text of the rule of a Finding
   std::vector<double> segments;  ///< margin of each segment, as in Finding
 };
 

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/rule.hpp"
 
 namespace jounce {
 
@@ -32,7 +33,7 @@ enum class Severity {
 
 /// One statement of a check: a quantity at its worst place against its limit.
 struct Finding {
-  std::string rule;      ///< "limit/velocity", "continuity/position", ...: stable, for machines
+  Rule rule;             ///< "limit/velocity", "continuity/position", ...
   std::string axis;      ///< whose, where several are checked; may be empty
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
   double where = 0;      ///< on the curve's axis

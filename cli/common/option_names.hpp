@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+
+/// The option for a key of the library: "--velocity-tolerance" for velocity_tolerance, "--resolution" for x_step.
+std::string option_of(const std::string& key);
+
+/// The result of `act`. An InputError that it throws gets the name of the option.
+template <class Act>
+auto under_option(const std::string& option, const Act& act) {
+  try {
+    return act();
+  } catch (const InputError& error) {
+    throw InputError(option, error.value(), error.rule());
+  }
+}
+
+/// The same for errors of these keys only: each gets the name of its option.
+template <class Act>
+auto with_option_names(std::initializer_list<std::string_view> keys, const Act& act) {
+  try {
+    return act();
+  } catch (const InputError& error) {
+    if (std::find(keys.begin(), keys.end(), error.key()) == keys.end()) throw;
+    throw InputError(option_of(error.key()), error.value(), error.rule());
+  }
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/controllers/exchange/exchange.hpp"
+#include "jounce/design/input.hpp"
+#include "jounce/pvt/reduce.hpp"
+
+namespace jounce {
+
+/// Contents of a converted table.
+struct Conversion {
+  Interpolation rule = Interpolation::cubic_hermite;
+  std::optional<Target> target = {};  ///< new knots, as few as keep the target; its rule is `rule`
+  std::size_t intervals = 0;          ///< new knots at this number of equal intervals; 0: not so
+  Units units = {};  ///< units to convert to, or those that the file does not name; "": unchanged
+  bool periodic = false;              ///< the motion repeats, although the file does not state it
+  std::optional<Format> format = {};  ///< format of a controller; nullopt: CSV or JSON of Jounce
+};
+
+/// A converted table, and its distance from the input.
+struct Converted {
+  TableFile file;
+  std::optional<SampleError>
+      error;  ///< in the units of the input; nullopt: bit for bit the knots of the input
+};
+
+/// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
+/// nor the target asks for others. Kollmorgen's KAS joins positions by a spline, so the error for it is that of the
+/// natural (or periodic) spline through the positions. Throws InputError with the name of a member of Target
+/// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
+/// else.
+Converted converted(const Input& input, const Conversion& conversion);
+
+/// The parts of the input that a file in this format does not contain, one phrase each.
+std::vector<std::string> losses(const Input& input, const std::optional<Format>& format,
+                                const Table& made);
+
+/// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
+std::string error_text(const Converted& made, const Labels& labels);
+
+}  // namespace jounce

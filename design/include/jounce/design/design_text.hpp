@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "jounce/design/input.hpp"
+
+namespace jounce {
+
+/// The answer of `jounce design` for one axis: number of knots, error against the exact curve, residual vibration, the
+/// worst finding of `report` (check_all(), add_not_limited()), and the hash of the table.
+std::string design_text(const Input& input, const Report& report);
+
+/// The same as a JSON object, every number in full; `file` is the name of the table.
+std::string design_json(const Input& input, const Report& report, const std::string& file);
+
+}  // namespace jounce

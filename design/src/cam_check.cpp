@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/cam_check.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "jounce/cam/design/certificate.hpp"
+#include "jounce/cam/design/warnings.hpp"
+#include "jounce/design/master_check.hpp"
+
+namespace jounce {
+namespace {
+
+/// The number of the spec's segment for each segment of the cam: pieces of one segment share a label.
+std::vector<std::size_t> origin_of(const Cam& cam, const Labels& labels) {
+  std::vector<std::size_t> origin;
+  const auto all = groups(cam.segments().size(), labels);
+  for (std::size_t g = 0; g < all.size(); ++g) origin.resize(all[g].last + 1, g);
+  return origin;
+}
+
+void take(Report& all, Report part) {
+  std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
+}
+
+}  // namespace
+
+bool has_designed_rises(const Input& input) {
+  return input.labels.over_master &&
+         (!input.spec || !std::holds_alternative<SyncSpec>(input.spec->subject));
+}
+
+void add_cam_findings(Report& report, const Input& input, int continuity) {
+  if (!input.labels.over_master) return;
+  const Cam& cam = std::get<Cam>(*input.curve);
+  Report odd = warnings(cam, origin_of(cam, input.labels));
+  for (int k = 0; k <= continuity; ++k)
+    std::erase_if(odd.findings, [&](const Finding& f) {
+      return f.rule == Rule(RuleFamily::joint, OverMaster::names[static_cast<std::size_t>(k)]);
+    });
+  const bool reported =
+      std::any_of(report.findings.begin(), report.findings.end(),
+                  [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
+  if (reported)  // knife/reversal has an advice
+    std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
+  take(report, std::move(odd));
+  if (has_designed_rises(input)) take(report, certificates(cam));
+  if (input.spec && has_slave_limits(*input.spec) && input.spec->master)
+    report.findings.push_back(master_finding(cam, *input.spec));
+  sort(report);
+}
+
+Report checked(const Input& input, int continuity, const EngageState& at) {
+  Report report = check_all(input, continuity, at);
+  add_cam_findings(report, input, continuity);
+  return report;
+}
+
+}  // namespace jounce

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/executor_tables.hpp"
+
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/reference.hpp"
+
+namespace jounce {
+
+ExecutorTables executor_tables(const Input& input) {
+  const Units& units = input.table.units;
+  if (std::holds_alternative<Cam>(*input.curve)) {
+    // A cubic table represents a trapezoid and a straight line exactly.
+    const Trajectory motion = master_of(input);
+    const std::vector<double> knots(motion.breaks().begin(), motion.breaks().end());
+    Sampled master = sample(motion, Interpolation::cubic_hermite, knots);
+    return {input.table,
+            TableFile{std::move(master.table), {"s", units.x}, input.table.provenance}};
+  }
+  return {TableFile{stretched(input.table.table, conversion(units.x, "s")),
+                    {"s", units.position},
+                    input.table.provenance},
+          std::nullopt};
+}
+
+}  // namespace jounce

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include "jounce/base/file.hpp"
+#include "jounce/controllers/exchange/exchange.hpp"
+#include "jounce/design/input.hpp"
+
+namespace jounce {
+namespace {
+
+/// One input for each cam. If there are several, each has the name of its cam as its axis.
+std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
+  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  const bool several = cams.size() > 1;
+  std::vector<Input> all;
+  for (ExchangeCam& cam : cams) {
+    Input input = input_of(std::move(cam.file), several ? name + " " + cam.name : name);
+    if (several) input.axis = cam.name;
+    input.unread = std::move(cam.unread);
+    all.push_back(std::move(input));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
+  std::string text = read_file(path);
+  const std::string name = path == "-" ? "standard input" : path;
+  if (is_table(text)) return {input_of(parse_table(text, name), name)};
+  if (format_of_text(text)) return cams_of(text, name, decimal_comma);
+  return inputs_of(parse_spec(std::move(text), name), path);
+}
+
+}  // namespace jounce

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace jounce {
+
+/// The family of a rule: the first word of its text.
+enum class RuleFamily : std::uint8_t {
+  none,        ///< no rule
+  limit,       ///< a quantity against its limit
+  unlimited,   ///< the peak of a quantity that has no limit
+  objective,   ///< the place at which a minimized figure takes its value
+  continuity,  ///< a step at a joint, against the required order
+  table,       ///< a table against its exact curve
+  joint,       ///< a step at a joint that is permitted
+  kept,        ///< a step that an optimization keeps
+  polydyne,    ///< a cam for a load on a spring
+  warning,     ///< perhaps not intended: an overshoot, a reversal
+  bound,       ///< a figure against its least possible value
+  identity,    ///< an integral against its exact value
+  coupling,    ///< engaging and leaving a cam
+  compare,     ///< position compare
+  disc,        ///< the plate of a disc cam
+  drive,       ///< a servo drive
+  feasible,    ///< a slave that engages with its master
+  fill,        ///< knots that are filled in
+  follow,      ///< follow tables
+  follower,    ///< a cam follower
+  gear,        ///< gears
+  knife,       ///< a rotary knife
+  shear,       ///< a flying shear
+  inverse,     ///< the inverse of a cam
+  pt,          ///< time tables
+  tolerance,   ///< a drive with its tolerances
+  witness,     ///< an integration against the exact curve
+  played,      ///< the log of an executor against its table
+  fixed,       ///< a value that a spec fixes at an end of a free shape
+  constraint,  ///< a constraint of a search
+};
+
+/// The family as a word: "limit", "continuity", ...; "" for none.
+const char* name(RuleFamily family) noexcept;
+
+/// The rule that a finding states, as a stable name for machines: "limit/position_max".
+///
+///     if (finding.rule.family() == RuleFamily::limit) ...
+///     if (finding.rule == "table/position") ...
+///
+/// The name in the family is a quantity ("limit/geo_velocity"), a side of it ("limit/position_max"), or an event
+/// ("knife/reversal"). `jounce explain RULE` prints its meaning (report/rules.hpp).
+class Rule {
+ public:
+  Rule() = default;
+  /// From the text: "" is no rule. A word before the slash that names no family has the family none.
+  Rule(const char* text) : Rule(std::string(text)) {}
+  Rule(std::string text);
+  Rule(RuleFamily family, std::string_view name);
+
+  [[nodiscard]] RuleFamily family() const noexcept { return family_; }
+  [[nodiscard]] std::string_view name() const noexcept;
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+  bool operator==(const Rule&) const = default;
+
+ private:
+  RuleFamily family_ = RuleFamily::none;
+  std::string text_;
+};
+
+std::ostream& operator<<(std::ostream& out, const Rule& rule);
+
+}  // namespace jounce

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/profiles/moves/explain.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+/// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
+std::string outside(const std::string& name, double value, double min, double max) {
+  if (value > max)
+    return name + " " + number(value) + " is above " + name + "_max = " + number(max);
+  if (value < min)
+    return name + " " + number(value) + " is below " + name + "_min = " + number(min);
+  return "";
+}
+
+std::string numbers_of(const MotionState& s) {
+  return "position " + number(s.position) + ", velocity " + number(s.velocity) + ", acceleration " +
+         number(s.acceleration);
+}
+
+std::string numbers_of(const Bounds& b) {
+  std::string text;
+  const auto add = [&](const char* name, double min, double max) {
+    text +=
+        (text.empty() ? "" : ", ") + std::string(name) + " " + number(min) + " to " + number(max);
+  };
+  add("velocity", b.velocity_min, b.velocity_max);
+  add("acceleration", b.acceleration_min, b.acceleration_max);
+  add("jerk", b.jerk_min, b.jerk_max);
+  add("position", b.position_min, b.position_max);
+  return text;
+}
+
+/// The velocity at which the acceleration of the target builds up from 0 with the greatest jerk.
+std::string velocity_before(const MotionState& to, const Bounds& b) {
+  const double jerk = to.acceleration > 0 ? b.jerk_max : b.jerk_min;
+  const double before = to.velocity - to.acceleration * to.acceleration / (2 * jerk);
+  const std::string beyond = outside("velocity", before, b.velocity_min, b.velocity_max);
+  if (beyond.empty()) return numbers_of(to);
+  return beyond + " before acceleration " + number(to.acceleration) + " at velocity " +
+         number(to.velocity);
+}
+
+std::string with(const char* sentence, const std::string& numbers) {
+  return numbers.empty() ? sentence : sentence + (": " + numbers);
+}
+
+}  // namespace
+
+std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
+                    const Bounds& bounds) {
+  const char* const sentence = explain(status);
+  switch (status) {
+    case MoveStatus::not_finite:
+      return with(sentence, "start " + numbers_of(from) + "; target " + numbers_of(to));
+    case MoveStatus::invalid_bounds:
+      return with(sentence, numbers_of(bounds));
+    case MoveStatus::target_outside: {
+      const std::string velocity =
+          outside("velocity", to.velocity, bounds.velocity_min, bounds.velocity_max);
+      const std::string acceleration = outside("acceleration", to.acceleration,
+                                               bounds.acceleration_min, bounds.acceleration_max);
+      const bool both = !velocity.empty() && !acceleration.empty();
+      return with(sentence, velocity + (both ? ", " : "") + acceleration);
+    }
+    case MoveStatus::target_unreachable:
+      return with(sentence, velocity_before(to, bounds));
+    case MoveStatus::position_limit:
+      return with(sentence, "from " + number(from.position) + " at velocity " +
+                                number(from.velocity) + " to " + number(to.position) +
+                                " at velocity " + number(to.velocity) + ", position " +
+                                number(bounds.position_min) + " to " + number(bounds.position_max));
+    default:
+      return sentence;
+  }
+}
+
+std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
+                    const Bounds& bounds, double duration) {
+  if (status == MoveStatus::not_finite && !(std::abs(duration) <= 1e50))
+    return with(explain(status), "duration " + number(duration));
+  if (status != MoveStatus::too_short && status != MoveStatus::blocked)
+    return explain(status, from, to, bounds);
+  const Durations all = durations(from, to, bounds);
+  std::string possible = number(all.minimum) + " s";
+  for (std::size_t i = 0; i < all.count; ++i)
+    possible += " to " + number(all.blocked[i].from) + " s, " + number(all.blocked[i].to) + " s";
+  return with(explain(status),
+              number(duration) + " s is given, possible are " + possible + " and more");
+}
+
+}  // namespace jounce

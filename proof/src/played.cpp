@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/played.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string_view>
+
+#include "jounce/base/csv.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+struct Place {
+  const std::string& name;
+  int line;
+
+  [[noreturn]] void fail(const std::string& key, std::string_view value, const char* rule) const {
+    throw InputError(key, std::string(value), rule).at(name, line);
+  }
+};
+
+double real(std::string_view cell, const char* column, const Place& place) {
+  const auto value = csv_number(cell);
+  if (!value) place.fail(column, cell, "must be a finite number");
+  return *value;
+}
+
+/// The index of the column whose heading begins with this name.
+std::size_t column(const std::vector<std::string_view>& header, std::string_view wanted,
+                   const Place& place) {
+  const auto it = std::find_if(header.begin(), header.end(), [&](std::string_view cell) {
+    return cell.substr(0, cell.find(' ')) == wanted;
+  });
+  if (it == header.end())
+    place.fail(std::string(wanted), "",
+               "is missing: the file is not a tick log of `jounce run --log`");
+  return static_cast<std::size_t>(it - header.begin());
+}
+
+/// The greatest deviation of a position from the commanded one.
+template <class Position>
+Deviation farthest(const std::vector<PlayedTick>& ticks, const Position& position) {
+  Deviation most;
+  for (const PlayedTick& tick : ticks) {
+    const double error = std::abs(tick.position - position(tick));
+    if (error <= most.error) continue;
+    most.error = error;
+    most.where = tick.time;
+  }
+  return most;
+}
+
+double rounding(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  double position = 0;
+  double velocity = 0;
+  for (const PlayedTick& tick : ticks) {
+    const Motion motion = designed.table(std::min(tick.time, designed.duration));
+    position = std::max({position, std::abs(motion.position), std::abs(tick.position)});
+    velocity = std::max(velocity, std::abs(motion.velocity));
+  }
+  const double unit = std::numeric_limits<double>::epsilon();
+  return most_roundings * unit * (position + velocity * std::abs(ticks.back().clock));
+}
+
+void add(Report& report, const char* rule, const Deviation& deviation, const char* advice) {
+  const auto& [error, where, limit] = deviation;
+  const bool broken = !(error <= limit);
+  report.findings.push_back({.rule = rule,
+                             .axis = "",
+                             .quantity = "error of the position",
+                             .where = where,
+                             .value = error,
+                             .limit = limit,
+                             .margin = limit > 0 ? (limit - error) / limit : 0,
+                             .broken = broken,
+                             .segment = std::nullopt,
+                             .advice = broken ? advice : ""});
+}
+
+/// Reports the gaps of the log: in the middle, and at its end.
+void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  const auto add = [&](const char* rule, const char* quantity, double where, double value,
+                       double bound, bool broken, const char* advice, const char* unit) {
+    report.findings.push_back({.rule = rule,
+                               .axis = "",
+                               .quantity = quantity,
+                               .where = where,
+                               .value = value,
+                               .limit = bound,
+                               .margin = (bound - value) / bound,
+                               .broken = broken,
+                               .segment = std::nullopt,
+                               .advice = broken ? advice : "",
+                               .unit = unit});
+  };
+  std::int64_t gap = 0;
+  double gap_at = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i)
+    if (const auto left_out = ticks[i].tick - ticks[i - 1].tick - 1; left_out > gap) {
+      gap = left_out;
+      gap_at = ticks[i - 1].time;
+    }
+  const std::int64_t span = ticks.back().tick - ticks.front().tick;
+  const double cycle = span > 0 ? ticks.back().time / static_cast<double>(span) : designed.duration;
+  add("played/gap", "ticks left out", gap_at, static_cast<double>(gap), 0.1 / cycle,
+      static_cast<double>(gap) * cycle > 0.1,
+      "rows are missing from the log, or the executor was suspended", "ticks");
+  // The last tick of a motion may lie one cycle before its end.
+  const double missing = std::max(0.0, designed.duration - ticks.back().time);
+  add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
+      missing > cycle * (1 + 1e-9), "the motion was stopped, or the log ends early", "s");
+}
+
+}  // namespace
+
+std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  Place place{name, 1};
+  const auto header = csv_cells(line);
+  const std::size_t number_of_tick = column(header, "tick", place);
+  const std::size_t time = column(header, "time", place);
+  const std::size_t position = column(header, "position", place);
+  const std::size_t job = column(header, "job", place);
+  const std::size_t width = header.size();
+
+  std::vector<PlayedTick> ticks;
+  std::string current = "0";
+  double start = 0;
+  for (std::string row; std::getline(lines, row);) {
+    ++place.line;
+    const auto row_cells = csv_cells(row);
+    if (row_cells.size() != width) place.fail("row", row, "must have as many values as the header");
+    const auto tick = static_cast<std::int64_t>(real(row_cells[number_of_tick], "tick", place));
+    const double now = real(row_cells[time], "time", place);
+    const double at = real(row_cells[position], "position", place);
+    if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
+      ticks.clear();
+      start = now;
+    }
+    const bool has_ended = row_cells[job] == "0" && current != "0";
+    current = row_cells[job];
+    // A late cycle may skip the end: the first tick at rest then shows it.
+    const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
+    if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now});
+  }
+  if (ticks.empty()) throw InputError("job", "", "the log contains no motion").at(name);
+  return ticks;
+}
+
+Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  assert(!ticks.empty() && designed.table);
+  Played played;
+  played.ticks = ticks.size();
+  const auto at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); };
+  played.table =
+      farthest(ticks, [&](const PlayedTick& t) { return designed.table(at(t)).position; });
+  played.table.limit = rounding(ticks, designed);
+  add(played.report, "played/table", played.table,
+      "the executor played another table than the one designed");
+  if (designed.curve) {
+    Deviation curve = farthest(ticks, [&](const PlayedTick& t) { return designed.curve(at(t)); });
+    curve.limit = designed.tolerance + played.table.limit;
+    add(played.report, "played/curve", curve,
+        "the executor played another table, or the table exceeds its tolerance");
+    played.curve = curve;
+  }
+  add_gap(played.report, ticks, designed);
+  sort(played.report);
+  return played;
+}
+
+}  // namespace jounce

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/proof.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/file.hpp"
+#include "jounce/design/driven.hpp"
+#include "jounce/design/reference.hpp"
+#include "jounce/proof/follower_figure.hpp"
+#include "jounce/validate/linear_drive.hpp"
+
+#include "proof/src/robustness.hpp"
+#include "proof/src/text/drive_text.hpp"
+#include "proof/src/text/follower_text.hpp"
+
+namespace jounce {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Adds the findings of one part, with their units.
+void add_part(Report& all, const Report& part, const char* axis,
+              const std::string& where_unit = "") {
+  for (Finding finding : part.findings) {
+    finding.axis = axis;
+    if (finding.where_unit.empty()) finding.where_unit = where_unit;
+    if (finding.rule.family() == RuleFamily::witness) finding.unit = "of the range";
+    all.findings.push_back(std::move(finding));
+  }
+}
+
+/// Gives the unit of the position to findings without a unit.
+void in_position_unit(Report& report, const std::string& unit) {
+  for (Finding& finding : report.findings)
+    if (finding.unit.empty()) finding.unit = unit;
+}
+
+Played played(const Input& input, const std::string& log) {
+  const Reference table = table_reference(input);
+  Designed designed{.table = [&](double t) { return at(table, t); }, .duration = duration(table)};
+  std::optional<Reference> curve;
+  if (const auto tolerance = table_tolerance(input)) {
+    curve = exact_reference(input);
+    designed.curve = [&](double t) { return at(*curve, t).position; };
+    designed.tolerance = *tolerance;
+  }
+  return compare_played(read_played(read_file(log), log), designed);
+}
+
+std::string played_text(const Played& played, const std::string& unit) {
+  const auto part = [&](const Deviation& from, const char* what) {
+    return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
+                       rounded(from.limit));
+  };
+  std::string text =
+      fmt::format("  {:<12} {}: {} ticks, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
+                  played.ticks, part(played.table, "table"));
+  if (played.curve) text += ", " + part(*played.curve, "exact curve");
+  return text + "\n";
+}
+
+Json played_json(const Played& played) {
+  const auto part = [](const Deviation& from) {
+    return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
+  };
+  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
+  if (played.curve) json["curve"] = part(*played.curve);
+  return json;
+}
+
+}  // namespace
+
+Proof prove(const Input& input, const ProofOptions& options) {
+  // The velocity of a table of straight lines steps. So does that of an input without another curve, and of a time
+  // table, whose segments have velocities of their own.
+  const WitnessOptions of_table{.velocity_steps =
+                                    input.table.table.rule() == Interpolation::linear};
+  const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);
+  const WitnessOptions of_curve{.velocity_steps =
+                                    time_table || (of_table.velocity_steps && !input.error)};
+  Proof proof{std::visit([&](const auto& curve) { return witness(curve, of_curve); }, *input.curve),
+              witness(input.table.table, of_table),
+              std::nullopt,
+              std::nullopt,
+              {}};
+  add_part(proof.report, proof.curve.report, "exact curve");
+  add_part(proof.report, proof.table.report, "table");
+  Report fit = check_all(input);
+  std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
+  add_part(proof.report, fit, "table");
+  if (input.drive) {
+    constexpr std::size_t compared = 201;
+    proof.drive = driven(input, options.drive_samples > 0 ? options.drive_samples : compared);
+    add_part(proof.report, proof.drive->report, "drive", "s");
+    if (input.drive->tolerances) {
+      const Reference reference = table_reference(input);
+      proof.tolerances = robustness(view(reference), *input.drive, options.progress);
+      add_part(proof.report, proof.tolerances->report, "drive");
+    }
+  }
+  if (input.spec && input.spec->follower) {
+    proof.follower = followed(input, options.drive_samples);
+    add_part(proof.report, proof.follower->report, "follower", "s");
+  }
+  if (!options.log.empty()) {
+    proof.played = played(input, options.log);
+    add_part(proof.report, proof.played->report, "executor", "s");
+  }
+  in_position_unit(proof.report, input.labels.units.position);
+  sort(proof.report);
+  return proof;
+}
+
+std::string proof_text(const Proof& proof, const Input& input) {
+  const std::string& u = input.labels.units.position;
+  std::string text;
+  const auto line = [&](const char* who, const std::string& says) {
+    text += fmt::format("  {:<12} {}\n", who, says);
+  };
+  for (const auto& [who, w] : {std::pair{"exact curve", &proof.curve}, {"table", &proof.table}})
+    line(who, fmt::format("{}: the jerk integrated three times gives back position, velocity, "
+                          "acceleration to {:.1e}, {:.1e}, {:.1e} ({} steps)",
+                          w->report.ok() ? "ok" : "BROKEN", w->position.relative,
+                          w->velocity.relative, w->acceleration.relative, w->integration.steps));
+  if (proof.drive) text += drive_text(*proof.drive, *input.drive, u);
+  if (proof.tolerances) text += robustness_text(*proof.tolerances, u);
+  if (proof.follower) text += follower_text(*proof.follower, u);
+  if (proof.played) text += played_text(*proof.played, u);
+  return text;
+}
+
+std::string proof_json(const Proof& proof, const Input& input) {
+  Json document = Json::parse(to_json(proof.report, input.labels));
+  const auto witness_json = [](const Witness& w) {
+    return Json{{"position", w.position.relative},
+                {"velocity", w.velocity.relative},
+                {"acceleration", w.acceleration.relative},
+                {"steps", w.integration.steps}};
+  };
+  document["witness"] = {{"curve", witness_json(proof.curve)},
+                         {"table", witness_json(proof.table)}};
+  if (proof.drive) document["drive"] = drive_json(*proof.drive, *input.drive);
+  if (proof.tolerances) document["tolerances"] = robustness_json(*proof.tolerances);
+  if (proof.follower) document["follower"] = follower_json(*proof.follower);
+  if (proof.played) document["executor"] = played_json(*proof.played);
+  return document.dump();
+}
+
+}  // namespace jounce

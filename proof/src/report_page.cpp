@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/report_page.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/design/cam_check.hpp"
+#include "jounce/plot/findings.hpp"
+#include "jounce/plot/input_figure.hpp"
+#include "jounce/plot/label.hpp"
+#include "jounce/proof/drive_figures.hpp"
+#include "jounce/proof/follower_figure.hpp"
+#include "jounce/proof/loop_figures.hpp"
+#include "jounce/proof/loop_text.hpp"
+
+namespace jounce {
+namespace {
+
+/// A position for people. Rounding, below 1e-12 of the range, is 0.
+std::string tidy_number(double value, const Range& range) {
+  return short_number(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
+}
+
+/// One row for each segment of the spec: range of the position, and peak of each derivative with its place.
+DataTable extrema_table(const Input& input) {
+  return std::visit(
+      [&]<class Over>(const Curve<Over>& curve) {
+        DataTable table{.caption = "Exact extrema of each segment",
+                        .columns = {"segment", "least", "greatest"}};
+        table.caption +=
+            "; position in " + input.labels.unit_of("position") + ", @ in " + input.labels.units.x;
+        for (std::size_t k = 1; k < Over::names.size(); ++k)
+          table.columns.push_back(std::string("|") + Over::names[k] + "|");
+        for (const auto& [label, first, last] :
+             groups(curve.segments().size(), input.labels, rows_for_people)) {
+          const Ranges r = segment_extrema(curve, first, last);
+          DataTable::Row row{
+              {label, tidy_number(r[0].min.value, r[0]), tidy_number(r[0].max.value, r[0])}, false};
+          for (std::size_t k = 1; k < r.size(); ++k)
+            row.cells.push_back(short_number(std::abs(r[k].peak().value)) + " @ " +
+                                short_number(r[k].peak().where, 4));
+          table.rows.push_back(std::move(row));
+        }
+        return table;
+      },
+      *input.curve);
+}
+
+Facts facts(const Input& input) {
+  const Table& table = input.table.table;
+  Facts f;
+  f.rows = {{"table", fmt::format("{} knots, {}", table.size(), name(table.rule()))},
+            {"range", fmt::format("{} to {} {}", short_number(table.start()),
+                                  short_number(table.end()), input.labels.units.x)},
+            {"sha256", hex(content_hash(table, input.labels.units))}};
+  if (input.error)
+    f.rows.emplace_back(
+        "error against the exact curve",
+        fmt::format("at most {} {} (certified)", short_number(input.error->position),
+                    input.labels.units.position));
+  if (!input.table.provenance.spec.empty())
+    f.rows.emplace_back("spec", input.table.provenance.spec + ", sha256 " +
+                                    input.table.provenance.spec_sha256.substr(0, 16) + "...");
+  return f;
+}
+
+Section proof_section(const Proof& proof, const Input& input) {
+  Section section{"Proof", {}};
+  section.blocks.emplace_back(
+      Prose{"The witness integrates only the jerk, three times, with SUNDIALS CVODES, and compares "
+            "the result with the position, velocity and acceleration of the curve and its table. "
+            "It reads the table as the executor does."});
+  DataTable table = findings_table(proof.report, input.labels);
+  section.blocks.emplace_back(std::move(table));
+  if (proof.drive) {
+    section.blocks.emplace_back(
+        Chart{response_figure(*proof.drive, *input.drive, input.labels.units.position),
+              "The response of the [drive] to the table, with a P-PI cascade and feed-forward. The "
+              "drive holds the last position after the end."});
+    section.blocks.emplace_back(Chart{torque_speed_figure(*proof.drive, input.drive->drive),
+                                      "The same run within the envelope of the motor."});
+    if (loop_of(input.drive->drive))
+      section.blocks.emplace_back(
+          Chart{bode_figure(input.drive->drive),
+                "The open loop of both controllers, cut at the torque input of the motor: at 0 dB, "
+                "the phase must be above −180 deg."});
+  }
+  if (proof.follower)
+    section.blocks.emplace_back(
+        Chart{follower_figure(*proof.follower, *input.spec->follower, input.labels.units.position),
+              "The [follower] with the table as its cam."});
+  return section;
+}
+
+/// Findings of the exact check, without the notes and without those that are in the proof.
+Report check_of(const Input& input) {
+  Report report = checked(input);
+  std::erase_if(report.findings, [](const Finding& f) {
+    return f.severity == Severity::note || f.rule == "table/position" ||
+           f.rule == "drive/stability";
+  });
+  add_not_limited(report, input);
+  return report;
+}
+
+}  // namespace
+
+ReportPage report_page(const Input& input, const std::optional<Input>& before,
+                       const ProofOptions& options) {
+  const Report report = check_of(input);
+  const Proof proof = prove(input, options);
+  Report all = report;
+  all.findings.insert(all.findings.end(), proof.report.findings.begin(),
+                      proof.report.findings.end());
+
+  Page page{.title = input.name,
+            .subtitle = "Motion table report",
+            .verdict = verdict(all),
+            .footer = "Made by " + made_by()};
+  Figure figure = figure_of(input, before);
+  figure.title.clear();
+  page.sections.push_back(
+      {"Curve",
+       {Chart{std::move(figure), before ? "The pale line is " + before->name +
+                                              " as it was before. Marked are the exact extrema."
+                                        : "Marked are the exact extrema."},
+        extrema_table(input)}});
+  page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
+  page.sections.push_back(proof_section(proof, input));
+  page.sections.push_back({"Table", {facts(input)}});
+  return {std::move(page), std::move(all)};
+}
+
+}  // namespace jounce

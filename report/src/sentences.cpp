@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "jounce/report/report_text.hpp"
+
+#include "report/src/words.hpp"
+
+// The sentences of all findings, by the family of their rule. The meaning and the remedy of each rule: rules.cpp.
+
+namespace jounce {
+namespace {
+
+std::string place(const Finding& finding, const Labels& labels) {
+  const std::string segment = labels.segment_of(finding);
+  return with_unit(finding.where,
+                   finding.where_unit.empty() ? labels.units.x : finding.where_unit) +
+         (segment.empty() ? "" : " (segment " + segment + ")");
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.3g} %", 100 * std::abs(share));
+}
+
+/// True if the limit is a lower one: a radius that a disc cam must have.
+bool is_least(const Finding& finding) {
+  return finding.rule == "disc/profile_radius" || finding.rule == "disc/cutter_radius";
+}
+
+/// True for a limit of the position: its margin is a share of the travel.
+bool is_position_limit(const Finding& finding) {
+  return finding.rule.family() == RuleFamily::limit && finding.rule.name().starts_with("position");
+}
+
+/// Verdict of a curve against a limit, with its margin.
+std::string verdict(const Finding& finding) {
+  const std::string limit = rounded(finding.limit);
+  if (finding.broken && is_position_limit(finding))
+    return fmt::format("is outside the limit {} by {}", limit,
+                       rounded(std::abs(finding.value - finding.limit)));
+  if (finding.rule == "follower/contact")  // its margin is no share of the limit
+    return finding.broken && finding.limit == 0
+               ? "shows that the follower lifts off"
+               : fmt::format("is {} the minimum {}", finding.broken ? "below" : "above", limit);
+  if (is_least(finding))
+    return fmt::format("is {} {} the minimum {}", percent(finding.margin),
+                       finding.broken ? "below" : "above", limit);
+  if (finding.margin < -10)
+    return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
+  if (finding.broken)
+    return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
+  if (std::abs(finding.margin) < 1e-9) return fmt::format("just meets the limit {}", limit);
+  if (is_position_limit(finding))
+    return fmt::format("stays within the limit {} by {} of the travel", limit,
+                       percent(finding.margin));
+  return fmt::format("is {} below the limit {}", percent(finding.margin), limit);
+}
+
+/// Distance above the proven bound.
+std::string of_bound(const Finding& f, const std::string& where) {
+  if (f.rule == "bound/duration")
+    return fmt::format("{} = {}: {} {} the whole rise, the greatest possible value", f.quantity,
+                       rounded(f.value), percent(f.margin), f.broken ? "above" : "below");
+  if (f.rule.family() == RuleFamily::identity)
+    return fmt::format("{} of the rise from {} is {}, of any motion {}", f.quantity, where,
+                       rounded(f.value), rounded(f.limit));
+  const char* whose = f.rule == "bound/acceleration_for_jerk" ? "for its jerk" : "of any motion";
+  return fmt::format("{} {} at {} is {} {} {}, the minimum {}", f.quantity, rounded(f.value), where,
+                     percent(f.margin), f.broken ? "below" : "above", rounded(f.limit), whose);
+}
+
+/// Findings that are allowed but perhaps not intended.
+std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "warning/overshoot")
+    return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
+                       value, where, rounded(f.limit), percent(f.margin));
+  if (f.rule == "warning/velocity_overshoot")
+    return fmt::format("{} {} at {} is beyond {}, at which the segment ends", f.quantity, value,
+                       where, rounded(f.limit));
+  return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
+}
+
+/// Warnings of a time table.
+std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "pt/oscillation")
+    return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
+  if (f.rule == "pt/end_velocity")
+    return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
+  return fmt::format("{} is {} at {}", f.quantity, value, where);
+}
+
+/// Findings that prevent an output from firing as intended.
+std::string of_compare(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "compare/missed")
+    return fmt::format("{} of {} points fire", rounded(f.value), rounded(f.limit));
+  if (f.rule == "compare/merged")
+    return fmt::format("points come {} apart at {}, and the pulse lasts longer", value, where);
+  return fmt::format("the output is up to {} late, at {}", value, where);
+}
+
+/// Findings of a coupling without a limit: a step, a figure, or a start that it refuses.
+std::string of_coupling(const Finding& f, const std::string& value, const std::string& where) {
+  const bool steps = f.value != 0;
+  if (f.rule == "coupling/start")
+    return steps ? fmt::format("{} steps by {} where the slave engages, at {}", f.quantity, value,
+                               where)
+                 : fmt::format("{} is continuous where the slave engages", f.quantity);
+  if (f.rule == "coupling/period")
+    return steps ? fmt::format("{} steps by {} at the end of each period", f.quantity, value)
+                 : fmt::format("{} is continuous from period to period", f.quantity);
+  if (f.rule == "coupling/enter")
+    return fmt::format("the cam moves at {} where the master enters it, at {}", value, where);
+  if (f.rule == "coupling/end" || f.rule == "coupling/begin")
+    return fmt::format("the cam {} moving, with {} {} at {}",
+                       f.rule == "coupling/end" ? "ends" : "begins", f.quantity, value, where);
+  if (f.rule == "coupling/ramp")
+    return fmt::format("the correction reaches {} {} {} {}", f.quantity, value,
+                       f.where_unit.empty() ? "at" : "after", where);
+  return fmt::format("the slave cannot engage with its master at {}", where);
+}
+
+/// Findings of a slave in step: knives, shears, gears.
+std::string of_sync(const Finding& f, const std::string& where) {
+  if (f.rule == "shear/sync")
+    return fmt::format("the carriage is in step for only {} {}, from {}: less than {} {}",
+                       rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
+  if (f.rule == "knife/reversal")
+    return f.broken ? fmt::format("the knife turns back at {}", where)
+                    : fmt::format("the knife never turns back; it is slowest at {}", where);
+  if (f.rule == "gear/ratio_step")
+    return fmt::format("the ratio steps from {} to {} {} at {}, where the slave engages",
+                       rounded(f.limit), rounded(f.value), f.unit, where);
+  if (f.rule == "gear/reversal")
+    return fmt::format("the slave turns back while it engages, fastest at {}", where);
+  if (f.rule == "knife/slip")
+    return fmt::format("the blade is {:.3g} % slower along the web than in step at {}",
+                       100 * f.value, where);
+  if (f.broken)
+    return fmt::format("the blade is in the web for {} {}, but in step for only {}",
+                       rounded(f.limit), f.unit, rounded(f.value));
+  return fmt::format("the blade is in step for {} {}, in the web for {}", rounded(f.value), f.unit,
+                     rounded(f.limit));
+}
+
+/// Findings of velocities that are filled in.
+std::string of_fill(const Finding& f, const std::string& value, const std::string& where,
+                    const Labels& labels) {
+  if (f.rule == "fill/limits")
+    return fmt::format("no velocities keep the limits from {} to the next knot, {} later", where,
+                       with_unit(f.value, labels.units.x));
+  return fmt::format(
+      "{} {} at the knots of {} rules out {}", f.quantity, value, where,
+      f.rule == "fill/convex" ? "the bend of the data" : "a way without turning back");
+}
+
+/// A step at a joint, against the required order.
+std::string of_step(const Finding& f, const std::string& value, const std::string& where) {
+  return f.broken ? fmt::format("{} is {} at {}", f.quantity, value, where)
+                  : fmt::format("{} is continuous (largest step {})", f.quantity.substr(8), value);
+}
+
+std::string of_unstable_loop(const Finding& f, const std::string& where) {
+  return fmt::format(
+      "the loop is unstable{}: what is left of an error grows by the factor e in {} ms",
+      f.where > 0 ? " at " + where : "", rounded(1e3 / f.value));
+}
+
+/// A quantity against its limit.
+std::string of_limit(const Finding& f, const Labels& labels, const std::string& where) {
+  const bool met = !f.broken && std::abs(f.margin) < 1e-9;
+  return fmt::format("{} {} at {} {}", f.quantity,
+                     with_unit(met ? f.limit : f.value, labels.unit_of(f)), where, verdict(f));
+}
+
+}  // namespace
+
+std::string sentence(const Finding& f, const Labels& labels) {
+  const std::string value = with_unit(f.value, labels.unit_of(f));
+  const std::string where = place(f, labels);
+  const auto is_at = [&] { return fmt::format("{} is {} at {}", f.quantity, value, where); };
+  if (f.rule.name() == "integration") return fmt::format("the integration ended at {}", where);
+  switch (f.rule.family()) {
+    case RuleFamily::table:
+      return fmt::format("the table is {} from the exact curve at {}; {} is allowed", value, where,
+                         rounded(f.limit));
+    case RuleFamily::continuity:
+      return of_step(f, value, where);
+    case RuleFamily::joint:
+    case RuleFamily::follow:
+      return is_at();
+    case RuleFamily::bound:
+    case RuleFamily::identity:
+      return of_bound(f, where);
+    case RuleFamily::warning:
+      return of_warning(f, value, where);
+    case RuleFamily::fill:
+      return of_fill(f, value, where, labels);
+    case RuleFamily::pt:
+      return of_table(f, value, where);
+    case RuleFamily::knife:
+    case RuleFamily::shear:
+    case RuleFamily::gear:
+      return of_sync(f, where);
+    case RuleFamily::coupling:
+      return of_coupling(f, value, where);
+    case RuleFamily::unlimited:
+      return fmt::format("{} has no limit; its peak is {} at {}", f.quantity, value, where);
+    case RuleFamily::compare:
+      if (f.rule == "compare/speed") break;
+      return of_compare(f, value, where);
+    case RuleFamily::disc:
+      if (f.rule == "disc/corner") return of_step(f, value, where);
+      if (f.rule == "disc/interference") return is_at();
+      if (f.rule == "disc/profile_radius" && f.limit == 0)
+        return is_at() + "; it must be greater than 0";
+      break;
+    case RuleFamily::drive:
+      if (f.rule == "drive/stability") return of_unstable_loop(f, where);
+      break;
+    case RuleFamily::tolerance:
+      if (f.rule == "tolerance/stability")
+        return fmt::format("the loop is unstable in {} cases", rounded(f.value));
+      break;
+    default:
+      break;
+  }
+  return f.has_limit ? of_limit(f, labels, where) : is_at();
+}
+
+}  // namespace jounce

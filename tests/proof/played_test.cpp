@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/played.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+#include "support/errors.hpp"
+
+namespace jounce::played_test {
+namespace {
+
+const std::string header = "tick,time [s],state,master [],position [mm],job,fault\n";
+
+/// A log of an axis that stands, plays job 1, stands, and plays job 2 along 10 t from tick 5 on.
+std::string two_motions(double last_position) {
+  return header +
+         "0,0,standstill,0,0,0,none\n"
+         "1,0.1,discrete_motion,0,7,1,none\n"
+         "2,0.2,standstill,0,7,0,none\n"
+         "5,0.5,discrete_motion,0,0,2,none\n"
+         "6,0.6,discrete_motion,0,1,2,none\n"
+         "7,0.7,discrete_motion,0," +
+         number(last_position) + ",2,none\n";
+}
+
+const Designed ramp{.table = [](double t) { return Motion{10 * t, 10, 0, 0}; }, .duration = 0.2};
+
+TEST(Played, ComparesEveryTickOfTheLastMotion) {
+  const auto ticks = read_played(two_motions(2), "run.csv");
+  ASSERT_EQ(ticks.size(), 3U);
+  EXPECT_NEAR(ticks[1].time, 0.1, 1e-15);
+  const Played played = compare_played(ticks, ramp);
+  EXPECT_TRUE(played.report.ok());
+  EXPECT_LT(played.table.error, 1e-14);
+  EXPECT_FALSE(played.curve) << "the table is all there is";
+}
+
+TEST(Played, FindsOneWrongTick) {
+  const Played played = compare_played(read_played(two_motions(2.5), "run.csv"), ramp);
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_EQ(played.report.findings.front().rule, "played/table");
+  EXPECT_NEAR(played.table.error, 0.5, 1e-14);
+  EXPECT_NEAR(played.table.where, 0.2, 1e-14);
+}
+
+// The table may stray from its curve by its tolerance; what is played may not stray from the table.
+TEST(Played, TakesTheToleranceOfTheTableForTheCurveAlone) {
+  Designed designed = ramp;
+  designed.curve = [](double t) { return 10 * t + 0.001; };
+  designed.tolerance = 0.0011;
+  const auto ticks = read_played(two_motions(2), "run.csv");
+  const Played played = compare_played(ticks, designed);
+  EXPECT_TRUE(played.report.ok());
+  EXPECT_LT(played.table.error, 1e-14);
+  ASSERT_TRUE(played.curve);
+  EXPECT_NEAR(played.curve->error, 0.001, 1e-14);
+  EXPECT_NEAR(played.curve->limit, 0.0011, 1e-12);
+
+  designed.tolerance = 0.0009;
+  const Played strays = compare_played(ticks, designed);
+  ASSERT_FALSE(strays.report.ok());
+  EXPECT_EQ(strays.report.findings.front().rule, "played/curve");
+
+  designed.tolerance = 1;
+  designed.table = [](double t) { return Motion{10 * t + 0.001, 10, 0, 0}; };
+  const Played other = compare_played(ticks, designed);
+  EXPECT_EQ(other.report.findings.front().rule, "played/table")
+      << "within the tolerance of the curve, yet another table";
+}
+
+// The limit of the table's comparison is rounding: it grows with what the numbers are, not with the stroke.
+TEST(Played, MeasuresRoundingByThePositionAndTheTime) {
+  const double late = 86400;
+  std::string log = header;
+  for (int k = 0; k <= 200; ++k)
+    log += std::to_string(k) + "," + number(late + k * 0.001) + ",discrete_motion,0," +
+           number(1e6 + 100 * k * 0.001) + ",1,none\n";
+  const auto far = [](double t) { return Motion{1e6 + 100 * t, 100, 0, 0}; };
+  const Played played =
+      compare_played(read_played(log, "run.csv"), {.table = far, .duration = 0.2});
+  EXPECT_TRUE(played.report.ok()) << played.table.error;
+  EXPECT_GT(played.table.error, 0);
+  EXPECT_LT(played.table.limit, 1e-7);
+}
+
+// A cycle that came 5 ms late: the next one is at rest at the end.
+TEST(Played, AnEndThatALateCycleLeftOutIsShownByTheTickAfterIt) {
+  const auto log = [](double rest) {
+    std::string rows = header;
+    for (int k = 0; k <= 195; ++k)
+      rows += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
+              number(100 * k * 0.001) + ",1,none\n";
+    return rows + "201,0.201,standstill,0," + number(rest) + ",0,none\n";
+  };
+  const auto line = [](double t) { return Motion{100 * t, 100, 0, 0}; };
+  const Designed designed{.table = line, .duration = 0.2};
+  EXPECT_TRUE(compare_played(read_played(log(20), "run.csv"), designed).report.ok());
+  const Played beside = compare_played(read_played(log(19.7), "run.csv"), designed);
+  EXPECT_FALSE(beside.report.ok());
+  EXPECT_EQ(beside.report.findings.front().rule, "played/table");
+}
+
+TEST(Played, FindsAMotionThatWasCutShort) {
+  Designed longer = ramp;
+  longer.duration = 0.5;
+  const Played played = compare_played(read_played(two_motions(2), "run.csv"), longer);
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_EQ(played.report.findings.front().rule, "played/complete");
+  longer.duration = 0.3;
+  EXPECT_TRUE(compare_played(read_played(two_motions(2), "run.csv"), longer).report.ok())
+      << "within one cycle";
+}
+
+TEST(Played, FindsAHoleInTheLog) {
+  std::string log = header;
+  for (int k = 0; k <= 400; ++k)
+    if (k < 100 || k > 250)
+      log += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
+             number(k * 0.01) + ",1,none\n";
+  const Played played =
+      compare_played(read_played(log, "run.csv"), {.table = ramp.table, .duration = 0.4});
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_EQ(played.report.findings.front().rule, "played/gap");
+  EXPECT_EQ(played.report.findings.front().value, 151);
+}
+
+std::string complaint(const std::string& csv) {
+  return test::error_of([&] { (void)read_played(csv, "run.csv"); });
+}
+
+TEST(Played, RefusesWhatIsNoLog) {
+  EXPECT_EQ(complaint(""),
+            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+  EXPECT_EQ(complaint("a,b\n1,2\n"),
+            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+  EXPECT_EQ(complaint(header), "run.csv: job: the log contains no motion");
+  EXPECT_EQ(complaint(header + "0,0,standstill,0,0,0,none\n1,0.1,discr"),
+            "run.csv:3: row = 1,0.1,discr: must have as many values as the header");
+  EXPECT_EQ(complaint(header + "0,0,discrete_motion,0,nan,1,none\n"),
+            "run.csv:2: position = nan: must be a finite number");
+}
+
+}  // namespace
+}  // namespace jounce::played_test
