@@ -13,12 +13,12 @@ namespace jounce {
 ///
 /// The same plan up to `t`, then the earliest rest on the path within the limits, by the law of stations: a corner
 /// is passed at constant velocity, since it has no share of the limits left for a deceleration; every other piece
-/// is used to slow down. The result is never faster than the plan at any place behind `t`. On averages and splines
+/// is used to slow down. No station behind `t` is passed faster than in the plan. On averages and splines
 /// that run by the law of a window the plan goes on to its next rest. Throws InputError "t" outside [0, duration].
 Plan halted(const Plan& plan, double t);
 
-/// From the rest at the end of `held`, which `halted` made of `plan`, to the end of the plan: never faster than the
-/// plan at any place. Throws InputError "held" where that is the end already.
+/// From the rest at the end of `held`, which `halted` made of `plan`, to the end of the plan, with the remaining
+/// dwells. No station is passed faster than in the plan. Throws InputError "held" where that is the end already.
 Plan resumed(const Plan& plan, const Plan& held);
 
 }  // namespace jounce
