@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "jounce/io/points.hpp"
@@ -16,7 +15,7 @@ namespace jounce::detail {
 /// The CSV file that the key `points` names, beside the document, with no other columns than these;
 /// nothing where the key is left out. With it `rows`, which it stands for, must be.
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
-                                      std::initializer_list<std::string_view> columns);
+                                      const std::vector<std::string>& columns);
 
 /// Which of `words` each point has in its column "type", or the number of it; the first where there is
 /// no such column.
