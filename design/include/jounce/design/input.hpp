@@ -27,8 +27,9 @@ struct Input {
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};
-  std::optional<Binding> binding = {};   ///< binding of a table of fewest knots
-  std::vector<std::string> unread = {};  ///< other content of its file
+  std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
+  std::vector<std::string> unread = {};   ///< other content of its file
+  std::shared_ptr<const Plan> plan = {};  ///< of kind "path", shared by its axes
 };
 
 /// Calls `act` with the input's curve, or with its table where there is no other curve: the table
@@ -64,5 +65,9 @@ std::optional<double> table_tolerance(const Input& input);
 /// spec has no name.
 Input input_of(TableFile file, const std::string& path);
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
+
+/// A G-code program on a machine: `machine` is a path spec without commands, `path` the program. One input for each
+/// axis. Throws InputError, placed.
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine);
 
 }  // namespace jounce
