@@ -30,6 +30,35 @@ std::vector<Input> cams_of(const std::string& text, const std::string& name, boo
   return all;
 }
 
+/// All inputs of a file, or the one of the axis that is named.
+std::vector<Input> axis_of(std::vector<Input> all, const std::string& path,
+                           const std::string& axis) {
+  if (axis.empty()) return all;
+  const std::string name = path == "-" ? "standard input" : path;
+  const auto is_meant = [&](const Input& input) { return input.axis == axis; };
+  if (const auto n = std::count_if(all.begin(), all.end(), is_meant); n > 1)
+    throw InputError(
+        "--axis", axis,
+        "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
+  const auto named = std::find_if(all.begin(), all.end(), is_meant);
+  if (named == all.end())
+    throw InputError("--axis", axis,
+                     all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"
+                                     : "must be one of " + names_of(all));
+  Input one = std::move(*named);
+  all.clear();
+  all.push_back(std::move(one));
+  return all;
+}
+
+Input only_one(std::vector<Input> all, const std::string& path) {
+  if (all.size() > 1)
+    throw InputError("--axis", "",
+                     "is missing: this verb works with one axis, " +
+                         (path == "-" ? "standard input" : path) + " has " + names_of(all));
+  return std::move(all.front());
+}
+
 }  // namespace
 
 std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
@@ -42,29 +71,22 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
     all = cams_of(text, name, decimal_comma);
   else
     all = inputs_of(parse_spec(std::move(text), name), path);
-  if (axis.empty()) return all;
-  const auto is_meant = [&](const Input& input) { return input.axis == axis; };
-  if (const auto n = std::count_if(all.begin(), all.end(), is_meant); n > 1)
-    throw InputError("--axis", axis,
-                     "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
-  const auto named = std::find_if(all.begin(), all.end(), is_meant);
-  if (named == all.end())
-    throw InputError("--axis", axis,
-                     all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"
-                                     : "must be one of " + names_of(all));
-  Input one = std::move(*named);
-  all.clear();
-  all.push_back(std::move(one));
-  return all;
+  return axis_of(std::move(all), path, axis);
+}
+
+std::vector<Input> load_program(const std::string& path, const std::string& machine,
+                                const std::string& axis) {
+  if (machine.empty()) return load_axes(path, axis);
+  return axis_of(gcode_inputs(path, machine), path, axis);
+}
+
+Input load_program_axis(const std::string& path, const std::string& machine,
+                        const std::string& axis) {
+  return only_one(load_program(path, machine, axis), path);
 }
 
 Input load(const std::string& path, const std::string& axis, bool decimal_comma) {
-  std::vector<Input> all = load_axes(path, axis, decimal_comma);
-  if (all.size() > 1)
-    throw InputError("--axis", "",
-                     "is missing: this verb works with one axis, " +
-                         (path == "-" ? "standard input" : path) + " has " + names_of(all));
-  return std::move(all.front());
+  return only_one(load_axes(path, axis, decimal_comma), path);
 }
 
 Input load_beside(const std::string& path, const Input& input) {

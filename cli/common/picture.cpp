@@ -174,13 +174,17 @@ void require_picture(const char* option, const std::string& path) {
     throw InputError(option, path, "must end in .svg or .png, or be - for SVG on standard output");
 }
 
-void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options) {
+void write_svg(const std::string& path, const std::string& picture) {
   require_picture("--output", path);
-  const std::string picture = svg(figure, options);
   if (path.ends_with(".png"))
     write_png(path, picture);
   else
     write_file(path, picture);
+}
+
+void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options) {
+  require_picture("--output", path);
+  write_svg(path, svg(figure, options));
 }
 
 }  // namespace jounce::cli

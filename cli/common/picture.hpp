@@ -30,4 +30,7 @@ void require_picture(const char* option, const std::string& path);
 /// Throws InputError for any other name, std::system_error where rsvg-convert is missing or fails.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
+/// The same for a picture that is SVG already.
+void write_svg(const std::string& path, const std::string& picture);
+
 }  // namespace jounce::cli

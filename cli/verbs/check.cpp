@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/path_text.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct CheckArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine;
   std::vector<std::string> limits;
   std::string slave, master, master_velocity;  ///< where a coupling begins; units may be left out
   int continuity = 1;
@@ -113,19 +114,23 @@ nlohmann::ordered_json json_of(const Report& report, const Input& input) {
 
 void print_text(const Report& report, const Input& input) {
   fmt::print("{}: {}\n\n", input.name, one_line(report, input.labels));
-  fmt::print("{}\n", of_motion(input, [&](const auto& motion) {
-               return extrema_text(motion, input.labels);
-             }));
+  if (!input.plan)  // its lines are in the summary of the path
+    fmt::print("{}\n", of_motion(input, [&](const auto& motion) {
+                 return extrema_text(motion, input.labels);
+               }));
   fmt::print("{}", full_text(report, input.labels));
   fmt::print("{}", cam_text(input));
   if (input.spec) print_switches(*input.spec);
 }
 
 int run_check(const CheckArguments& options) {
-  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  std::vector<Input> inputs = load_program(options.file, options.machine, options.axis);
   for (Input& input : inputs) set_limits(input, options);
   bool ok = true;
   AxisDocuments documents;
+  std::optional<PathSummary> path;
+  if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
+  if (path && !options.json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
   for (const Input& input : inputs) {
     Report report = checked(input, options.continuity, engage_state(input, options));
     add_not_limited(report, input);
@@ -136,7 +141,12 @@ int run_check(const CheckArguments& options) {
       print_text(report, input);
     if (!options.json && &input != &inputs.back()) fmt::print("\n");
   }
-  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
+  if (options.json) {
+    nlohmann::ordered_json document = document_of(std::move(documents));
+    if (path)
+      document["path"] = nlohmann::ordered_json::parse(path_json(*inputs.front().spec, *path));
+    fmt::print("{}\n", document.dump(1));
+  }
   return ok ? fine : finding;
 }
 
@@ -152,6 +162,7 @@ void add_check(CommandLine& line) {
           "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
       .one_each();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--continuity", options->continuity,
               "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration")
       .check(whole(0, 3))

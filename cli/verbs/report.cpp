@@ -11,6 +11,7 @@
 #include "jounce/plot/page.hpp"
 
 #include "cli/common/folders.hpp"
+#include "cli/common/path_section.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/proof/cam_check.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 struct ReportArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine;
   std::string before;
   std::string log;
   std::string output = "-";
@@ -118,7 +119,7 @@ int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
   require_folders({{"--output", options.output}});
   require_page("--output", options.output);
-  const Input input = load(options.file, options.axis);
+  const Input input = load_program_axis(options.file, options.machine, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   Report report = checked(input);
@@ -144,6 +145,7 @@ int run_report(const ReportArguments& options) {
                                               " as it was before. Marked are the exact extrema."
                                         : "Marked are the exact extrema."},
         extrema_table(input)}});
+  if (input.plan) page.sections.push_back(path_section(input));
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
@@ -161,6 +163,7 @@ void add_report(CommandLine& line) {
                 "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
   verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
   verb.option("-o,--output", options->output, "Page to write; - is standard output");

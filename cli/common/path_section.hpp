@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/plot/page.hpp"
+
+#include "cli/common/input.hpp"
+
+namespace jounce::cli {
+
+/// The path that an axis belongs to, for its report: times, costs, and the places that cost most.
+Section path_section(const Input& input);
+
+}  // namespace jounce::cli
