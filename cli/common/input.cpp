@@ -13,10 +13,9 @@ std::string names_of(const std::vector<Input>& inputs) {
   return names;
 }
 
-}  // namespace
-
-std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
-  std::vector<Input> all = read_inputs(path, decimal_comma);
+/// All inputs of a file, or only that of the named axis.
+std::vector<Input> axis_of(std::vector<Input> all, const std::string& path,
+                           const std::string& axis) {
   if (axis.empty()) return all;
   const std::string name = path == "-" ? "standard input" : path;
   const auto is_meant = [&](const Input& input) { return input.axis == axis; };
@@ -35,13 +34,33 @@ std::vector<Input> load_axes(const std::string& path, const std::string& axis, b
   return all;
 }
 
-Input load(const std::string& path, const std::string& axis, bool decimal_comma) {
-  std::vector<Input> all = load_axes(path, axis, decimal_comma);
+Input only_one(std::vector<Input> all, const std::string& path) {
   if (all.size() > 1)
     throw InputError("--axis", "",
                      "is missing: this verb works with one axis, " +
                          (path == "-" ? "standard input" : path) + " has " + names_of(all));
   return std::move(all.front());
+}
+
+}  // namespace
+
+std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
+  return axis_of(read_inputs(path, decimal_comma), path, axis);
+}
+
+std::vector<Input> load_program(const std::string& path, const std::string& machine,
+                                const std::string& axis) {
+  if (machine.empty()) return load_axes(path, axis);
+  return axis_of(gcode_inputs(path, machine), path, axis);
+}
+
+Input load_program_axis(const std::string& path, const std::string& machine,
+                        const std::string& axis) {
+  return only_one(load_program(path, machine, axis), path);
+}
+
+Input load(const std::string& path, const std::string& axis, bool decimal_comma) {
+  return only_one(load_axes(path, axis, decimal_comma), path);
 }
 
 Input load_beside(const std::string& path, const Input& input) {

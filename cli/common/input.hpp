@@ -13,9 +13,15 @@ namespace jounce::cli {
 std::vector<Input> load_axes(const std::string& path, const std::string& axis = "",
                              bool decimal_comma = false);
 
+/// The same; with `machine`, the path is a G-code program for this path spec (gcode_inputs()).
+std::vector<Input> load_program(const std::string& path, const std::string& machine,
+                                const std::string& axis);
+
 /// The same for verbs that take one axis. Throws InputError if there are several and none is
 /// named.
 Input load(const std::string& path, const std::string& axis = "", bool decimal_comma = false);
+Input load_program_axis(const std::string& path, const std::string& machine,
+                        const std::string& axis);
 
 /// The only axis of the file, or the axis with the name of `input`.
 Input load_beside(const std::string& path, const Input& input);

@@ -14,4 +14,7 @@ void require_picture(const char* option, const std::string& path);
 /// Calls write_figure(); errors name --output.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
+/// The same for a picture that is SVG already.
+void write_svg(const std::string& path, const std::string& picture);
+
 }  // namespace jounce::cli

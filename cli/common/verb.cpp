@@ -195,6 +195,12 @@ Option Verb::axis(std::string& target) const {
       "NAME of the axis in a spec with several axes, or of the cam in a file with several cams");
 }
 
+Option Verb::machine(std::string& target) const {
+  return option(
+      "--machine", target,
+      "For a G-code program: SPEC of kind \"path\" with the axes and limits of the machine");
+}
+
 void Verb::work(Work work) const {
   verb_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
 }

@@ -79,6 +79,8 @@ class Verb {
   Option flag(const std::string& name, bool& target, const std::string& help) const;
   /// The option --axis NAME, for specs of several axes.
   Option axis(std::string& target) const;
+  /// --machine SPEC, for a G-code program.
+  Option machine(std::string& target) const;
 
   void work(Work work) const;
 

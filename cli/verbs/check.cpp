@@ -6,6 +6,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/check_text.hpp"
+#include "jounce/design/path_text.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 struct CheckArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine;
   std::vector<std::string> limits;
   std::string slave, master,
       master_velocity;  ///< state at the start of a coupling; units may be omitted
@@ -77,10 +78,13 @@ EngageState engage_state(const Input& input, const CheckArguments& options) {
 }
 
 int run_check(const CheckArguments& options) {
-  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  std::vector<Input> inputs = load_program(options.file, options.machine, options.axis);
   for (Input& input : inputs) set_limits(input, options);
   bool ok = true;
   AxisDocuments documents;
+  std::optional<PathSummary> path;
+  if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
+  if (path && !options.json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
   for (const Input& input : inputs) {
     Report report = checked(input, options.continuity, engage_state(input, options));
     add_not_limited(report, input);
@@ -91,7 +95,12 @@ int run_check(const CheckArguments& options) {
       fmt::print("{}", check_text(report, input));
     if (!options.json && &input != &inputs.back()) fmt::print("\n");
   }
-  if (options.json) fmt::print("{}\n", document_of(std::move(documents)).dump(1));
+  if (options.json) {
+    nlohmann::ordered_json document = document_of(std::move(documents));
+    if (path)
+      document["path"] = nlohmann::ordered_json::parse(path_json(*inputs.front().spec, *path));
+    fmt::print("{}\n", document.dump(1));
+  }
   return ok ? fine : finding;
 }
 
@@ -107,6 +116,7 @@ void add_check(CommandLine& line) {
           "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
       .one_each();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--continuity", options->continuity,
               "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration")
       .check(whole(0, 3))

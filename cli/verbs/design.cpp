@@ -16,7 +16,7 @@ namespace {
 
 struct DesignArguments {
   std::string spec;
-  std::string axis;
+  std::string axis, machine;
   std::string output = "-";
   std::string curve;
   bool json = false;
@@ -48,7 +48,7 @@ void add_files(const Input& input, const DesignArguments& options, std::size_t a
 }
 
 int run_design(const DesignArguments& options) {
-  const std::vector<Input> inputs = load_axes(options.spec, options.axis);
+  const std::vector<Input> inputs = load_program(options.spec, options.machine, options.axis);
   std::vector<Output> files;
   std::vector<Report> reports;
   for (const Input& input : inputs) {
@@ -83,6 +83,7 @@ void add_design(CommandLine& line) {
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
               "becomes a-NAME.csv for each");
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--curve", options->curve, "Also write the exact curve, segment by segment (JSON)");
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_design(*options); });

@@ -36,10 +36,11 @@ void add_new(CommandLine& line) {
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
   kinds.emplace_back("key");
-  verb.option("KIND", options->kind,
-              "cam, gear, follow, knife, shear or indexer (over a master); move, queue, axes, pvt "
-              "or pt (over time); axis (an executor); machine (several axes); drive (a servo "
-              "drive); key (a secret that executor and streamer share)")
+  verb.option(
+          "KIND", options->kind,
+          "cam, gear, follow, knife, shear or indexer (over a master); move, queue, axes, "
+          "path, pvt or pt (over time); axis (an executor); machine (several axes); drive (a servo "
+          "drive); key (a secret that executor and streamer share)")
       .required()
       .check(one_of(kinds));
   verb.option("-o,--output", options->output, "File to write; - is standard output");

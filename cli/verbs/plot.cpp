@@ -4,6 +4,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/design/over_time.hpp"
+#include "jounce/plot/path_picture.hpp"
 #include "jounce/proof/drive_figures.hpp"
 #include "jounce/proof/follower_figure.hpp"
 #include "jounce/proof/loop_figures.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 struct PlotArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine, plane;
   std::string over = "master";
   std::string before;
   std::string drive;
@@ -64,7 +65,7 @@ Input slave_of(const Input& input) {
 
 Figure figure(const PlotArguments& options) {
   if (of_loop(options)) return loop_figure(options);
-  std::vector<Input> inputs = load_axes(options.file, options.axis);
+  std::vector<Input> inputs = load_program(options.file, options.machine, options.axis);
   if (!options.drive.empty()) {
     if (inputs.size() > 1)
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
@@ -90,6 +91,12 @@ Figure figure(const PlotArguments& options) {
 
 int run_plot(const PlotArguments& options) {
   require_other_file(options.file, options.output);
+  if (!options.plane.empty()) {
+    const std::vector<Input> axes = load_program(options.file, options.machine, "");
+    write_svg(options.output, svg(with_option_names(
+                                  {"plane"}, [&] { return path_figure(axes, options.plane); })));
+    return fine;
+  }
   SvgOptions look;
   if (options.drive == "torque-speed" || options.drive == "spectrum") look.panel_height = 320;
   if (options.drive == "bode") look.panel_height = 220;
@@ -105,7 +112,8 @@ void add_plot(CommandLine& line) {
   const Verb verb = line.verb("plot", "Draw position, velocity, acceleration and jerk",
                               "jounce plot better.toml --before cam.toml -o cam.png");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
-  verb.axis(options->axis);
+  const Option axis = verb.axis(options->axis);
+  verb.machine(options->machine);
   const Option over =
       verb.option(
               "--over", options->over,
@@ -120,9 +128,12 @@ void add_plot(CommandLine& line) {
                   "response of the loop with the margins (bode, nyquist)")
           .check(one_of({"response", "torque-speed", "spectrum", "bode", "nyquist"}))
           .excludes({over, before});
-  verb.flag("--follower", options->follower,
-            "For a cam with a [follower]: lift and contact force over time")
-      .excludes({over, before, drive});
+  const Option follower = verb.flag("--follower", options->follower,
+                                    "For a cam with a [follower]: lift and contact force over time")
+                              .excludes({over, before, drive});
+  verb.option("--plane", options->plane,
+              "For a path: draw it in the plane of two axes, such as x,y, colored by its speed")
+      .excludes({axis, over, before, drive, follower});
   verb.option("-o,--output", options->output,
               "Picture to write, .svg or .png; - is SVG on standard output");
   verb.work([options] { return run_plot(*options); });

@@ -17,7 +17,7 @@ namespace {
 
 struct ReportArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine;
   std::string before;
   std::string log;
   std::string output = "-";
@@ -34,7 +34,7 @@ int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
   require_folders({{"--output", options.output}});
   require_page("--output", options.output);
-  const Input input = load(options.file, options.axis);
+  const Input input = load_program_axis(options.file, options.machine, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   const auto [page, all] = with_option_names({"before"}, [&] {
@@ -54,6 +54,7 @@ void add_report(CommandLine& line) {
                 "jounce report better.toml --before cam.toml --log run.csv -o cam.html");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
   verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
   verb.option("-o,--output", options->output, "Page to write; - is standard output");

@@ -163,10 +163,12 @@ Json cam_json(const Input& input) {
 }  // namespace
 
 std::string check_text(const Report& report, const Input& input) {
-  return fmt::format(
-             "{}: {}\n\n{}\n", input.name, one_line(report, input.labels),
-             of_motion(input,
-                       [&](const auto& motion) { return extrema_text(motion, input.labels); })) +
+  std::string extrema;
+  if (!input.plan)  // the summary of the path has its lines
+    extrema =
+        of_motion(input, [&](const auto& motion) { return extrema_text(motion, input.labels); }) +
+        "\n";
+  return fmt::format("{}: {}\n\n", input.name, one_line(report, input.labels)) + extrema +
          full_text(report, input.labels) + cam_text(input) +
          (input.spec ? switches_text(*input.spec) : "");
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/time_table_limits.hpp"
@@ -18,6 +19,8 @@
 #include "jounce/design/sync_check.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
+
+#include "design/src/path/path_rounding.hpp"
 
 namespace jounce {
 namespace {
@@ -41,7 +44,9 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           part.drive,
           std::move(made.residuals),
           std::move(made.zones),
-          made.sampled.binding};
+          made.sampled.binding,
+          {},
+          std::move(made.plan)};
 }
 
 /// True if the number of knots is given: the table has the least error for it.
@@ -127,6 +132,7 @@ Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
   append(report, check_joints(input, continuity));
+  if (input.plan) detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // The table may break a limit between the knots that the curve keeps.
@@ -268,6 +274,16 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {
   std::vector<Input> all;
   for (Made& made : make_axes(spec)) all.push_back(from_made(std::move(made), spec, path));
   return all;
+}
+
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+  Spec spec = read_spec(machine);
+  auto* const of = std::get_if<PathSpec>(&spec.subject);
+  if (of == nullptr)
+    throw InputError("--machine", machine, "must be a spec of kind \"path\" without commands");
+  set_gcode(*of, read_file(path), path == "-" ? "standard input" : path);
+  spec.name = path == "-" ? "standard input" : printable(path);
+  return inputs_of(spec, machine);
 }
 
 Report check_all(const Input& input, int continuity, const EngageState& at) {

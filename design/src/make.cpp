@@ -16,6 +16,7 @@
 
 #include "design/src/cam_of.hpp"
 #include "design/src/motions/motion.hpp"
+#include "design/src/path/path_motion.hpp"
 
 namespace jounce {
 
@@ -139,7 +140,18 @@ Made make_sync(const Spec& spec) {
 struct Motions {
   std::vector<Trajectory> curves;
   std::vector<std::string> names;
+  detail::PathMotion path = {};  ///< of kind "path": names for each axis, and fits
+
+  [[nodiscard]] const std::vector<std::string>& names_of(std::size_t axis) const {
+    return path.names.empty() ? names : path.names[axis];
+  }
 };
+
+Motions motions_of(const PathSpec& spec) {
+  detail::PathMotion path = detail::motion_of(spec);
+  std::vector<Trajectory> curves = std::move(path.axes.curves);
+  return {std::move(curves), {}, std::move(path)};
+}
 
 Motions motions_of(const Spec& spec) {
   if (const auto* knots = std::get_if<Table>(&spec.subject))
@@ -148,6 +160,7 @@ Motions motions_of(const Spec& spec) {
     return {{motion_of(*table)}, labels_of(*table)};
   if (const auto* axes = std::get_if<AxesSpec>(&spec.subject))
     return {detail::motions_of(*axes), {}};
+  if (const auto* path = std::get_if<PathSpec>(&spec.subject)) return motions_of(*path);
   if (const auto* queue = std::get_if<QueueSpec>(&spec.subject)) {
     detail::QueueMotion motion = detail::motion_of(*queue);
     return {{std::move(motion.curve)}, std::move(motion.labels)};
@@ -217,8 +230,17 @@ std::vector<Made> make_motions(const Spec& spec) {
     Sampled table = sampled(curves[i], parts[i].table);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
-    all.push_back({parts[i], curves[i], names_after(spec, curves[i], before.names),
-                   std::move(table), residuals_of(spec, before.curves[i], curves[i])});
+    if (before.path.plan) {
+      table.error.position += before.path.axes.error[i][0];
+      table.error.velocity += before.path.axes.error[i][1];
+    }
+    all.push_back({parts[i],
+                   curves[i],
+                   names_after(spec, curves[i], before.names_of(i)),
+                   std::move(table),
+                   residuals_of(spec, before.curves[i], curves[i]),
+                   {},
+                   before.path.plan});
   }
   return all;
 }

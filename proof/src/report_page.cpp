@@ -15,6 +15,8 @@
 #include "jounce/proof/loop_figures.hpp"
 #include "jounce/proof/loop_text.hpp"
 
+#include "proof/src/path_section.hpp"
+
 namespace jounce {
 namespace {
 
@@ -127,6 +129,7 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
                                               " as it was before. Marked are the exact extrema."
                                         : "Marked are the exact extrema."},
         extrema_table(input)}});
+  if (input.plan) page.sections.push_back(path_section(input));
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});

@@ -137,6 +137,8 @@ constexpr std::array kinds{
          [](auto& top, auto& spec) { spec.subject = detail::read_queue(top, spec.units); }},
     Kind{"axes", Kind::over_time,
          [](auto& top, auto& spec) { spec.subject = detail::read_axes(top, spec); }},
+    Kind{"path", Kind::over_time,
+         [](auto& top, auto& spec) { spec.subject = detail::read_path(top, spec); }},
     Kind{"pvt", Kind::over_time, read_pvt},
     Kind{"pt", Kind::over_time,
          [](auto& top, auto& spec) { spec.subject = detail::read_time_table(top, spec.units); }},
@@ -164,7 +166,9 @@ void read_body(TomlReader& top, Spec& spec) {
   const Kind& kind = kinds.at(top.choice("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
-  if (kind.name != std::string_view("axes")) read_one_axis(top, spec, kind);
+  const bool several =
+      kind.name == std::string_view("axes") || kind.name == std::string_view("path");
+  if (!several) read_one_axis(top, spec, kind);
   kind.read(top, spec);
   if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
   if (kind.runs == Kind::over_time) {
@@ -222,6 +226,13 @@ toml::table detail::parse_toml(const Document& document) {
           "is a table of points: name it in a spec (kind = \"pvt\" for points over time): "
           "points = \"" +
               document.name + '"')
+          .at(document.name, 1);
+    if (begins_as_gcode(document.text))
+      throw InputError(
+          "", "",
+          "is a G-code program: give its machine, a spec of kind \"path\", with --machine, or name "
+          "the program in that spec: gcode = { file = \"" +
+              document.name + "\" }")
           .at(document.name, 1);
     const auto at = error.source().begin;
     throw InputError("", "", "is not TOML: " + std::string(error.description()))

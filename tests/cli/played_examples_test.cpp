@@ -41,6 +41,8 @@ const std::map<std::string, std::string> no_tables{
     {"sweep", "makes many variants of another spec, which is played"},
     {".cpp", "a program, which has a test of its own"},
     {".md", "a page"},
+    {".ngc", "a program, which a spec beside it names"},
+    {"gcode-part/machine.toml", "a machine, which needs a program"},
     {"points-file/points.csv", "the knots of points-file/pvt.toml, which is played"}};
 
 std::string kind_of(const fs::path& path) {

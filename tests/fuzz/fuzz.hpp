@@ -17,6 +17,7 @@ void wire(Input input);       ///< packets: decoded, encoded again
 void session(Input input);    ///< a conversation with Receiver and Sender
 void table(Input input);      ///< table files: CSV, JSON, other makers' formats
 void spec(Input input);       ///< specs and drive files: TOML
+void gcode(Input input);      ///< programs of DIN 66025
 void recording(Input input);  ///< recordings and tick logs: CSV
 void points(Input input);     ///< points beside a spec: CSV
 void rows(Input input);       ///< a conversation with RowSender and Receiver; rows into FIFOs

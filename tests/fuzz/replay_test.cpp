@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Replay,
                                          Named{"rows", fuzz::rows}, Named{"key", fuzz::key},
                                          Named{"executor", fuzz::executor}, Named{"log", fuzz::log},
                                          Named{"table", fuzz::table}, Named{"points", fuzz::points},
-                                         Named{"spec", fuzz::spec},
+                                         Named{"spec", fuzz::spec}, Named{"gcode", fuzz::gcode},
                                          Named{"recording", fuzz::recording},
                                          Named{"text", fuzz::text}, Named{"page", fuzz::page}),
                          [](const auto& each) { return each.param.name; });

@@ -46,14 +46,14 @@ TEST(Arc, InSpaceHasTheSameDistanceFromItsCenter) {
 
 TEST(Arc, AboutACenter) {
   // HMPL manual 8.2.17.
-  const Arc arc = arc_about({}, {100, 0}, {200, 0}, xy, Rotation::counterclockwise);
+  const Arc arc = arc_about({}, {100, 0}, {200, 0}, xy, ArcRotation::counterclockwise);
   expect_point(point_at(arc, pi / 2), {100, -100});
-  EXPECT_NEAR(arc_about({}, {100, 0}, {}, xy, Rotation::clockwise).sweep, 2 * pi, 1e-12);
-  const Arc moved = arc_about({}, {100.002, 0}, {200, 0}, xy, Rotation::clockwise);
+  EXPECT_NEAR(arc_about({}, {100, 0}, {}, xy, ArcRotation::clockwise).sweep, 2 * pi, 1e-12);
+  const Arc moved = arc_about({}, {100.002, 0}, {200, 0}, xy, ArcRotation::clockwise);
   EXPECT_NEAR(moved.center_moved, 0.002, 1e-9);
   expect_point(moved.center, {100, 0});
-  EXPECT_THROW(arc_about({}, {100.2, 0}, {200, 0}, xy, Rotation::clockwise), InputError);
-  EXPECT_THROW(arc_about({}, {}, {200, 0}, xy, Rotation::clockwise), InputError);
+  EXPECT_THROW(arc_about({}, {100.2, 0}, {200, 0}, xy, ArcRotation::clockwise), InputError);
+  EXPECT_THROW(arc_about({}, {}, {200, 0}, xy, ArcRotation::clockwise), InputError);
 }
 
 TEST(Arc, HimcTurns) {
@@ -66,27 +66,27 @@ TEST(Arc, HimcTurns) {
   for (std::size_t i = 0; i < 5; ++i) {
     const CircleTurns how = himc_turns(turns[i]);
     const Arc arc = arc_about(from, {}, to, xy, how.rotation, how.extra_turns);
-    const double sign = how.rotation == Rotation::counterclockwise ? 1 : -1;
+    const double sign = how.rotation == ArcRotation::counterclockwise ? 1 : -1;
     EXPECT_NEAR(sign * arc.sweep * 180 / pi, sweeps[i], 1e-9);
   }
 }
 
 TEST(Arc, OfARadius) {
-  const Arc minor = arc_of_radius({}, 100, {100, 0}, xy, Rotation::clockwise);
-  const Arc major = arc_of_radius({}, -100, {100, 0}, xy, Rotation::clockwise);
+  const Arc minor = arc_of_radius({}, 100, {100, 0}, xy, ArcRotation::clockwise);
+  const Arc major = arc_of_radius({}, -100, {100, 0}, xy, ArcRotation::clockwise);
   EXPECT_NEAR(minor.sweep, pi / 3, 1e-12);
   EXPECT_NEAR(major.sweep, 2 * pi - pi / 3, 1e-12);
   EXPECT_GT(point_at(minor, minor.sweep / 2)[1],
             0);  // clockwise from left to right: above the chord
   // PMC600 Example 8.3: centers (5000, 0) and (20000, 0), extremes (5000, 5000) and (20000, -10000).
-  expect_point(point_at(arc_of_radius({}, 5000, {10000, 0}, xy, Rotation::clockwise), pi / 2),
+  expect_point(point_at(arc_of_radius({}, 5000, {10000, 0}, xy, ArcRotation::clockwise), pi / 2),
                {5000, 5000}, 1e-8);
   expect_point(
-      point_at(arc_of_radius({10000, 0}, 10000, {30000, 0}, xy, Rotation::counterclockwise),
+      point_at(arc_of_radius({10000, 0}, 10000, {30000, 0}, xy, ArcRotation::counterclockwise),
                pi / 2),
       {20000, -10000}, 1e-8);
-  EXPECT_THROW(arc_of_radius({}, 49, {100, 0}, xy, Rotation::clockwise), InputError);
-  EXPECT_THROW(arc_of_radius({}, 49, {}, xy, Rotation::clockwise), InputError);
+  EXPECT_THROW(arc_of_radius({}, 49, {100, 0}, xy, ArcRotation::clockwise), InputError);
+  EXPECT_THROW(arc_of_radius({}, 49, {}, xy, ArcRotation::clockwise), InputError);
 }
 
 TEST(Arc, ByAnAngle) {
@@ -106,11 +106,11 @@ TEST(Arc, RejectsPointsOnALine) {
 
 TEST(Arc, OtherPlanesAndHelices) {
   const Arc arc =
-      arc_about({0, 0, 0}, {0, 0, 10}, {5, 10, 10}, Plane{1, 2}, Rotation::counterclockwise);
+      arc_about({0, 0, 0}, {0, 0, 10}, {5, 10, 10}, Plane{1, 2}, ArcRotation::counterclockwise);
   expect_point(point_at(arc, 0), {});
   expect_point(point_at(arc, arc.sweep), {5, 10, 10});
   EXPECT_NEAR(arc.sweep, pi / 2, 1e-12);
-  EXPECT_THROW(arc_about({}, {1, 0}, {2, 0}, Plane{1, 1}, Rotation::clockwise), InputError);
+  EXPECT_THROW(arc_about({}, {1, 0}, {2, 0}, Plane{1, 1}, ArcRotation::clockwise), InputError);
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ Program joint(Corner corner, double value, int side) {
   if (side == 0) p.line({100, 100}, 2);
   // The arc begins upwards, perpendicular to the line: its center is to the left or to the right.
   if (side < 0)
-    p.arc(arc_about({100, 0}, {50, 0}, {50, 50}, Plane{0, 1}, Rotation::counterclockwise), 2);
+    p.arc(arc_about({100, 0}, {50, 0}, {50, 50}, Plane{0, 1}, ArcRotation::counterclockwise), 2);
   if (side > 0)
-    p.arc(arc_about({100, 0}, {150, 0}, {150, 50}, Plane{0, 1}, Rotation::clockwise), 2);
+    p.arc(arc_about({100, 0}, {150, 0}, {150, 50}, Plane{0, 1}, ArcRotation::clockwise), 2);
   return p;
 }
 
@@ -142,7 +142,7 @@ TEST(Corner, ATangentJointStepsOrIsRounded) {
     Program p(2);
     p.set({.velocity = 50, .corner = mode, .value = 0.1});
     p.line({100, 0}, 1);
-    p.arc(arc_about({100, 0}, {100, 50}, {150, 50}, Plane{0, 1}, Rotation::counterclockwise), 2);
+    p.arc(arc_about({100, 0}, {100, 50}, {150, 50}, Plane{0, 1}, ArcRotation::counterclockwise), 2);
     return p;
   };
   const Plan steps = plan(tangent_joint(Corner::stop), usual(2));

@@ -100,7 +100,7 @@ TEST(Plan, ATurnThatIsSlowerThanAStopIsAStop) {
 Program circle(double feed) {
   Program p(2);
   p.set({.velocity = feed});
-  p.arc(arc_about({}, {50, 0}, {}, Plane{0, 1}, Rotation::counterclockwise), 1);
+  p.arc(arc_about({}, {50, 0}, {}, Plane{0, 1}, ArcRotation::counterclockwise), 1);
   return p;
 }
 
@@ -129,7 +129,7 @@ TEST(Plan, TheBoundOfACircle) {
 TEST(Plan, AHelixIsAsLongAsItsSpatialCurve) {
   Program p(3);
   p.set({.velocity = 100});
-  p.arc(arc_about({}, {50, 0}, {0, 0, 100}, Plane{0, 1}, Rotation::counterclockwise, 4), 1);
+  p.arc(arc_about({}, {50, 0}, {0, 0, 100}, Plane{0, 1}, ArcRotation::counterclockwise, 4), 1);
   const Plan screw = plan(p, usual(3));
   EXPECT_NEAR(screw.path().length(), 1573.976207, 5e-7);
   std::vector<Jet> jets(3);
@@ -179,13 +179,13 @@ TEST(Plan, TrapezoidsOfTheSeeds) {
   EXPECT_NEAR(plan(next, four).duration(), 2.870829, 5e-7);
   const GroupLimits two{.axes = std::vector<Limits>(2)};
   Program arcs = seed(2, 2, 10000, 20000);
-  arcs.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, Rotation::clockwise));
+  arcs.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, ArcRotation::clockwise));
   EXPECT_NEAR(plan(arcs, two).duration(), 2.070796, 5e-7);
   Program second = seed(2, 2, 10000, 20000);
   second.line({0, 0});
   Program other(2, {10000, 0});
   other.set({.velocity = 10000, .acceleration = 20000});
-  other.arc(arc_of_radius({10000, 0}, 10000, {30000, 0}, Plane{0, 1}, Rotation::counterclockwise));
+  other.arc(arc_of_radius({10000, 0}, 10000, {30000, 0}, Plane{0, 1}, ArcRotation::counterclockwise));
   EXPECT_NEAR(plan(other, two).duration(), 3.641593, 5e-7);
   Program lines = seed(2, 2, 1000, 2000);
   lines.line({1000, 1000});
@@ -193,7 +193,7 @@ TEST(Plan, TrapezoidsOfTheSeeds) {
   lines.line({4000, 0});
   EXPECT_NEAR(plan(lines, two).duration(), 7.386350, 5e-6);
   Program turns = seed(3, 3, 1e4, 2e4);
-  turns.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, Rotation::clockwise, 3));
+  turns.arc(arc_of_radius({}, 5000, {10000, 0}, Plane{0, 1}, ArcRotation::clockwise, 3));
   const GroupLimits three{.axes = std::vector<Limits>(3)};
   EXPECT_NEAR(plan(turns, three).path().length(), 109955.743, 5e-4);
 }

@@ -16,7 +16,7 @@ constexpr Plane xy{0, 1};
 
 /// PMC600 Example 8.4: axes 10000 x 8000.
 PathCurve seed_ellipse() {
-  return ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 0.8, Rotation::clockwise, 2);
+  return ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 0.8, ArcRotation::clockwise, 2);
 }
 
 TEST(Ellipse, OfTheSeed) {
@@ -29,7 +29,7 @@ TEST(Ellipse, OfTheSeed) {
   p.curve(half);
   EXPECT_NEAR(plan(p, {.axes = std::vector<Limits>(2)}).duration(), 1.918083, 5e-7);
   const PathCurve turned = ellipse({10000, 0}, {10000, 5000}, {10000, 10000}, xy, 90, 0.8,
-                                   Rotation::counterclockwise, 2);
+                                   ArcRotation::counterclockwise, 2);
   EXPECT_NEAR(turned.length, half.length, 1e-6);
   // It passes (14000, 5000), half way.
   double x = 0;
@@ -45,7 +45,7 @@ TEST(Ellipse, ItsDeviationIsABound) {
     const double K = random.between(0, 360);
     const Point from{random.between(-1, 1), random.between(-1, 1)};
     const Point center{random.between(-1, 1), random.between(-1, 1)};
-    const PathCurve e = ellipse(from, center, from, xy, K, ratio, Rotation::counterclockwise, 2);
+    const PathCurve e = ellipse(from, center, from, xy, K, ratio, ArcRotation::counterclockwise, 2);
     const double cs = std::cos(K * std::numbers::pi / 180);
     const double sn = std::sin(K * std::numbers::pi / 180);
     double major = 0;
@@ -69,13 +69,13 @@ TEST(Ellipse, ItsDeviationIsABound) {
 }
 
 TEST(Ellipse, ACircleIsACircle) {
-  const PathCurve circle = ellipse({50, 0}, {}, {50, 0}, xy, 30, 1, Rotation::clockwise, 2, 1);
+  const PathCurve circle = ellipse({50, 0}, {}, {50, 0}, xy, 30, 1, ArcRotation::clockwise, 2, 1);
   EXPECT_NEAR(circle.length, 4 * std::numbers::pi * 50, 1e-10);
 }
 
 TEST(Ellipse, RejectsAnEndOffIt) {
-  EXPECT_THROW(ellipse({}, {5000, 0}, {10001, 0}, xy, 0, 0.8, Rotation::clockwise, 2), InputError);
-  EXPECT_THROW(ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 1.2, Rotation::clockwise, 2), InputError);
+  EXPECT_THROW(ellipse({}, {5000, 0}, {10001, 0}, xy, 0, 0.8, ArcRotation::clockwise, 2), InputError);
+  EXPECT_THROW(ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 1.2, ArcRotation::clockwise, 2), InputError);
 }
 
 TEST(Curves, KeepLimitsAndMeetTheirPoints) {
@@ -110,7 +110,7 @@ TEST(Curves, KeepLimitsAndMeetTheirPoints) {
 TEST(Curves, AnEllipseKeepsItsFeed) {
   Program p(2, {50, 0});
   p.set({.velocity = 100});
-  p.curve(ellipse({50, 0}, {}, {50, 0}, xy, 0, 0.5, Rotation::counterclockwise, 2), 1);
+  p.curve(ellipse({50, 0}, {}, {50, 0}, xy, 0, 0.5, ArcRotation::counterclockwise, 2), 1);
   const GroupLimits limits = path_tests::usual(2);
   const Plan made = plan(p, limits);
   const PlanAxes axes = to_axes(made);

@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
             "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, "
             "follow, "
-            "knife, shear, indexer, move, queue, axes, pvt, pt, axis, drive"},
+            "knife, shear, indexer, move, queue, axes, path, pvt, pt, axis, drive"},
         Bad{cam, "\"deg\"", "\"degrees\"",
             "a.toml:3:20: units.master = \"degrees\": is not a known unit, such as mm, "
             "deg, rev, pulse, s, ms"},

@@ -55,9 +55,9 @@ double angle_to(const Arc& arc, const Point& v) {
 }
 
 /// The arc in a plane about `center`, both ends of which have the same distance from it.
-Arc planar(const Point& from, const Point& center, const Point& to, Plane plane, Rotation rotation,
+Arc planar(const Point& from, const Point& center, const Point& to, Plane plane, ArcRotation rotation,
            int extra_turns) {
-  const double sense = rotation == Rotation::counterclockwise ? 1 : -1;
+  const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   Arc arc;
   const Point spoke = in_plane(vec::difference(from, center), plane);
   arc.radius = vec::norm(spoke);
@@ -116,7 +116,7 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
 }
 
 Arc arc_about(const Point& from, const Point& center, const Point& to, Plane plane,
-              Rotation rotation, int extra_turns, double tolerance) {
+              ArcRotation rotation, int extra_turns, double tolerance) {
   require_axes(plane);
   require_turns(extra_turns);
   require_not_negative("tolerance", tolerance);
@@ -143,7 +143,7 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   return arc;
 }
 
-Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, Rotation rotation,
+Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, ArcRotation rotation,
                   int extra_turns) {
   require_axes(plane);
   require_turns(extra_turns);
@@ -159,7 +159,7 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.
-  const double sense = rotation == Rotation::counterclockwise ? 1 : -1;
+  const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   const Point left = turned(along, plane, sense);
   const Point center = vec::sum(vec::sum(from, chord, 0.5), left, radius > 0 ? height : -height);
   return planar(from, center, to, plane, rotation, extra_turns);
@@ -178,14 +178,14 @@ Arc arc_by_angle(const Point& from, const Point& center, double degrees, const P
   for (const std::size_t i : {plane.first, plane.second})
     end[i] = center[i] + spoke[i] * std::cos(angle) + across[i] * std::sin(angle);
   Arc arc = planar(from, center, end, plane,
-                   degrees > 0 ? Rotation::counterclockwise : Rotation::clockwise, 0);
+                   degrees > 0 ? ArcRotation::counterclockwise : ArcRotation::clockwise, 0);
   arc.sweep = std::abs(angle);
   return arc;
 }
 
 CircleTurns himc_turns(int turns) {
-  if (turns < 0) return {Rotation::clockwise, -turns - 1};
-  return {Rotation::counterclockwise, std::max(turns, 1) - 1};
+  if (turns < 0) return {ArcRotation::clockwise, -turns - 1};
+  return {ArcRotation::counterclockwise, std::max(turns, 1) - 1};
 }
 
 Point point_at(const Arc& arc, double angle) {

@@ -156,7 +156,7 @@ PathCurve spline_through(std::span<const Point> points, std::size_t axes,
 }
 
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
-                  double degrees, double ratio, Rotation rotation, std::size_t axes,
+                  double degrees, double ratio, ArcRotation rotation, std::size_t axes,
                   int extra_turns, double tolerance) {
   require_finite("angle", degrees);
   if (!(ratio > 0 && ratio <= 1))
@@ -184,7 +184,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
     throw InputError(
         "to", off,
         "is off the ellipse by this share of its size; the tolerance is " + number(tolerance));
-  const double sense = rotation == Rotation::counterclockwise ? 1 : -1;
+  const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   const double t0 = std::atan2(y0 / half.b, x0 / half.a);
   double sweep = sense * (std::atan2(y1 / half.b, x1 / half.a) - t0);
   if (std::hypot(x1 - x0, y1 - y0) <= 1e-9 * a) sweep = 0;

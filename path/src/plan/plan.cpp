@@ -92,13 +92,13 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
     }
   }
   return {std::move(result.path),
-          Law(std::move(law.stretches)),
+          TimingLaw(std::move(law.stretches)),
           std::move(result.joints),
           stop_duration,
           {limits, {program.settings().begin(), program.settings().end()}, program.path_axes()}};
 }
 
-Plan::Plan(Path path, Law law, std::vector<JointMark> joints, double stop_duration, Given given)
+Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given)
     : path_(std::move(path)),
       law_(std::move(law)),
       joints_(std::move(joints)),

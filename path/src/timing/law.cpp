@@ -76,15 +76,15 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   return builder.count;
 }
 
-Law::Law(std::vector<LawStretch> stretches) : stretches_(std::move(stretches)) {
+TimingLaw::TimingLaw(std::vector<LawStretch> stretches) : stretches_(std::move(stretches)) {
   assert(!stretches_.empty());
 }
 
-double Law::duration() const {
+double TimingLaw::duration() const {
   return stretches_.back().time + stretches_.back().duration;
 }
 
-std::size_t Law::stretch_at(double t) const {
+std::size_t TimingLaw::stretch_at(double t) const {
   const auto it = std::upper_bound(stretches_.begin() + 1, stretches_.end(), t,
                                    [](double x, const LawStretch& s) { return x < s.time; });
   return static_cast<std::size_t>(it - stretches_.begin()) - 1;
@@ -102,7 +102,7 @@ Motion motion_in(const LawStretch& stretch, double t) {
           p.velocity + t * (p.acceleration + t * p.jerk / 2), p.acceleration + t * p.jerk, p.jerk};
 }
 
-Motion Law::at(double t) const {
+Motion TimingLaw::at(double t) const {
   const LawStretch& stretch = stretches_[stretch_at(t)];
   Motion m = motion_in(stretch, t - stretch.time);
   m.position = std::min(m.position, stretch.length) + stretch.start;
@@ -121,7 +121,7 @@ Segment segment_of(const LawPhase& phase) {
   return f;
 }
 
-Trajectory Law::curve() const {
+Trajectory TimingLaw::curve() const {
   std::vector<Segment> segments;
   std::array<LawPhase, 7> phase;
   for (const LawStretch& stretch : stretches_)

@@ -58,13 +58,16 @@ void require_picture_name(const std::string& key, const std::string& path) {
     throw InputError(key, path, "must end in .svg or .png, or be - for SVG on standard output");
 }
 
-void write_figure(const std::string& path, const Figure& figure, const SvgOptions& options) {
+void write_svg_file(const std::string& path, const std::string& svg) {
   require_picture_name("path", path);
-  const std::string picture = svg(figure, options);
   if (path.ends_with(".png"))
-    write_png(path, picture);
+    write_png(path, svg);
   else
-    write_file(path, picture);
+    write_file(path, svg);
+}
+
+void write_figure(const std::string& path, const Figure& figure, const SvgOptions& options) {
+  write_svg_file(path, svg(figure, options));
 }
 
 }  // namespace jounce

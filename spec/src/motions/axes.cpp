@@ -27,17 +27,6 @@ std::string read_name(TomlReader& axis, std::set<std::string>& taken) {
   return name;
 }
 
-AxisPart read_part(TomlReader& axis, const Units& units, std::set<std::string>& taken) {
-  AxisPart part;
-  part.name = read_name(axis, taken);
-  part.units = units;
-  part.units.position = read_position_unit(axis, "unit", units.position.c_str());
-  part.table = read_table_options(axis, part.units);
-  part.limits = read_limits(axis, part.units);
-  part.drive = read_drive(axis, part.units);
-  return part;
-}
-
 AxisMove read_axis_move(MotionFields& f, bool through_points) {
   AxisMove move;
   if (!through_points) {
@@ -142,6 +131,17 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
 
 }  // namespace
 
+AxisPart read_axis_part(TomlReader& axis, const Units& units, std::set<std::string>& taken) {
+  AxisPart part;
+  part.name = read_name(axis, taken);
+  part.units = units;
+  part.units.position = read_position_unit(axis, "unit", units.position.c_str());
+  part.table = read_table_options(axis, part.units);
+  part.limits = read_limits(axis, part.units);
+  part.drive = read_drive(axis, part.units);
+  return part;
+}
+
 AxesSpec read_axes(TomlReader& top, Spec& spec) {
   AxesSpec axes;
   const bool through_points = top.has("point");
@@ -153,7 +153,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
   }
   std::set<std::string> taken;
   for (TomlReader& axis : top.tables("axis")) {
-    spec.axes.push_back(read_part(axis, spec.units, taken));
+    spec.axes.push_back(read_axis_part(axis, spec.units, taken));
     MotionFields fields(axis, spec.axes.back().units);
     axes.axes.push_back(read_axis_move(fields, through_points));
     axis.finish();

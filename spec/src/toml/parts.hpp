@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <span>
+#include <string>
 
 #include "jounce/spec/detail/toml_reader.hpp"
 #include "jounce/spec/spec.hpp"
@@ -88,8 +90,14 @@ QueueSpec read_queue(TomlReader& top, const Units& units);
 /// True for times = "shortest", a key of knots and of points.
 bool wants_shortest_times(TomlReader& top);
 
+/// name, unit, [table], [limits] and [drive] of one axis of several. `taken`: names of the others.
+AxisPart read_axis_part(TomlReader& axis, const Units& units, std::set<std::string>& taken);
+
 /// [[axis]] into spec.axes; sync and duration, or [[point]].
 AxesSpec read_axes(TomlReader& top, Spec& spec);
+
+/// [[axis]] into spec.axes; [path], and [[command]], points or [gcode].
+PathSpec read_path(TomlReader& top, Spec& spec);
 
 /// [compare] with [compare.device], if there is one.
 std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec);

@@ -22,7 +22,7 @@ std::string listed(std::span<const std::string> words) {
 }  // namespace
 
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
-                                      std::initializer_list<std::string_view> columns) {
+                                      const std::vector<std::string>& columns) {
   const auto given = owner.optional_text("points");
   if (!given) return std::nullopt;
   if (owner.has(rows))
@@ -33,7 +33,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end()) {
       std::string names;
-      for (const auto& name : columns) names += (names.empty() ? "" : ", ") + std::string(name);
+      for (const auto& name : columns) names += (names.empty() ? "" : ", ") + name;
       throw InputError(column.name, "", "is not a column of this table; possible columns: " + names)
           .at(points.document, 1);
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "jounce/io/points.hpp"
@@ -16,7 +15,7 @@ namespace jounce::detail {
 /// Reads the CSV file that the key `points` names, relative to the document, with these columns only. Returns nullopt
 /// if the key is left out. Throws InputError if `rows`, which the file replaces, is given too.
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
-                                      std::initializer_list<std::string_view> columns);
+                                      const std::vector<std::string>& columns);
 
 /// The index in `words` of the column "type" of each point, given as a word or as a number; 0 without such a column.
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words);

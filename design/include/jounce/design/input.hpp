@@ -27,8 +27,9 @@ struct Input {
   std::optional<DriveSpec> drive = {};
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};
-  std::optional<Binding> binding = {};   ///< binding of a table of fewest knots
-  std::vector<std::string> unread = {};  ///< other content of its file
+  std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
+  std::vector<std::string> unread = {};   ///< other content of its file
+  std::shared_ptr<const Plan> plan = {};  ///< of kind "path", shared by its axes
 };
 
 /// Calls `act` with the input's curve, or with its table where there is no other curve: the table
@@ -69,5 +70,9 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 /// is standard input. One input for each axis of a spec, or for each cam of a file. `decimal_comma` reads 0,5 as 0.5 in
 /// a controller's table. Throws InputError with file, line, key, value and rule.
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
+
+/// A G-code program on a machine: `machine` is a path spec without commands, `path` the program. One input for each
+/// axis. Throws InputError, placed.
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine);
 
 }  // namespace jounce

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "jounce/path/plan.hpp"
 #include "jounce/profiles/vibration/vibration.hpp"
 #include "jounce/pvt/lazy_curve.hpp"
 #include "jounce/pvt/sample.hpp"
@@ -30,6 +32,7 @@ struct Made {
   Sampled sampled;
   std::vector<Residual> residuals = {};
   std::vector<SyncZone> zones = {};  ///< in which a slave is in step, if its generator reports it
+  std::shared_ptr<const Plan> plan = {};  ///< of kind "path", shared by its axes
 };
 
 /// Spec -> generator -> operators -> curve -> table; one per axis, all over the same time. Throws

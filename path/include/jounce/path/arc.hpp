@@ -15,10 +15,10 @@ namespace jounce {
 /// direction of travel; both have length 1. `drift` moves the axes outside the plane in proportion to
 /// the angle: the pitch of a helix, and followers.
 ///
-///     const Arc half = arc_about(from, {50, 0}, {100, 0}, Plane{0, 1}, Rotation::clockwise);
+///     const Arc half = arc_about(from, {50, 0}, {100, 0}, Plane{0, 1}, ArcRotation::clockwise);
 ///     const Arc ball = arc_through(from, via, to);                 // any plane of all axes
 ///     const Arc screw = arc_about(from, center, {0, 0, 100}, Plane{0, 1},
-///                                 Rotation::counterclockwise, 4);  // four extra turns
+///                                 ArcRotation::counterclockwise, 4);  // four extra turns
 ///
 /// **Units**: the axes of the plane share one unit of length; angles in rad. **Throws** InputError, which
 /// names what does not fit and by how much; the reader of a program adds the line.
@@ -34,7 +34,7 @@ struct Arc {
 /// Sense of rotation in a plane, from its first axis towards its second axis: counterclockwise is positive.
 /// PMC600 chapter 7 (PathChoice) and chapter 8 (ArcIpo_dir) number it in opposite ways; they are mapped
 /// where they are read (decision 0090).
-enum class Rotation { clockwise, counterclockwise };
+enum class ArcRotation { clockwise, counterclockwise };
 
 /// Plane of an arc: its two axes, counted from 0. G17: {0, 1}; G18: {2, 0}; G19: {1, 2}.
 struct Plane {
@@ -52,12 +52,12 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
 /// proportion to the angle. Radii that differ by at most `tolerance` (unit of length): the center moves
 /// along the bisector of the chord, and `center_moved` states how far; otherwise throws "center".
 Arc arc_about(const Point& from, const Point& center, const Point& to, Plane plane,
-              Rotation rotation, int extra_turns = 0, double tolerance = 0.01);
+              ArcRotation rotation, int extra_turns = 0, double tolerance = 0.01);
 
 /// Arc with a radius: positive for the minor arc (up to half a turn), negative for the major arc, as in
 /// DIN 66025. Throws "radius" where the chord exceeds twice the radius by more than 1e-9 of it, or the ends
 /// coincide.
-Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, Rotation rotation,
+Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, ArcRotation rotation,
                   int extra_turns = 0);
 
 /// Arc about a center by an angle in degrees, counterclockwise positive (HIMC ArcAngle2D; PMC600 StopAngle);
@@ -68,7 +68,7 @@ Arc arc_by_angle(const Point& from, const Point& center, double degrees, const P
 /// Extra turns and sense of HIMC's `turns` (HMPL manual 8.2.17): 0 and 1 are a plain counterclockwise arc, n > 1
 /// adds n - 1 turns, n < 0 is clockwise with |n| - 1 extra turns.
 struct CircleTurns {
-  Rotation rotation = Rotation::counterclockwise;
+  ArcRotation rotation = ArcRotation::counterclockwise;
   int extra_turns = 0;
 };
 CircleTurns himc_turns(int turns);

@@ -34,9 +34,9 @@ struct LawPhase {
 };
 
 /// A timing law q(t): piecewise cubic, acceleration continuous. 100 bytes a stretch.
-class Law {
+class TimingLaw {
  public:
-  explicit Law(std::vector<LawStretch> stretches);
+  explicit TimingLaw(std::vector<LawStretch> stretches);
 
   [[nodiscard]] double duration() const;
   [[nodiscard]] std::span<const LawStretch> stretches() const { return stretches_; }

@@ -75,10 +75,10 @@ class Plan {
     std::size_t path_axes = 0;
   };
 
-  Plan(Path path, Law law, std::vector<JointMark> joints, double stop_duration, Given given);
+  Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
 
   [[nodiscard]] const Path& path() const { return path_; }
-  [[nodiscard]] const Law& law() const { return law_; }
+  [[nodiscard]] const TimingLaw& law() const { return law_; }
   [[nodiscard]] double duration() const { return law_.duration(); }
   /// Program time with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
@@ -94,7 +94,7 @@ class Plan {
 
  private:
   Path path_;
-  Law law_;
+  TimingLaw law_;
   std::vector<JointMark> joints_;
   double stop_duration_;
   Given given_;

@@ -58,7 +58,7 @@ struct PathSettings {
 ///     square.set({.velocity = 100, .corner = Corner::deviation, .value = 0.05});
 ///     square.line({100, 0});
 ///     square.line({100, 100});
-///     square.arc(arc_about(square.position(), {50, 100}, {0, 100}, Plane{0, 1}, Rotation::counterclockwise));
+///     square.arc(arc_about(square.position(), {50, 100}, {0, 100}, Plane{0, 1}, ArcRotation::counterclockwise));
 ///     square.dwell(0.5);
 ///
 /// **Positions are absolute.** For relative commands add position(). `line` of each command is that of its

@@ -14,7 +14,7 @@ namespace jounce {
 
 /// A smooth curve of polynomial pieces for Program::curve, over near arc length.
 ///
-///     const PathCurve half = ellipse({}, {5000, 0}, {10000, 0}, Plane{0, 1}, 0, 0.8, Rotation::clockwise, 2);
+///     const PathCurve half = ellipse({}, {5000, 0}, {10000, 0}, Plane{0, 1}, 0, 0.8, ArcRotation::clockwise, 2);
 ///     half.length;       // 14180.834
 ///     half.deviation;    // at most so far from the ellipse: certified
 ///     half.speed_error;  // | |r'| - 1 | at most: certified
@@ -47,7 +47,7 @@ PathCurve spline_through(std::span<const Point> points, std::size_t axes,
 /// `extra_turns` come on top. All other axes run in proportion to the length. Fitted in arc length, 32 pieces a
 /// turn. Throws "to" where the end is off the ellipse by more than `tolerance` of the major half axis.
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
-                  double degrees, double ratio, Rotation rotation, std::size_t axes,
+                  double degrees, double ratio, ArcRotation rotation, std::size_t axes,
                   int extra_turns = 0, double tolerance = 1e-6);
 
 }  // namespace jounce

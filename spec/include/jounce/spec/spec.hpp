@@ -20,6 +20,7 @@
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/motion_spec.hpp"
 #include "jounce/spec/parameters_spec.hpp"
+#include "jounce/spec/path_spec.hpp"
 #include "jounce/spec/shape_spec.hpp"
 #include "jounce/spec/sync_spec.hpp"
 #include "jounce/spec/time_table_spec.hpp"
@@ -157,11 +158,11 @@ struct Spec {
   Units units;              ///< x is the master's unit for a cam, the time's for the others
   std::string time_unit;    ///< "s" by default
   std::string master_unit;  ///< master unit of an axis that follows a master; otherwise ""
-  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, Table, TimeTableSpec, AxisSpec,
-               DriveAlone>
+  std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
+               AxisSpec, DriveAlone>
       subject;
-  std::vector<Operator> then;                ///< done to the motion, one after another
-  std::vector<AxisPart> axes;                ///< axes of kind "axes"; empty for the others
+  std::vector<Operator> then;  ///< done to the motion, one after another
+  std::vector<AxisPart> axes;  ///< axes of kinds "axes" and "path"; empty for the others
   Boundaries boundaries = Boundaries::rest;  ///< boundaries of a cam
   TableOptions table;
   Limits limits;  ///< limits of a cam: per master unit
@@ -189,7 +190,7 @@ struct Spec {
   Spec& operator=(Spec&& other) noexcept;
   ~Spec();
 
-  /// The axes: those of kind "axes", or the one.
+  /// The axes: those of kinds "axes" and "path", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
   /// True if it makes a cam, designed by its knots or for a slave in step, rather than a motion.

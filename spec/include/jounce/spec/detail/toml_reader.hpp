@@ -57,6 +57,8 @@ class TomlReader {
   std::vector<std::string> texts(const char* key);
 
   [[nodiscard]] const Document& document() const { return *document_; }
+  /// Line of the table.
+  [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
   [[nodiscard]] bool is_text(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;

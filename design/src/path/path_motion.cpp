@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/src/path/path_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::detail {
+namespace {
+
+std::string name_of(const PathPiece& piece) {
+  const bool corner = piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
+  return (corner ? "corner " : "line ") + std::to_string(piece.line);
+}
+
+/// The source line of each segment, by the piece of the path in its middle. Both ascend.
+std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
+  const auto pieces = plan.path().pieces();
+  const auto stretches = plan.law().stretches();
+  std::vector<std::string> names;
+  names.reserve(curve.segments().size());
+  std::size_t piece = 0;
+  std::size_t stretch = 0;
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const double t = (curve.breaks()[i] + curve.breaks()[i + 1]) / 2;
+    while (stretch + 1 < stretches.size() && stretches[stretch + 1].time <= t) ++stretch;
+    if (stretches[stretch].pieces == 0) {
+      names.emplace_back("dwell");
+      continue;
+    }
+    const double q = plan.law().at(t).position;
+    while (piece + 1 < pieces.size() && pieces[piece + 1].start <= q) ++piece;
+    names.push_back(name_of(pieces[piece]));
+  }
+  return names;
+}
+
+/// A fit to 1e-9, or to a hundred times the rounding of the greatest coordinate of an arc.
+double fine(const Program& program) {
+  double largest = 0;
+  for (const Arc& arc : program.arcs()) {
+    largest = std::max(largest, arc.radius);
+    for (const double c : arc.center) largest = std::max(largest, std::abs(c));
+  }
+  return std::max(1e-9, 2e-14 * largest);
+}
+
+Plan planned(const PathSpec& path) {
+  if (path.program.commands().empty())
+    throw InputError("command", "",
+                     "is missing: give [[command]], points or [gcode] with a file, or use this "
+                     "spec as --machine "
+                     "of a G-code program");
+  try {
+    return plan(path.program, path.limits);
+  } catch (const InputError& error) {
+    if (error.line() == 0) throw;
+    throw InputError(error.key(), error.value(), error.rule()).at(path.source, error.line());
+  }
+}
+
+}  // namespace
+
+PathMotion motion_of(const PathSpec& path) {
+  PathMotion made;
+  made.plan = std::make_shared<const Plan>(planned(path));
+  made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
+  for (Trajectory& curve : made.axes.curves) {
+    made.names.push_back(names_of(*made.plan, curve));
+    curve = with(curve, Extrapolation::hold);
+  }
+  return made;
+}
+
+}  // namespace jounce::detail

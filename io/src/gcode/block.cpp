@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/src/gcode/block.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <system_error>
+
+#include "jounce/base/printable.hpp"
+
+namespace jounce::detail {
+namespace {
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// The letter in upper case; 0 for any other character.
+char letter(char c) {
+  if (c >= 'a' && c <= 'z') return static_cast<char>(c - 'a' + 'A');
+  return c >= 'A' && c <= 'Z' ? c : '\0';
+}
+
+/// Reads the words of one line, from left to right.
+class Line {
+ public:
+  Line(std::string_view text, int number) : text_(text), number_(number) {}
+
+  std::vector<GcodeWord> words() {
+    std::vector<GcodeWord> all;
+    skip_spaces();
+    if (at_ < text_.size() && text_[at_] == '%') {
+      ++at_;
+      skip_spaces();
+      if (at_ < text_.size()) fail(at_, "", "must be alone in its line: %");
+      return all;
+    }
+    for (skip_comments(); at_ < text_.size(); skip_comments()) all.push_back(word());
+    return all;
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t at, const std::string& value, const std::string& rule) const {
+    throw InputError("G-code", value, rule).at({}, number_, static_cast<int>(at) + 1);
+  }
+
+  void skip_spaces() {
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+  }
+
+  void skip_comments() {
+    for (skip_spaces(); at_ < text_.size(); skip_spaces()) {
+      if (text_[at_] == ';') {
+        at_ = text_.size();
+      } else if (text_[at_] == '(') {
+        const std::size_t end = text_.find(')', at_);
+        if (end == std::string_view::npos) fail(at_, "(", "needs a ) in the same line");
+        at_ = end + 1;
+      } else {
+        return;
+      }
+    }
+  }
+
+  GcodeWord word() {
+    const std::size_t begin = at_;
+    const char first = letter(text_[at_]);
+    if (first == '\0')
+      fail(at_, shown(at_, at_ + 1), "is not a word: a word is a letter and a number");
+    const bool behind_number = begin > 0 && (is_digit(text_[begin - 1]) || text_[begin - 1] == '.');
+    if (first == 'E' && behind_number)
+      fail(begin, "E",
+           "needs a space before it: it is an acceleration, and numbers have no exponent");
+    ++at_;
+    GcodeWord word{std::string(1, first), 0, "", static_cast<int>(begin) + 1};
+    const bool prefix = (first == 'F' || first == 'E') && at_ < text_.size();
+    if (prefix && letter(text_[at_]) == 'F') {
+      word.letters += 'F';
+      ++at_;
+    }
+    skip_spaces();
+    word.text = number(begin, word.letters);
+    word.value = value(begin, word.text);
+    return word;
+  }
+
+  /// The text of a number: sign, digits, one point.
+  std::string number(std::size_t begin, const std::string& letters) {
+    const std::size_t first = at_;
+    if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
+    std::size_t digits = 0;
+    bool point = false;
+    for (; at_ < text_.size() && (is_digit(text_[at_]) || (text_[at_] == '.' && !point)); ++at_) {
+      if (text_[at_] == '.')
+        point = true;
+      else
+        ++digits;
+    }
+    if (digits == 0)
+      fail(begin, letters + shown(first, first + 1),
+           "needs a number: variables and expressions are not supported");
+    return std::string(text_.substr(first, at_ - first));
+  }
+
+  [[nodiscard]] double value(std::size_t begin, std::string_view text) const {
+    if (text.front() == '+') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    if (error != std::errc() || !std::isfinite(value))
+      fail(begin, std::string(text.substr(0, 40)), "must be a number that a double can hold");
+    return value;
+  }
+
+  [[nodiscard]] std::string shown(std::size_t begin, std::size_t end) const {
+    begin = std::min(begin, text_.size());
+    return printable(std::string(text_.substr(begin, end - begin)));
+  }
+
+  std::string_view text_;
+  int number_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+const GcodeWord* GcodeBlock::find(std::string_view letters) const {
+  const auto found = std::find_if(words.begin(), words.end(),
+                                  [&](const GcodeWord& word) { return word.letters == letters; });
+  return found == words.end() ? nullptr : &*found;
+}
+
+GcodeBlock read_block(std::string_view line, int number) {
+  GcodeBlock block{Line(line, number).words(), number};
+  for (std::size_t i = 1; i < block.words.size(); ++i) {
+    const GcodeWord& word = block.words[i];
+    if (word.letters == "G" || word.letters == "M") continue;
+    if (block.find(word.letters) != &word)
+      throw InputError(word.letters, word.text, "is in this block a second time")
+          .at({}, number, word.column);
+  }
+  return block;
+}
+
+}  // namespace jounce::detail

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/io/gcode.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/error.hpp"
+
+#include "io/src/gcode/interpreter.hpp"
+
+namespace jounce {
+
+bool begins_as_gcode(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    if (line[line.find_first_not_of(" \t\r")] == '%' || line.front() == '(') return true;
+    try {
+      if (!detail::read_block(line, 1).words.empty()) return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+  return false;
+}
+
+GcodeProgram parse_gcode(std::string_view text, const std::string& document,
+                         const GcodeMachine& machine) {
+  detail::GcodeInterpreter interpreter(machine);
+  bool runs = true;
+  for (int line = 1; runs && !text.empty(); ++line) {
+    const std::size_t end = text.find('\n');
+    try {
+      runs = interpreter.execute(detail::read_block(text.substr(0, end), line));
+    } catch (const InputError& error) {
+      throw InputError(error.key(), error.value(), error.rule())
+          .at(document, line, std::max(error.column(), 1));
+    }
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return interpreter.take();
+}
+
+}  // namespace jounce

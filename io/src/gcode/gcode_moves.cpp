@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+
+#include "jounce/path/arc.hpp"
+
+#include "io/src/gcode/interpreter.hpp"
+
+namespace jounce::detail {
+namespace {
+
+constexpr std::string_view center_letters = "IJK";
+constexpr double arc_tolerance = 0.01;  // mm: programs round centers to 0.001 mm or 0.0001 in
+
+/// A radius below half the chord by no more than the tolerance is half the chord.
+double fitting_radius(double radius, const Point& from, const Point& to, Plane plane,
+                      double tolerance) {
+  const double half =
+      std::hypot(to[plane.first] - from[plane.first], to[plane.second] - from[plane.second]) / 2;
+  const double missing = half - std::abs(radius);
+  return missing > 0 && missing <= tolerance && radius != 0 ? std::copysign(half, radius) : radius;
+}
+
+}  // namespace
+
+void GcodeInterpreter::move(const GcodeBlock& block) {
+  const GcodeWord* first = nullptr;
+  const GcodeWord* center = nullptr;
+  for (const GcodeWord& word : block.words) {
+    if (first == nullptr && axis_of(word.letters) != std::string::npos) first = &word;
+    const bool of_arc =
+        word.letters == "R" || (word.letters.size() == 1 &&
+                                center_letters.find(word.letters[0]) != std::string_view::npos);
+    if (center == nullptr && of_arc) center = &word;
+  }
+  const bool arc = motion_ == 2 || motion_ == 3;
+  if (center != nullptr && !arc) fail_at(block, *center, "belongs to an arc: G2 or G3");
+  if (first == nullptr && center == nullptr) return;
+  if (motion_ < 0)
+    fail_at(block, *(first != nullptr ? first : center), "needs G0, G1, G2 or G3 first");
+  if (arc && center == nullptr)
+    fail_at(block, *first, "needs a center, I J K, or a radius R: G2, G3");
+  const Point to = target(block);
+  made_.program.set(settings(block, to));
+  if (arc)
+    turn(block, to, *center);
+  else if (to != made_.program.position())
+    made_.program.line(to, block.line);
+}
+
+Point GcodeInterpreter::target(const GcodeBlock& block) const {
+  Point to = made_.program.position();
+  for (const GcodeWord& word : block.words) {
+    const std::size_t i = axis_of(word.letters);
+    if (i == std::string::npos) continue;
+    to[i] = (relative_ ? to[i] : offset_[i]) + word.value * scale_[i];
+    if (!std::isfinite(to[i])) fail_at(block, word, "is too large");
+  }
+  return to;
+}
+
+PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to) const {
+  PathSettings now = motion_ == 0 ? rapid_ : feed_;
+  if (motion_ != 0 && now.velocity == PathSettings::none)
+    fail_at(block, "F", "is missing: G1, G2 and G3 need a feed, here or as `velocity` of [path]");
+  now.corner = corner_.corner;
+  now.value = corner_.value;
+  if (motion_ == 0 || feed_word_ == 0) return now;
+  const Point& from = made_.program.position();
+  std::size_t i = 0;
+  while (i < letters_.size() && from[i] == to[i]) ++i;
+  if (i < letters_.size() && i >= made_.program.path_axes())
+    now.velocity = feed_word_ * scale_[i] / time();
+  return now;
+}
+
+void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const GcodeWord& given) {
+  const std::size_t first = axis_of(plane_.substr(0, 1));
+  const std::size_t second = axis_of(plane_.substr(1, 1));
+  if (first == std::string::npos || second == std::string::npos)
+    fail_at(
+        block, given,
+        "is an arc in the plane " + std::string(plane_) + ", of which the machine lacks an axis");
+  const Plane plane{first, second};
+  const ArcRotation rotation =
+      motion_ == 2 ? ArcRotation::clockwise : ArcRotation::counterclockwise;
+  const Point from = made_.program.position();
+  const double tolerance = arc_tolerance * gcode_scale("mm", machine_.axes[first].unit);
+  try {
+    if (const GcodeWord* const r = block.find("R")) {
+      if (&given != r) fail_at(block, *r, "must not be beside I, J, K");
+      for (const char c : center_letters)
+        if (const auto* const word = block.find({&c, 1}))
+          fail_at(block, *word, "must not be beside R");
+      const double radius = fitting_radius(r->value * scale_[first], from, to, plane, tolerance);
+      made_.program.arc(arc_of_radius(from, radius, to, plane, rotation), block.line);
+      return;
+    }
+    made_.program.arc(
+        arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance), block.line);
+  } catch (const InputError& error) {
+    if (error.column() != 0) throw;
+    throw InputError(error.key(), error.value(), error.rule()).at({}, block.line, given.column);
+  }
+}
+
+Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane plane) const {
+  Point center = from;
+  for (std::size_t k = 0; k < center_letters.size(); ++k) {
+    const GcodeWord* const word = block.find(center_letters.substr(k, 1));
+    const std::size_t i = axis_of(gcode_axes.substr(k, 1));
+    const bool inside = i == plane.first || i == plane.second;
+    if (word != nullptr && !inside)
+      fail_at(block, *word, "is outside the plane of the arc, " + std::string(plane_));
+    if (!inside) continue;
+    if (word == nullptr && !center_relative_)
+      fail_at(block, std::string(center_letters.substr(k, 1)),
+              "is missing: after G90.1 an arc needs both coordinates of its center");
+    if (word != nullptr)
+      center[i] = (center_relative_ ? from[i] : offset_[i]) + word->value * scale_[i];
+  }
+  return center;
+}
+
+}  // namespace jounce::detail

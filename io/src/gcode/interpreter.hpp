@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "jounce/io/gcode.hpp"
+
+#include "io/src/gcode/block.hpp"
+
+namespace jounce::detail {
+
+/// Executes the blocks of a program; its state is what the blocks before have set. Throws InputError with line and
+/// column, without a document.
+class GcodeInterpreter {
+ public:
+  explicit GcodeInterpreter(const GcodeMachine& machine);
+
+  /// False at the end of the program (M2, M30).
+  bool execute(const GcodeBlock& block);
+  [[nodiscard]] GcodeProgram take();
+
+ private:
+  [[nodiscard]] std::size_t axis_of(std::string_view letter) const {
+    return letter.size() == 1 ? letters_.find(letter[0]) : std::string::npos;
+  }
+  void require_known(const GcodeBlock& block) const;
+  void add_events(const GcodeBlock& block);
+  void rest(const GcodeBlock& block);
+  /// True after M2 or M30. M0 and M1 rest.
+  bool stops(const GcodeBlock& block);
+
+  // gcode_modes.cpp: G words and rates.
+  /// Unit of the lengths in the program: "" that of each axis.
+  void set_units(const std::string& length);
+  /// Applies the G words; true where the block is a dwell.
+  bool set_modes(const GcodeBlock& block);
+  void set_mode(const GcodeBlock& block, const GcodeWord& word, int code);
+  void set_length(const GcodeBlock& block, const GcodeWord& word, const char* length);
+  void set_offset(const GcodeBlock& block, const GcodeWord& word, std::size_t number);
+  void set_tolerance(const GcodeBlock& block, const GcodeWord& word);
+  void set_rates(const GcodeBlock& block);
+  /// Time in which F and FF count, in the program's unit.
+  [[nodiscard]] double time() const { return machine_.feed_time * machine_.second; }
+
+  // gcode_moves.cpp: lines and arcs.
+  void move(const GcodeBlock& block);
+  [[nodiscard]] Point target(const GcodeBlock& block) const;
+  /// Feed and corner of the next command. Where only followers move, F counts in their unit.
+  [[nodiscard]] PathSettings settings(const GcodeBlock& block, const Point& to) const;
+  void turn(const GcodeBlock& block, const Point& to, const GcodeWord& given);
+  /// From I, J, K: a word outside the plane is an error; where they are relative, a missing one is 0.
+  [[nodiscard]] Point center(const GcodeBlock& block, const Point& from, Plane plane) const;
+
+  const GcodeMachine& machine_;
+  GcodeProgram made_;
+  std::string letters_;                   ///< letters of the axes
+  std::array<double, max_axes> scale_{};  ///< unit of the axis per unit of its word
+  Point offset_{};
+  int motion_ = -1;  ///< 0 to 3: G0 to G3; -1: none
+  std::string_view plane_ = "XY";
+  bool relative_ = false;
+  bool center_relative_ = true;
+  PathSettings feed_, rapid_, corner_;
+  double feed_word_ = 0;
+};
+
+constexpr std::string_view gcode_axes = "XYZABCUVW";
+
+/// Factor from the unit of a word to that of its axis; 1 where the axis counts in anything else.
+double gcode_scale(const std::string& from, const std::string& unit);
+
+[[noreturn]] void fail_at(const GcodeBlock& block, const GcodeWord& word, const std::string& rule);
+[[noreturn]] void fail_at(const GcodeBlock& block, const std::string& key, const std::string& rule);
+
+}  // namespace jounce::detail

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/plot/path_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/path_cost.hpp"
+#include "jounce/path/plan.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr int points_a_segment = 8;
+constexpr std::size_t marked_places = 5;
+
+[[noreturn]] void fail(const std::string& plane, const std::string& rule) {
+  throw InputError("plane", plane, rule);
+}
+
+std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
+                       const std::string& plane) {
+  const auto at = std::find_if(axes.begin(), axes.end(),
+                               [&](const Input& input) { return input.axis == name; });
+  if (at == axes.end()) fail(plane, "must be two names of axes between a comma, such as x,y");
+  return static_cast<std::size_t>(at - axes.begin());
+}
+
+/// The breaks of all axes, and places between them where an axis bends.
+std::vector<double> times_of(const std::vector<const Trajectory*>& curves) {
+  std::vector<double> times;
+  for (const Trajectory* curve : curves)
+    for (std::size_t i = 0; i < curve->segments().size(); ++i)
+      for (int k = 0; k < points_a_segment; ++k)
+        times.push_back(curve->breaks()[i] + curve->segments()[i].length * k / points_a_segment);
+  times.push_back(curves.front()->end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+void add_marks(const Plan& plan, std::size_t x, std::size_t y, PathFigure& figure) {
+  std::vector<SpeedLoss> losses = cost_of(plan, plan.corners()).losses;
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const SpeedLoss& a, const SpeedLoss& b) { return a.loss > b.loss; });
+  losses.resize(std::min(losses.size(), marked_places));
+  std::vector<Motion> axes(plan.path().axes());
+  for (const SpeedLoss& loss : losses) {
+    plan.at(std::min(loss.time, plan.duration()), axes);
+    figure.marks.push_back({axes[x].position, axes[y].position,
+                            (loss.cause == LossCause::start || loss.cause == LossCause::end)
+                                ? name(loss.cause)
+                                : "line " + std::to_string(loss.line)});
+  }
+}
+
+}  // namespace
+
+PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane) {
+  if (!axes.front().plan) fail(plane, "needs a spec of kind \"path\" or a G-code program");
+  const Plan& plan = *axes.front().plan;
+  const auto comma = plane.find(',');
+  const std::size_t x = axis_named(axes, plane.substr(0, comma), plane);
+  const std::size_t y =
+      axis_named(axes, comma == std::string::npos ? "" : plane.substr(comma + 1), plane);
+  const Units& units = axes[x].labels.units;
+  if (axes[y].labels.units.position != units.position || x == y)
+    fail(plane, "must name two different axes with the same unit");
+  std::vector<const Trajectory*> curves;
+  for (const Input& input : axes) curves.push_back(&std::get<Trajectory>(*input.curve));
+  PathFigure figure{.title = axes.front().spec->name,
+                    .x_label = axes[x].axis + " [" + units.position + "]",
+                    .y_label = axes[y].axis + " [" + units.position + "]",
+                    .speed_label = "speed [" + rate_unit(units.position, units.x, 1) + "]"};
+  for (const double t : times_of(curves)) {
+    figure.x.push_back(curves[x]->at(t).position);
+    figure.y.push_back(curves[y]->at(t).position);
+    double square = 0;
+    for (std::size_t i = 0; i < plan.given().path_axes; ++i)
+      square += std::pow(curves[i]->at(t).velocity, 2);
+    figure.speed.push_back(std::sqrt(square));
+  }
+  add_marks(plan, x, y, figure);
+  return figure;
+}
+
+}  // namespace jounce

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proof/src/path_section.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "jounce/base/units.hpp"
+#include "jounce/design/path_text.hpp"
+#include "jounce/plot/label.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr std::size_t shown_places = 20;
+
+Facts facts_of(const PathSummary& s, const Units& units) {
+  const auto time = [&](double value) { return short_number(value) + " " + units.x; };
+  Facts facts;
+  facts.rows = {{"duration", time(s.duration)},
+                {"length", short_number(s.length) + " " + units.position},
+                {"with a stop at each corner", time(s.stop_duration)},
+                {"lower bound on this path", time(s.lower_bound) + " (proven; jerk not limited)"},
+                {"at full speed", time(s.cost.at_full_speed)}};
+  for (std::size_t k = 0; k < loss_causes; ++k) {
+    const auto cause = static_cast<LossCause>(k);
+    if (const double lost = s.cost.of(cause); lost > 1e-9 * s.duration)
+      facts.rows.emplace_back(std::string("lost: ") + name(cause), time(lost));
+  }
+  return facts;
+}
+
+DataTable places_of(const PathSummary& s, const Units& units) {
+  std::vector<SpeedLoss> losses = s.cost.losses;
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const SpeedLoss& a, const SpeedLoss& b) { return a.loss > b.loss; });
+  DataTable table{
+      .caption = "The places that cost most",
+      .columns = {"line", "cause", "cost [" + units.x + "]", "at [" + units.position + "]",
+                  "speed [" + rate_unit(units.position, units.x, 1) + "]",
+                  "deviation [" + units.position + "]"}};
+  for (std::size_t i = 0; i < std::min(shown_places, losses.size()); ++i) {
+    const SpeedLoss& loss = losses[i];
+    table.rows.push_back({{std::to_string(loss.line), name(loss.cause), short_number(loss.loss),
+                           short_number(loss.where), short_number(loss.velocity),
+                           loss.corner ? short_number(s.corners[*loss.corner].deviation) : ""},
+                          false});
+  }
+  return table;
+}
+
+}  // namespace
+
+Section path_section(const Input& input) {
+  const PathSummary summary = summary_of(*input.spec, *input.plan);
+  const Units& units = input.spec->units;
+  return {"Path", {facts_of(summary, units), places_of(summary, units)}};
+}
+
+}  // namespace jounce

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/design/input.hpp"
+#include "jounce/plot/page.hpp"
+
+namespace jounce {
+
+/// The path that an axis belongs to, for its report: times, costs, and the places that cost most.
+Section path_section(const Input& input);
+
+}  // namespace jounce

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "jounce/path/arc.hpp"
+#include "jounce/path/shapes.hpp"
+
+#include "spec/src/path/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> command_types{"line", "arc", "ellipse", "spline", "dwell"};
+const std::vector<std::string> rotations{"clockwise", "counterclockwise"};
+
+/// The rates of a command along the path; without them those of [path.limits].
+void read_rates_along(TomlReader& command, const PathAxes& axes, PathSettings& settings) {
+  if (const auto a = read_magnitude(command, "acceleration", axes.unit(2)))
+    settings.acceleration = settings.deceleration = *a;
+  if (const auto d = read_magnitude(command, "deceleration", axes.unit(2)))
+    settings.deceleration = *d;
+  if (const auto j = read_magnitude(command, "jerk", axes.unit(3))) settings.jerk = *j;
+}
+
+Plane read_plane(TomlReader& command, const PathAxes& axes) {
+  const std::vector<std::string> names = command.texts("plane");
+  if (!command.has("plane")) return {};
+  std::vector<std::size_t> found;
+  for (const std::string& name : names)
+    for (std::size_t i = 0; i < axes.path_axes; ++i)
+      if (axes.names[i] == name) found.push_back(i);
+  if (names.size() != 2 || found.size() != 2 || names[0] == names[1])
+    command.fail("plane", "", "must name two different axes that are not followers");
+  return {found[0], found[1]};
+}
+
+ArcRotation read_rotation(TomlReader& command) {
+  return command.choice("rotation", rotations) == 0 ? ArcRotation::clockwise
+                                                    : ArcRotation::counterclockwise;
+}
+
+int read_turns(TomlReader& command) {
+  const std::int64_t turns = command.optional_whole("turns").value_or(0);
+  if (turns < 0 || turns > 1'000'000)
+    command.fail("turns", std::to_string(turns), "must be 0 to 1e6 extra turns");
+  return static_cast<int>(turns);
+}
+
+Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
+                   const Point& origin) {
+  const Plane plane = read_plane(command, axes);
+  const Point center = read_position(command, "center", axes, origin);
+  if (const auto angle = command.optional_number("angle", "deg"))
+    return arc_by_angle(from, center, *angle, from, plane);
+  const Point to = read_position(command, "to", axes, origin);
+  const ArcRotation rotation = read_rotation(command);
+  const int turns = read_turns(command);
+  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  return tolerance ? arc_about(from, center, to, plane, rotation, turns, *tolerance)
+                   : arc_about(from, center, to, plane, rotation, turns);
+}
+
+/// By one of its definitions. finish() then refuses the keys of the others, which were not read.
+Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point& origin) {
+  if (command.has("via")) {
+    const Point via = read_position(command, "via", axes, origin);
+    const Point to = read_position(command, "to", axes, origin);
+    return arc_through(from, via, to, axes.path_axes, read_turns(command));
+  }
+  if (command.has("radius")) {
+    const Plane plane = read_plane(command, axes);
+    const double radius = command.number("radius", axes.unit(0));
+    const Point to = read_position(command, "to", axes, origin);
+    const ArcRotation rotation = read_rotation(command);
+    return arc_of_radius(from, radius, to, plane, rotation, read_turns(command));
+  }
+  if (!command.has("center"))
+    command.fail("center", "", "is missing: an arc needs via, center or radius");
+  return read_arc_about(command, axes, from, origin);
+}
+
+void read_dwell(TomlReader& command, const PathAxes& axes, Program& program) {
+  const double time = command.number("time", axes.units.x);
+  if (!(time >= 0)) command.fail("time", number(time), "must not be negative");
+  program.dwell(time, command.line());
+}
+
+PathCurve read_ellipse(TomlReader& command, const PathAxes& axes, const Point& from,
+                       const Point& origin) {
+  const Plane plane = read_plane(command, axes);
+  const Point center = read_position(command, "center", axes, origin);
+  const Point to = read_position(command, "to", axes, origin);
+  const double major = command.optional_number("major", "deg").value_or(0);
+  const double ratio = command.number("ratio", "1");
+  const ArcRotation rotation = read_rotation(command);
+  return ellipse(from, center, to, plane, major, ratio, rotation, axes.size(), read_turns(command));
+}
+
+/// The spline through the start and each [[command.point]].
+PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& from,
+                      const Point& origin) {
+  std::vector<Point> points{from};
+  for (TomlReader& point : command.tables("point")) {
+    points.push_back(read_position(point, "to", axes, origin));
+    point.finish();
+  }
+  SplineDirections ends;
+  if (command.has("start_direction"))
+    ends.start = read_position(command, "start_direction", axes, {});
+  if (command.has("end_direction")) ends.end = read_position(command, "end_direction", axes, {});
+  return spline_through(points, axes.size(), ends);
+}
+
+void read_movement(TomlReader& command, const PathAxes& axes, std::size_t type, Program& program) {
+  const Point from = program.position();
+  const bool relative = command.optional_flag("relative").value_or(false);
+  const Point origin = relative ? from : Point{};
+  switch (type) {
+    case 0:
+      return program.line(read_position(command, "to", axes, origin), command.line());
+    case 1:
+      return program.arc(read_arc(command, axes, from, origin), command.line());
+    case 2:
+      return program.curve(read_ellipse(command, axes, from, origin), command.line());
+    default:
+      return program.curve(read_spline(command, axes, from, origin), command.line());
+  }
+}
+
+}  // namespace
+
+void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
+                       Program& program) {
+  const std::size_t type = command.choice("type", command_types);
+  if (type == 4) {
+    read_dwell(command, axes, program);
+  } else {
+    read_path_settings(command, axes, settings);
+    read_rates_along(command, axes, settings);
+    program.set(settings);
+    try {
+      read_movement(command, axes, type, program);
+    } catch (
+        const InputError& error) {  // an arc names its own fields, which are keys of the command
+      if (!error.document().empty()) throw;
+      throw InputError(command.path(error.key()), error.value(), error.rule());
+    }
+  }
+  command.finish();
+}
+
+}  // namespace jounce::detail

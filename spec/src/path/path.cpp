@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "spec/src/path/parts.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> corners{"stop"};
+// In the order of Junction.
+const std::vector<std::string> junctions{"buffered",      "blending_low",  "blending_previous",
+                                         "blending_next", "blending_high", "look_ahead"};
+static_assert(static_cast<int>(Junction::look_ahead) == 5);
+
+/// True for a follower.
+bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::string>& taken) {
+  const AxisPart& part = spec.axes.emplace_back(read_axis_part(axis, spec.units, taken));
+  const bool follower = axis.optional_flag("follower").value_or(false);
+  if (!follower && axes.path_axes < axes.size())
+    axis.fail("follower", "", "is missing: an axis behind a follower must be one, too");
+  if (!follower && part.units.position != spec.units.position)
+    axis.fail(
+        "unit", '"' + part.units.position + '"',
+        "must be " + spec.units.position +
+            ", the unit of the path's length; an axis with another unit needs follower = true");
+  axes.names.push_back(part.name);
+  axes.position_units.push_back(part.units.position);
+  axis.finish();
+  return follower;
+}
+
+PathAxes read_path_axes(TomlReader& top, Spec& spec) {
+  PathAxes axes{.units = spec.units};
+  std::set<std::string> taken;
+  for (TomlReader& axis : top.tables("axis"))
+    if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
+  if (axes.size() == 0) top.fail("axis", "", "is missing: give each axis as [[axis]]");
+  if (axes.size() > max_axes)
+    top.fail("axis", std::to_string(axes.size()),
+             "must be at most " + std::to_string(max_axes) + " axes");
+  if (axes.path_axes == 0)
+    top.fail("axis", "", "needs one that is not a follower: it measures the length of the path");
+  return axes;
+}
+
+PathLimits read_path_limits(TomlReader limits, const PathAxes& axes) {
+  PathLimits read;
+  const auto rate = [&](const char* key, int order, double& value) {
+    if (const auto given = read_magnitude(limits, key, axes.unit(order))) value = *given;
+  };
+  rate("velocity", 1, read.velocity);
+  rate("acceleration", 2, read.acceleration);
+  read.deceleration = read.acceleration;
+  rate("deceleration", 2, read.deceleration);
+  rate("jerk", 3, read.jerk);
+  rate("normal_acceleration", 2, read.normal_acceleration);
+  rate("total_acceleration", 2, read.total_acceleration);
+  limits.finish();
+  return read;
+}
+
+/// corner = "stop", or a table with the one key that limits the corner.
+void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
+  if (owner.is_text("corner")) {
+    (void)owner.choice("corner", corners);
+    settings.corner = Corner::stop;
+    settings.value = 0;
+    return;
+  }
+  auto corner = owner.optional_table("corner");
+  if (!corner) return;
+  int given = 0;
+  const auto take = [&](const std::optional<double>& value, Corner kind) {
+    if (!value) return;
+    settings.corner = kind;
+    settings.value = *value;
+    ++given;
+  };
+  take(read_magnitude(*corner, "deviation", axes.unit(0)), Corner::deviation);
+  take(read_magnitude(*corner, "distance", axes.unit(0)), Corner::distance);
+  take(read_magnitude(*corner, "curvature", rate_unit("", axes.units.position, 1)),
+       Corner::curvature);
+  take(read_magnitude(*corner, "velocity", axes.unit(1)), Corner::velocity);
+  take(read_magnitude(*corner, "average", axes.unit(0)), Corner::average);
+  corner->finish();
+  if (given != 1)
+    owner.fail(
+        "corner", "",
+        "must be \"stop\", or have one of deviation, distance, curvature, velocity, average");
+}
+
+}  // namespace
+
+Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
+                    const Point& origin) {
+  if (!reader.has(key)) reader.refuse_misspelt(key);
+  if (!reader.has(key)) reader.fail(key, "", "is missing");
+  Point p{};
+  const std::vector<double> given = reader.numbers(key, axes.position_units);
+  for (std::size_t i = 0; i < given.size(); ++i) p[i] = origin[i] + given[i];
+  return p;
+}
+
+std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit) {
+  const auto value = reader.optional_number(key, unit);
+  if (value && !(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
+  return value;
+}
+
+void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
+  if (const auto v = read_magnitude(owner, "velocity", axes.unit(1))) settings.velocity = *v;
+  read_corner(owner, axes, settings);
+  if (const auto junction = owner.optional_choice("junction", junctions))
+    settings.junction = static_cast<Junction>(*junction);
+}
+
+PathSpec read_path(TomlReader& top, Spec& spec) {
+  const PathAxes axes = read_path_axes(top, spec);
+  TomlReader table = top.table("path");
+  PathSpec path;
+  GcodeMachine& machine = path.machine;
+  read_path_settings(table, axes, machine.settings);
+  if (auto limits = table.optional_table("limits"))
+    path.limits.path = read_path_limits(std::move(*limits), axes);
+  path.tolerance = read_magnitude(table, "tolerance", axes.unit(0));
+  if (top.has("points") && table.has("start"))
+    table.fail("start", "", "is the first of the points: leave it out");
+  if (table.has("start")) machine.start = read_position(table, "start", axes, {});
+  for (const AxisPart& part : spec.axes) {
+    path.limits.axes.push_back(part.limits);
+    machine.axes.push_back({part.name, part.units.position});
+  }
+  machine.path_axes = axes.path_axes;
+  machine.second = conversion("s", spec.time_unit);
+  path.program = Program(axes.size(), machine.start, axes.path_axes);
+  path.source = top.document().name;
+  read_program(top, axes, machine.settings, path);
+  table.finish();
+  return path;
+}
+
+}  // namespace jounce::detail

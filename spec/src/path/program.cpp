@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/base/file.hpp"
+#include "jounce/io/points.hpp"
+
+#include "spec/src/path/parts.hpp"
+#include "spec/src/toml/point_file.hpp"
+
+namespace jounce::detail {
+namespace {
+
+const std::vector<std::string> feed_times{"min", "s"};
+
+/// The columns of points have names in lower case.
+std::string column_of(std::string axis) {
+  for (char& c : axis) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return axis;
+}
+
+std::vector<std::string> columns_of(TomlReader& top, const PathAxes& axes) {
+  std::vector<std::string> columns{"velocity"};
+  for (const std::string& name : axes.names) {
+    for (const std::string& other : columns)
+      if (other == column_of(name))
+        top.fail("points", "",
+                 "needs another name of the axis " + name + ": its column would be " + other +
+                     ", which another one is");
+    columns.push_back(column_of(name));
+  }
+  return columns;
+}
+
+/// The points in the units of the axes.
+std::vector<Point> positions_of(const Points& points, const PathAxes& axes) {
+  std::vector<Point> all(points.size(), Point{});
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto column = points.in_unit(column_of(axes.names[i]), axes.position_units[i]);
+    for (std::size_t k = 0; k < all.size(); ++k) all[k][i] = column[k];
+  }
+  return all;
+}
+
+/// Lines through the points of a file; the first point is the start. A column "velocity" has the feed of the line
+/// to its point.
+Program program_of(const Points& points, const PathAxes& axes, PathSettings settings) {
+  const std::vector<Point> positions = positions_of(points, axes);
+  std::vector<double> feeds;
+  if (points.find("velocity") != nullptr) feeds = points.in_unit("velocity", axes.unit(1));
+  if (points.size() < 2)
+    throw InputError("row", "1", "is the only point: a path needs at least two")
+        .at(points.document, static_cast<int>(points.lines.front()));
+  Program program(axes.size(), positions.front(), axes.path_axes);
+  for (std::size_t k = 1; k < positions.size(); ++k) {
+    const int line = static_cast<int>(points.lines[k]);
+    if (!feeds.empty()) settings.velocity = feeds[k];
+    if (!(settings.velocity > 0))
+      throw InputError("velocity", settings.velocity, "must be greater than 0")
+          .at(points.document, line);
+    program.set(settings);
+    program.line(positions[k], line);
+  }
+  return program;
+}
+
+/// [gcode]; returns the name of the program's file, "" without one.
+std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine& machine) {
+  auto gcode = top.optional_table("gcode");
+  if (!gcode) return "";
+  for (const char* other : {"command", "points"})
+    if (top.has(other)) top.fail("gcode", "", std::string("cannot be combined with ") + other);
+  if (const auto v = read_magnitude(*gcode, "rapid", axes.unit(1))) machine.rapid = *v;
+  if (const auto time = gcode->optional_choice("feed_time", feed_times))
+    machine.feed_time = *time == 0 ? 60 : 1;
+  std::size_t k = 0;
+  for (const char* key : {"G54", "G55", "G56", "G57", "G58", "G59"}) {
+    if (gcode->has(key)) machine.offsets[k] = read_position(*gcode, key, axes, {});
+    ++k;
+  }
+  const std::string file = gcode->optional_text("file").value_or("");
+  gcode->finish();
+  if (file.empty()) return "";
+  return (std::filesystem::path(top.document().name).parent_path() / file).string();
+}
+
+}  // namespace
+
+void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path) {
+  if (const std::string file = read_gcode_table(top, axes, path.machine); !file.empty()) {
+    set_gcode(path, read_file(file), file);
+  } else if (top.has("points")) {
+    const auto points = read_point_file(top, "command", columns_of(top, axes));
+    path.source = points->document;
+    path.program = program_of(*points, axes, settings);
+  } else {
+    for (TomlReader& command : top.tables("command"))
+      read_path_command(command, axes, settings, path.program);
+  }
+}
+
+}  // namespace jounce::detail
+
+namespace jounce {
+
+void set_gcode(PathSpec& path, std::string_view text, const std::string& document) {
+  if (!path.program.commands().empty())
+    throw InputError(
+        "--machine", path.source,
+        "has commands of its own: give a path spec without [[command]], points and file");
+  GcodeProgram made = parse_gcode(text, document, path.machine);
+  const auto commands = made.program.commands();
+  const bool moves = std::any_of(commands.begin(), commands.end(), [](const auto& command) {
+    return command.kind != Program::Kind::dwell;
+  });
+  if (!moves) throw InputError("G-code", "", "moves no axis").at(document, 1);
+  path.program = std::move(made.program);
+  path.events = std::move(made.events);
+  path.source = document;
+}
+
+}  // namespace jounce

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The examples of the PMC600 manual, chapter 8, and of the HMPL manual, 8.1.6, take the times that closed forms give:
+// a move of length L from rest to rest takes L / v + v / a without, and L / v + v / a + a / j with a limit of jerk.
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "jounce/design/input.hpp"
+
+namespace jounce::path_examples_test {
+namespace {
+
+const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
+
+double duration(const std::string& name) {
+  const std::vector<Input> all = inputs_of(read_spec(examples + name), name);
+  for (const Input& input : all) {
+    EXPECT_TRUE(check_all(input).ok()) << name << " " << input.axis;
+    EXPECT_NEAR(input.table.table.end(), all.front().plan->duration(), 1e-9) << name;
+  }
+  return all.front().plan->duration();
+}
+
+double move(double length, double v, double a) {
+  return length / v + v / a;
+}
+
+TEST(PathExamples, OfThePmc600TakeTheirTimes) {
+  const double pi = std::acos(-1);
+  EXPECT_NEAR(duration("pmc600-path/lines.toml"),
+              move(1500, 1000, 1000) + move(std::sqrt(3.5e6), 1000, 1000), 1e-9);
+  EXPECT_NEAR(duration("pmc600-path/arcs.toml"),
+              move(pi * 5000, 10000, 20000) + move(pi * 10000, 10000, 20000), 1e-9);
+  EXPECT_NEAR(duration("pmc600-path/helix.toml"),
+              move(std::hypot(7 * pi * 5000, 10000), 10000, 20000), 1e-9);
+  // Half the perimeter: tests/oracle/path.json, pmc600 8.4.
+  EXPECT_NEAR(duration("pmc600-path/ellipse.toml"), 2 * move(14180.833944487242, 10000, 20000),
+              1e-6);
+  EXPECT_NEAR(duration("pmc600-path/corners.toml"),
+              move(std::sqrt(2) * 1000, 1000, 2000) + 2 * move(std::sqrt(5e6), 1000, 2000), 1e-9);
+  const double diagonal = std::sqrt(2) * 50000;
+  EXPECT_NEAR(duration("pmc600-path/gcode.toml"),
+              move(diagonal, 50000, 500000) + move(diagonal, 30000, 300000), 1e-9);
+}
+
+TEST(PathExamples, OfHimcTakeTheirTimes) {
+  // v 100, j 25000: the ramp reaches no limit of acceleration and takes 2 sqrt(v / j).
+  const double ramp = 2 * std::sqrt(100.0 / 25000);
+  const auto with_jerk = [&](double length) { return length / 100 + ramp; };
+  EXPECT_NEAR(duration("himc-path/lines.toml"), 2 * with_jerk(std::sqrt(2) * 100), 1e-9);
+  EXPECT_NEAR(duration("himc-path/helix.toml"), with_jerk(std::hypot(10 * std::acos(-1) * 50, 100)),
+              1e-9);
+  const double square = duration("himc-path/square.toml");
+  EXPECT_LT(square, 4 * with_jerk(100));
+  EXPECT_GT(square, 3 * with_jerk(100) + 0.9);
+}
+
+TEST(PathExamples, OfTheSquareAreNeverSlowerThanStopping) {
+  EXPECT_NEAR(duration("path-square/stop.toml"), 4.8, 1e-9);
+  // spec of the corner: v 56.462162 mm/s in each, tests/oracle/path.json, closed form 3.
+  EXPECT_LE(duration("path-square/deviation.toml"), 4.568655 + 1e-6);
+  for (const char* mode : {"distance", "curvature", "velocity"})
+    EXPECT_LT(duration(std::string("path-square/") + mode + ".toml"), 4.8) << mode;
+}
+
+}  // namespace
+}  // namespace jounce::path_examples_test

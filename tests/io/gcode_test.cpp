@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/io/gcode.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::gcode_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+GcodeMachine machine() {
+  return {.axes = {{"x", "mm"}, {"y", "mm"}, {"z", "mm"}, {"c", "deg"}}, .path_axes = 3};
+}
+
+GcodeProgram parsed(const std::string& text, const GcodeMachine& of = machine()) {
+  return parse_gcode(text, "part.ngc", of);
+}
+
+std::string complaint(const std::string& text, const GcodeMachine& of = machine()) {
+  try {
+    (void)parsed(text, of);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+Point end_of(const std::string& text) {
+  return parsed(text).program.position();
+}
+
+TEST(Gcode, ReadsLinesWithTheirFeedCornerAndSourceLine) {
+  const GcodeProgram made = parsed(
+      "%\n(a part) ; of two lines\nN10 G21 G90 G64 P0.05\nN20 g1 x100 F6000\n\nY 50 ; up\nG61 "
+      "X0\n");
+  const Program& program = made.program;
+  ASSERT_EQ(program.commands().size(), 3U);
+  EXPECT_EQ(program.commands()[0].line, 4);
+  EXPECT_EQ(program.commands()[1].line, 6);
+  EXPECT_THAT(program.position(), ElementsAre(0, 50, 0, 0, 0, 0, 0, 0, 0));
+  const PathSettings& first = program.settings()[program.commands()[0].settings];
+  EXPECT_DOUBLE_EQ(first.velocity, 100);  // mm/s
+  EXPECT_EQ(first.corner, Corner::deviation);
+  EXPECT_DOUBLE_EQ(first.value, 0.05);
+  EXPECT_EQ(program.settings()[program.commands()[2].settings].corner, Corner::stop);
+}
+
+TEST(Gcode, CountsInInchesFromG20On) {
+  const Program program = parsed("G20 G64 P0.002\nG1 X1 C90 F60\nG21 Y25.4\n").program;
+  EXPECT_THAT(program.position(), ElementsAre(25.4, 25.4, 0, 90, 0, 0, 0, 0, 0));
+  const PathSettings& first = program.settings()[program.commands()[0].settings];
+  EXPECT_DOUBLE_EQ(first.velocity, 25.4);
+  EXPECT_DOUBLE_EQ(first.value, 0.0508);
+}
+
+TEST(Gcode, AddsIncrementsAndOffsets) {
+  GcodeMachine with = machine();
+  with.offsets[0] = Point{10, 20, 0};
+  with.offsets[2] = Point{-5, 0, 0};
+  EXPECT_THAT(parsed("G0 X1 Y1\nG91 X2\nG90 G56 Y7\n", with).program.position(),
+              ElementsAre(13, 7, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(complaint("G0 X1\nG55 Y1\n", with),
+              HasSubstr("part.ngc:2:1: G = 55: needs an offset"));
+  EXPECT_EQ(end_of("G54 G0 X1")[0], 1);
+}
+
+TEST(Gcode, TurnsClockwiseByG2AndCounterclockwiseByG3) {
+  const Program program =
+      parsed("F600\nG2 X10 Y0 I5\nG3 X10 Y10 R5\nG3 X10 Y-10 Z4 R-10.5\n").program;
+  ASSERT_EQ(program.arcs().size(), 3U);
+  // G2 from the left to the right of its center passes above it; G3 from below to above passes on the right.
+  EXPECT_NEAR(point_at(program.arcs()[0], std::numbers::pi / 2)[1], 5, 1e-12);
+  EXPECT_NEAR(point_at(program.arcs()[1], std::numbers::pi / 2)[0], 15, 1e-12);
+  EXPECT_GT(program.arcs()[2].sweep, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(program.arcs()[2].drift[2], 4);
+}
+
+TEST(Gcode, TakesARadiusThatIsRoundedDownForAHalfCircle) {
+  const Arc arc = parsed("F600\nG2 X7 Y7 R4.94974\n").program.arcs()[0];  // half the chord: 4.949747...
+  EXPECT_NEAR(arc.sweep, std::numbers::pi, 1e-9);
+  EXPECT_THAT(complaint("F600\nG2 X7 Y7 R4.9\n"), HasSubstr("is less than half the chord"));
+}
+
+TEST(Gcode, TakesTheCenterInTheSelectedPlane) {
+  // G18: from Z to X; counterclockwise from +X by a quarter is -Z.
+  const Arc arc = parsed("F600\nG0 X10\nG18 G3 X0 Z-10 I-10 K0\n").program.arcs()[0];
+  EXPECT_NEAR(arc.sweep, std::numbers::pi / 2, 1e-12);
+  const Arc absolute = parsed("F600\nG0 X10 Y3\nG90.1 G3 X-10 Y3 I0 J3\n").program.arcs()[0];
+  EXPECT_NEAR(absolute.radius, 10, 1e-12);
+  EXPECT_NEAR(parsed("F600 G2 I3\n").program.arcs()[0].sweep, 2 * std::numbers::pi, 1e-12);
+  EXPECT_THAT(complaint("F600 G2 X1 K1\n"),
+              HasSubstr("part.ngc:1:12: K = 1: is outside the plane"));
+}
+
+TEST(Gcode, HasTwoFeedsAndTwoAccelerations) {
+  GcodeMachine seconds = machine();
+  seconds.feed_time = 1;
+  const Program program =
+      parsed("F30000 E300000 FF50000 EF500000\nG0 X50000\nG1 X0\n", seconds).program;
+  const PathSettings& rapid = program.settings()[program.commands()[0].settings];
+  const PathSettings& feed = program.settings()[program.commands()[1].settings];
+  EXPECT_EQ(rapid.velocity, 50000);
+  EXPECT_EQ(rapid.acceleration, 500000);
+  EXPECT_EQ(feed.velocity, 30000);
+  EXPECT_EQ(feed.deceleration, 300000);
+}
+
+TEST(Gcode, CountsInTheUnitOfTimeOfTheProgram) {
+  GcodeMachine ms = machine();
+  ms.second = 1000;
+  const Program program = parsed("G1 X1 F60 E2000\nG4 P0.5\n", ms).program;
+  EXPECT_DOUBLE_EQ(program.settings()[0].velocity, 0.001);      // mm/ms
+  EXPECT_DOUBLE_EQ(program.settings()[0].acceleration, 0.002);  // mm/ms^2
+  EXPECT_DOUBLE_EQ(program.numbers()[program.commands()[1].data], 500);
+}
+
+TEST(Gcode, CountsFInTheUnitOfAFollowerThatMovesAlone) {
+  const Program program = parsed("G20 F60\nG1 C180\nX1\n").program;
+  EXPECT_DOUBLE_EQ(program.settings()[program.commands()[0].settings].velocity, 1);     // deg/s
+  EXPECT_DOUBLE_EQ(program.settings()[program.commands()[1].settings].velocity, 25.4);  // mm/s
+}
+
+TEST(Gcode, KeepsOtherWordsAsEvents) {
+  const GcodeProgram made =
+      parsed("T1 M6\nS12000 M3\nG0 X1 H3\nM8\nM1\nG0 X2\nM30\nthis is not read\n");
+  std::vector<std::string> words;
+  std::vector<int> lines;
+  for (const GcodeEvent& event : made.events) {
+    words.push_back(event.word);
+    lines.push_back(event.line);
+  }
+  EXPECT_THAT(words, ElementsAre("T1", "M6", "S12000", "M3", "H3", "M8", "M1", "M30"));
+  EXPECT_THAT(lines, ElementsAre(1, 1, 2, 2, 3, 4, 5, 7));
+  ASSERT_EQ(made.program.commands().size(), 3U);
+  EXPECT_EQ(made.program.commands()[1].kind, Program::Kind::dwell);  // M1 rests
+}
+
+TEST(Gcode, LeavesOutMovesThatMoveNothing) {
+  EXPECT_EQ(parsed("G0 X0 Y0\nG1 X1 F60\nX1\n").program.commands().size(), 1U);
+}
+
+TEST(Gcode, RefusesEverythingElseWithItsPlace) {
+  EXPECT_THAT(complaint("G1 X1 F60\nG5 X2\n"), HasSubstr("part.ngc:2:1: G = 5: is not supported"));
+  EXPECT_THAT(complaint("N1 G1\nG1 X1 N2\n"),
+              HasSubstr("part.ngc:2:7: N = 2: must be the first word"));
+  EXPECT_THAT(complaint("G1 X1\n"), HasSubstr("part.ngc:1:1: F: is missing"));
+  EXPECT_THAT(complaint("X1\n"), HasSubstr("part.ngc:1:1: X = 1: needs G0, G1, G2 or G3 first"));
+  EXPECT_THAT(complaint("G1 X1 X2 F6\n"),
+              HasSubstr("part.ngc:1:7: X = 2: is in this block a second time"));
+  EXPECT_THAT(complaint("G0 G1 X2\n"), HasSubstr("part.ngc:1:4: G = 1: contradicts"));
+  EXPECT_THAT(complaint("G1 X#1\n"), HasSubstr("part.ngc:1:4: G-code = X#: needs a number"));
+  EXPECT_THAT(complaint("G1 X1.2.3\n"), HasSubstr("part.ngc:1:8: G-code = .: is not a word"));
+  EXPECT_THAT(complaint("G1 A5\n"), HasSubstr("part.ngc:1:4: A = 5: is the position of an axis"));
+  EXPECT_THAT(complaint("G1 X1 (open\n"), HasSubstr("part.ngc:1:7: G-code = (: needs a )"));
+  EXPECT_THAT(complaint("G1 X5 P1\n"), HasSubstr("part.ngc:1:7: P = 1: belongs to G4 or to G64"));
+  EXPECT_THAT(complaint("G4 P-1\n"), HasSubstr("part.ngc:1:4: P = -1: must not be negative"));
+  EXPECT_THAT(complaint("G4 X1\n"), HasSubstr("part.ngc:1:1: G4: needs P"));
+  EXPECT_THAT(complaint("G4 G64 P1\n"), HasSubstr("part.ngc:1:1: G64: must not be in the block"));
+  EXPECT_THAT(complaint("G64\n"), HasSubstr("part.ngc:1:1: G = 64: needs P"));
+  EXPECT_THAT(complaint("F0\n"), HasSubstr("part.ngc:1:1: F = 0: must be greater than 0"));
+  EXPECT_THAT(complaint("F60 G2 X1\n"), HasSubstr("part.ngc:1:8: X = 1: needs a center"));
+  EXPECT_THAT(complaint("F60 G1 X1 I1\n"), HasSubstr("part.ngc:1:11: I = 1: belongs to an arc"));
+  EXPECT_THAT(complaint("F60 G2 X1 I1 R1\n"),
+              HasSubstr("part.ngc:1:14: R = 1: must not be beside"));
+  EXPECT_THAT(complaint("F60 G2 X10 R1\n"),
+              HasSubstr("part.ngc:1:12: radius = 1: is less than half"));
+  EXPECT_THAT(complaint("F60 G2 X10 I2\n"), HasSubstr("part.ngc:1:12: center"));
+  EXPECT_THAT(complaint("G1 X1e5 F60\n"), HasSubstr("part.ngc:1:6: G-code = E: needs a space"));
+  EXPECT_THAT(complaint("G1 X" + std::string(400, '9') + "\n"), HasSubstr("part.ngc:1:4"));
+  EXPECT_THAT(complaint("G1 X1\xff\n"), HasSubstr("part.ngc:1:6: G-code = ?: is not a word"));
+}
+
+TEST(Gcode, NeedsALengthForG20AndLettersForItsAxes) {
+  GcodeMachine pulses{.axes = {{"X", "pulse"}}};
+  EXPECT_THAT(complaint("G21\n", pulses), HasSubstr("part.ngc:1:1: G = 21: needs axes"));
+  pulses.axes[0].name = "gantry";
+  EXPECT_THAT(complaint("G0\n", pulses), HasSubstr("axis.name"));
+}
+
+TEST(Gcode, IsRecognizedByItsFirstWord) {
+  for (const char* text : {"%\nG0", "(part)", "N10 G1", "\n\n g21", "G1X2"})
+    EXPECT_TRUE(begins_as_gcode(text)) << text;
+  for (const char* text : {"jounce = 1", "", "time,position\n", "# G1", "[path]"})
+    EXPECT_FALSE(begins_as_gcode(text)) << text;
+}
+
+}  // namespace
+}  // namespace jounce::gcode_test

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/base/file.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/spec/spec.hpp"
+
+namespace jounce::path_spec_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string head = R"(jounce = 1
+kind = "path"
+units = { position = "mm", time = "s" }
+[[axis]]
+name = "x"
+limits = { velocity = 200, acceleration = 1000, jerk = 10000 }
+[[axis]]
+name = "y"
+limits = { velocity = 200, acceleration = 1000, jerk = 10000 }
+[[axis]]
+name = "c"
+unit = "deg"
+follower = true
+limits = { velocity = 360, acceleration = 1000, jerk = 10000 }
+)";  // 14 lines
+
+PathSpec read(const std::string& rest, const std::string& before = head) {
+  return std::get<PathSpec>(parse_spec(before + rest, "path.toml").subject);
+}
+
+std::string complaint(const std::string& rest, const std::string& before = head) {
+  try {
+    (void)read(rest, before);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::string command(const std::string& keys) {
+  return "[path]\nvelocity = 100\n[[command]]\n" + keys + "\n";
+}
+
+TEST(PathSpecFile, ReadsCommandsWithTheirLines) {
+  const PathSpec path = read(R"([path]
+velocity = 100
+corner = { deviation = "50 um" }
+start = [1, 2, 3]
+limits = { acceleration = 500, jerk = 5000, normal_acceleration = 800 }
+[[command]]
+type = "line"
+to = [100, 0, "0.5 rev"]
+[[command]]
+type = "dwell"
+time = "200 ms"
+[[command]]
+type = "line"
+to = [10, 5, -90]
+relative = true
+velocity = 50
+corner = "stop"
+junction = "buffered"
+acceleration = 100
+)");
+  const Program& program = path.program;
+  EXPECT_EQ(program.path_axes(), 2U);
+  EXPECT_THAT(program.start(), ElementsAre(1, 2, 3, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(program.position(), ElementsAre(110, 5, 90, 0, 0, 0, 0, 0, 0));
+  ASSERT_EQ(program.commands().size(), 3U);
+  EXPECT_EQ(program.commands()[0].line, 20);
+  EXPECT_EQ(program.commands()[2].line, 26);
+  EXPECT_EQ(path.source, "path.toml");
+  const PathSettings& first = program.settings()[program.commands()[0].settings];
+  EXPECT_EQ(first.corner, Corner::deviation);
+  EXPECT_DOUBLE_EQ(first.value, 0.05);
+  const PathSettings& last = program.settings()[program.commands()[2].settings];
+  EXPECT_EQ(last.velocity, 50);
+  EXPECT_EQ(last.corner, Corner::stop);
+  EXPECT_EQ(last.junction, Junction::buffered);
+  EXPECT_EQ(last.deceleration, 100);
+  EXPECT_EQ(path.limits.path.deceleration, 500);
+  EXPECT_EQ(path.limits.path.normal_acceleration, 800);
+  EXPECT_EQ(path.limits.axes[2].velocity, 360);
+}
+
+TEST(PathSpecFile, ReadsEachDefinitionOfAnArc) {
+  const auto arc = [](const std::string& keys) {
+    return read(command("type = \"arc\"\n" + keys)).program.arcs()[0];
+  };
+  const double half = std::numbers::pi;
+  EXPECT_NEAR(arc("via = [50, 50, 0]\nto = [100, 0, 0]").sweep, half, 1e-12);
+  EXPECT_NEAR(
+      arc("center = [50, 0, 0]\nto = [100, 0, 0]\nrotation = \"clockwise\"\nturns = 2").sweep,
+      5 * half, 1e-12);
+  EXPECT_NEAR(arc("radius = 50\nto = [100, 0, 8]\nrotation = \"counterclockwise\"").sweep, half,
+              1e-12);
+  EXPECT_NEAR(arc("center = [50, 0, 0]\nangle = -90").to[1], 50, 1e-12);
+  EXPECT_NEAR(arc("center = [50, 0, 0]\nangle = \"0.25 rev\"\nrelative = true").to[1], -50, 1e-12);
+  // In the plane y, x the senses change sides.
+  EXPECT_NEAR(arc("center = [50, 0, 0]\nangle = 90\nplane = [\"y\", \"x\"]").to[1], 50, 1e-12);
+}
+
+TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
+  EXPECT_THAT(complaint(command("type = \"arc\"\nvia = [1, 1, 0]\nto = [2, 0, 0]\nradius = 3")),
+              HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key of this table"));
+  EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
+              HasSubstr("path.toml:21:1: command[1].to = an array: is not a key of this table"));
+  EXPECT_THAT(complaint(command("type = \"dwell\"\ntime = 1\nvelocity = 3")),
+              HasSubstr("command[1].velocity"));
+  EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 0]\nturns = 1")),
+              HasSubstr("command[1].turns"));
+  EXPECT_THAT(complaint("[path]\ncorner = { deviation = 1, distance = 2 }\n"),
+              HasSubstr("path.toml:16:"));
+  EXPECT_THAT(complaint("[path]\n[gcode]\nrapid = 3\n[[command]]\ntype = \"dwell\"\ntime = 1\n"),
+              HasSubstr("gcode: cannot be combined with command"));
+}
+
+TEST(PathSpecFile, PlacesItsErrors) {
+  EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2]")),
+              HasSubstr("path.toml:19:6: command[1].to = an array: must be a list of 3 numbers"));
+  EXPECT_THAT(
+      complaint(command("type = \"arc\"\nradius = 3\nto = [100, 0, 0]\nrotation = \"clockwise\"")),
+      HasSubstr("path.toml:19:10: command[1].radius = 3: is less than half the chord"));
+  EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [60, 0, 0]\nto = [100, 0, 0]\nrotation = "
+                                "\"clockwise\"")),
+              HasSubstr("path.toml:19:10: command[1].center"));
+  EXPECT_THAT(complaint("[path]\nvelocity = 0\n"),
+              HasSubstr("path.toml:16:12: path.velocity = 0: must be greater than 0"));
+  EXPECT_THAT(complaint("[path]\n[[axis]]\nname = \"z\"\n"),
+              HasSubstr("axis[4].follower: is missing"));
+  const std::string two =
+      "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\" }\n[[axis]]\nname = \"x\"\n";
+  EXPECT_THAT(complaint("[[axis]]\nname = \"c\"\nunit = \"deg\"\n[path]\n", two),
+              HasSubstr("axis[2].unit = \"deg\": must be mm"));
+  EXPECT_THAT(complaint("follower = true\n[path]\n", two),
+              HasSubstr("needs one that is not a follower"));
+}
+
+TEST(PathSpecFile, IsAMachineWithoutCommands) {
+  PathSpec path =
+      read("[path]\nvelocity = 100\n[gcode]\nrapid = \"12 m/min\"\nG54 = [10, 0, 0]\n",
+           "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\" }\n[[axis]]\nname = "
+           "\"x\"\n[[axis]]\nname = \"y\"\n[[axis]]\nname = \"z\"\n");
+  EXPECT_TRUE(path.program.commands().empty());
+  set_gcode(path, "G0 X5\nG1 X7 M8\n", "part.ngc");
+  EXPECT_EQ(path.program.position()[0], 17);
+  EXPECT_EQ(path.program.settings()[path.program.commands()[0].settings].velocity, 200);
+  EXPECT_EQ(path.program.settings()[path.program.commands()[1].settings].velocity, 100);
+  EXPECT_EQ(path.source, "part.ngc");
+  EXPECT_EQ(path.events.size(), 1U);
+  EXPECT_THROW(set_gcode(path, "G0 X5\n", "part.ngc"), InputError);
+}
+
+/// A spec with a file beside it.
+class PathBesideFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(::testing::TempDir()) /
+              ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  PathSpec with(const std::string& top, const std::string& name, const std::string& text) {
+    write_file((folder_ / name).string(), text);
+    write_file((folder_ / "spec.toml").string(),
+               "jounce = 1\n" + top +
+                   "kind = \"path\"\nunits = { position = \"mm\" }\npath = { velocity = 100 }\n"
+                   "axis = [{ name = \"X\" }, { name = \"Y\" }]\n");
+    return std::get<PathSpec>(read_spec((folder_ / "spec.toml").string()).subject);
+  }
+
+  std::string complaint(const std::string& top, const std::string& name, const std::string& text) {
+    try {
+      (void)with(top, name, text);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      return what.substr(what.rfind('/', what.find(": ")) + 1);
+    }
+    return "none";
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(PathBesideFile, TakesPointsWithTheirFeeds) {
+  const PathSpec path = with("points = \"p.csv\"\n", "p.csv",
+                             "x [cm];y [mm];velocity [m/min]\n1;0;6\n2;0;3\n2;30;6\n");
+  EXPECT_EQ(path.program.start()[0], 10);
+  ASSERT_EQ(path.program.commands().size(), 2U);
+  EXPECT_EQ(path.program.commands()[1].line, 4);
+  EXPECT_DOUBLE_EQ(path.program.settings()[path.program.commands()[0].settings].velocity, 50);
+  EXPECT_THAT(path.source, HasSubstr("p.csv"));
+}
+
+TEST_F(PathBesideFile, RefusesPointsThatDoNotFit) {
+  const std::string top = "points = \"p.csv\"\n";
+  EXPECT_EQ(complaint(top, "p.csv", "x,y,z\n1,2,3\n2,3,4\n"),
+            "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y");
+  EXPECT_THAT(complaint(top, "p.csv", "x,y\n1,2\n"),
+              HasSubstr("p.csv:2: row = 1: is the only point"));
+  EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"), HasSubstr("p.csv:1: y"));
+  EXPECT_THAT(complaint(top, "p.csv", "x,y,velocity\n1,2,1\n2,3,0\n"),
+              HasSubstr("p.csv:3: velocity = 0"));
+}
+
+TEST_F(PathBesideFile, TakesAGcodeProgram) {
+  const PathSpec path = with("gcode = { file = \"part.ngc\" }\n", "part.ngc", "G1 X10 F600\nY10\n");
+  EXPECT_EQ(path.program.commands().size(), 2U);
+  EXPECT_THAT(complaint("gcode = { file = \"part.ngc\" }\n", "part.ngc", "G1 X10 F600\nQ10\n"),
+              HasSubstr("part.ngc:2:1: Q = 10: is not a word"));
+}
+
+}  // namespace
+}  // namespace jounce::path_spec_test
