@@ -15,7 +15,8 @@ void require_valid(const OptimizeOptions& options, double greatest_tolerance) {
     throw InputError("starts", *options.starts, "must be at least 1");
   if (const auto most = options.budget.evaluations; most && *most < 1)
     throw InputError("max_evaluations", *most, "must be at least 1");
-  if (options.budget.seconds) require_positive("seconds", *options.budget.seconds);
+  if (const auto seconds = options.budget.seconds; seconds && !(*seconds > 0))
+    throw InputError("seconds", *seconds, "must be greater than 0");
 }
 
 const char* name(OptimizeStatus status) {

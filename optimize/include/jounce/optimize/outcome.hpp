@@ -29,7 +29,8 @@ namespace jounce {
 /// Effort that ends a run. A run that ends so is `stalled`, with its best result so far.
 struct Budget {
   std::optional<int> evaluations = {};  ///< >= 1; none: the optimizer's own number
-  std::optional<double> seconds = {};   ///< > 0; the result then depends on the machine
+  std::optional<double> seconds =
+      {};  ///< > 0, may be infinite; the result then depends on the machine
 };
 
 /// Options of an optimizer. The same problem, options and evaluations give the same outcome.
