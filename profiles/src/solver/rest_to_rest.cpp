@@ -16,7 +16,7 @@ double power_of_two(std::int64_t n) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
 }
 
-/// The cube root of a normal number; the same in all units that are powers of two of each other.
+/// The cube root of a normal number. Units that differ by powers of two give the same result.
 double root_in_units(double x, double per_x) {
   const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);
   const std::int64_t thirds = exponent / 3 - 341;
@@ -52,7 +52,7 @@ void RestToRest::rise_to(double vp) noexcept {
   lasts_ = k_ * z_ + hold_;
 }
 
-/// E, from (1) and what the hold adds to it.
+/// E, from (1) and the part of the hold.
 Vector2 RestToRest::lost() const noexcept {
   const Vector2 at_first = k_ * (k_ + p_) * (z_ * z_ * z_) / 6;
   return at_first + hold_ * (z_ * z_ * (k_ + p_) + hold_ * z_) / 2;
@@ -103,7 +103,7 @@ bool RestToRest::solve_lasting(double t) noexcept {
   return cruise_ > 0 && vp_ <= vmax_;
 }
 
-/// (3) with (1): with g = z/z0, where z0 does without a loss, g^2 - u g^3 = 1.
+/// (3) with (1): with g = z/z0, where z0 is z without a loss, g^2 - u g^3 = 1.
 bool RestToRest::pass_in(double t) noexcept {
   const double z0 = std::sqrt(2 * d_ / (k_ * t));
   const double u = 2 * (k_ + p_) * z0 / (3 * t);
