@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves, samples and witnesses cost; cams in cam_bench.cpp. Run: build/release/bench/bench_jounce --benchmark_repetitions=9
+// The cost of moves, samples and witnesses; cam_bench.cpp measures cams.
+// Run: build/release/bench/bench_curve --benchmark_repetitions=9
 // Results: docs/performance.md.
 #include <cstdint>
 #include <vector>

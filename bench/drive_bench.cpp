@@ -159,7 +159,7 @@ BENCHMARK(monte_carlo_by_integration)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
-/// As over_tolerances() does it.
+/// The method of over_tolerances().
 void monte_carlo_exact(benchmark::State& state) {
   const Trajectory move = s_curve_second();
   monte_carlo(state, [&](const Drive& drive) {

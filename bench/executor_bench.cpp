@@ -24,7 +24,7 @@ AxisConfig config() {
   return axis;
 }
 
-/// There and back for ever by quintics, in 64 pieces.
+/// There and back without end by quintics, in 64 pieces.
 std::shared_ptr<const Table> turning() {
   Columns c;
   const double w = 2 * M_PI;

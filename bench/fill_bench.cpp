@@ -99,7 +99,7 @@ BENCHMARK_CAPTURE(fill, jerk, Filling::minimum_jerk, Interpolation::quintic_herm
 void boost_pchip(benchmark::State& state) {
   const Data all = data(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) {
-    auto x = all.x, p = all.p;  // which it takes away
+    auto x = all.x, p = all.p;  // pchip() consumes both
     benchmark::DoNotOptimize(boost::math::interpolators::pchip(std::move(x), std::move(p)));
   }
   report(state);

@@ -43,7 +43,7 @@ std::vector<MachineAxis> axes(std::size_t count, bool follow) {
   return all;
 }
 
-/// There and back in a second, for ever, over 1000 knots.
+/// There and back in a second, without end, over 1000 knots.
 std::shared_ptr<const Table> table() {
   Columns columns;
   for (int i = 0; i <= 1000; ++i) {

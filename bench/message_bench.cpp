@@ -44,7 +44,7 @@ void Decode(benchmark::State& state) {
 }
 BENCHMARK(Decode)->Arg(0)->Arg(1);
 
-/// What a flood of forged messages costs the executor, each.
+/// The cost of one forged message of a flood to the executor.
 void Refuse(benchmark::State& state) {
   const auto key = key_of(state);
   const wire::Bytes bytes = wire::encode(full_chunk(), wire::Key{9});

@@ -117,7 +117,7 @@ void encoder_master(benchmark::State& state) {
 }
 BENCHMARK(encoder_master);
 
-/// With one sample a cycle, received and taken.
+/// One sample is received and taken in each cycle.
 void external_master(benchmark::State& state) {
   ExternalMaster master({.velocity = 3, .acceleration = 20});
   std::int64_t tick = 0;

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <kdl/velocityprofile_trap.hpp>
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/moves/batch.hpp"
@@ -20,6 +19,9 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/synchronise.hpp"
 
+#ifdef JOUNCE_BENCH_KDL
+#include <kdl/velocityprofile_trap.hpp>
+#endif
 #ifdef JOUNCE_BENCH_RUCKIG
 #include <ruckig/ruckig.hpp>
 #endif
@@ -302,6 +304,7 @@ void fourth_order_jounce(benchmark::State& state) {
 }
 BENCHMARK(fourth_order_jounce);
 
+#ifdef JOUNCE_BENCH_KDL
 void trapezoid_kdl(benchmark::State& state) {
   measure(state, make<1>(&Source::resting), [](const auto& c) {
     KDL::VelocityProfile_Trap profile(c[0].velocity, c[0].acceleration);
@@ -310,6 +313,7 @@ void trapezoid_kdl(benchmark::State& state) {
   });
 }
 BENCHMARK(trapezoid_kdl);
+#endif
 
 void trapezoid_jounce(benchmark::State& state) {
   measure(state, make<1>(&Source::resting), [](const auto& c) {

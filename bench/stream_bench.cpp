@@ -136,7 +136,7 @@ Blind blind(const Table& table) {
   return {count * bytes / time, count / header.chunks};
 }
 
-/// What this process has computed so far, s: all its threads, and the kernel for it.
+/// The processor time of this process so far, s: all its threads, and the kernel for it.
 double computed() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/moves/s_curve.hpp"
+
 #include "support/random.hpp"
 
 namespace jounce::synchronise_test {
@@ -40,6 +42,58 @@ TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
     for (const auto& axis : axes)
       all = all && durations(axis.from, axis.to, axis.bounds).allows(s.duration * (1 - 1e-9));
     EXPECT_FALSE(all) << i;
+    if (HasFailure()) break;
+  }
+}
+
+/// The greatest error of a profile's end, integrated phase by phase, and by how much a phase's end exceeds a bound.
+struct Walk {
+  double end = 0;     ///< relative to the distance
+  double excess = 0;  ///< relative to the bound
+};
+Walk walk(const Profile& profile, const Bounds& b) {
+  Walk worst;
+  MotionState s = profile.start();
+  for (std::size_t i = 0; i < profile.phases(); ++i) {
+    const auto [t, j] = profile.phase(i);
+    s = {s.position + t * (s.velocity + t * (s.acceleration / 2 + t * j / 6)),
+         s.velocity + t * (s.acceleration + t * j / 2), s.acceleration + t * j};
+    worst.excess =
+        std::max({worst.excess, std::abs(s.velocity) / b.velocity_max - 1,
+                  std::abs(s.acceleration) / b.acceleration_max - 1, std::abs(j) / b.jerk_max - 1});
+  }
+  const double distance = profile.end().position - profile.start().position;
+  worst.end = std::abs(s.position - profile.end().position) / std::abs(distance);
+  return worst;
+}
+
+TEST(Synchronise, FromRestToRestAllLastAsLongAsTheSlowest) {
+  test::Random random(47);
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(20)));
+    double slowest = 0;
+    for (auto& axis : axes) {
+      const double v = random.log_uniform(1e-2, 1e2);
+      const double a = random.log_uniform(1e-2, 1e2);
+      const double j = random.log_uniform(1e-2, 1e2);
+      const double d = random.log_uniform(1e-3, 1e3);
+      axis = {{0}, {random.below(2) == 0 ? d : -d}, within(v, a, j)};
+      slowest = std::max(
+          slowest, s_curve({.to = d, .velocity = v, .acceleration = a, .jerk = j}).duration());
+    }
+    const double least = random.below(2) * random.log_uniform(1e-1, 1e2);
+    const double grid = random.below(2) * 0.25;
+    std::vector<Profile> out(axes.size());
+    const Synchronised s = synchronise(axes, Sync::time, out, least, grid);
+    ASSERT_EQ(s.status, MoveStatus::ok) << i;
+    EXPECT_GE(s.duration, std::max(slowest, least) * (1 - 1e-12)) << i;
+    EXPECT_LE(s.duration, std::max(slowest, least) * (1 + 1e-12) + grid) << i;
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      EXPECT_NEAR(out[k].duration(), s.duration, 1e-12 * s.duration) << i << " axis " << k;
+      const Walk walked = walk(out[k], axes[k].bounds);
+      EXPECT_LE(walked.end, 1e-12) << i << " axis " << k;
+      EXPECT_LE(walked.excess, 1e-12) << i << " axis " << k;
+    }
     if (HasFailure()) break;
   }
 }

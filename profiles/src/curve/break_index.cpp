@@ -14,7 +14,7 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   const std::size_t intervals = breaks.size() - 1;
   const std::size_t cells = per_interval * intervals;
   const double scale = static_cast<double>(cells) / (breaks.back() - breaks.front());
-  // Few are searched at once; so are lengths whose reciprocal over- or underflows.
+  // Few breaks need no index. Lengths whose reciprocal over- or underflows have none.
   if (intervals <= few || !std::isnormal(scale)) return;
   start_ = breaks.front();
   cells_per_unit_ = scale;
@@ -22,8 +22,7 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   detail::reserve_large(before_, cells + 2);
   before_.resize(cells + 2);
   // Breaks ascend, and so do their cells: up to that of break i, i - 1 interior ones lie before.
-  // Two cells are written without asking, as many as an interval has of equal length; what is too
-  // much is written over.
+  // Two cells are always written, as many as each of equal intervals has. Surplus cells are overwritten.
   std::uint32_t* next = before_.data();
   for (std::uint32_t i = 1; i < intervals; ++i) {
     std::uint32_t* const end = before_.data() + cell(breaks[i]) + 1;

@@ -15,23 +15,23 @@
 
 // A piece of the inner, y(s) for s in [0, 1], lies within one segment of the outer, F(r) with
 // r = (y - b) / L, b its break and L its length. Written about the piece's own start, r = r0 + d(s)
-// with d(0) = 0, nothing cancels however many segments lie before b:
+// with d(0) = 0, no terms cancel, for any number of segments before b:
 //
 //   (1)  r0 = (y(0) - b) / L,   d(s) = (y(s) - y(0)) / L
 //   (2)  F(r0 + d) = sum over k of F_k d^k,   F_k the Taylor coefficients of F at r0
 //   (3)  A sin(w (r0 + d1 s) + p) = A sin(w d1 s + (p + w r0))   where d = d1 s
 //
-// (2) by Horner's rule over polynomials. Far from the axis' origin (1) has few digits in a short
-// segment, and the place where y passes a break has few. So r0 is 0 or 1 where the piece begins at
-// a break and continues the piece before within a segment; and a piece that ends at a break, r1,
+// (2) is evaluated by Horner's rule over polynomials. Far from the axis' origin (1) has few digits in a short
+// segment, and so has the place where y passes a break. So r0 is 0 or 1 where the piece begins at
+// a break, and continues the previous piece within a segment. A piece that ends at a break, r1,
 // ends there exactly: d and the piece's length are both multiplied by
 //
 //   (4)  (r1 - r0) / d(1)
 //
 // which moves the place by rounding and leaves the slope as it is.
 //
-// Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp): its
-// coefficients at both ends, and the majorant of the twelfth, come of (2) with series for F and d.
+// Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2) with
+// series for F and d gives its coefficients at both ends and the majorant of the twelfth derivative.
 
 namespace jounce {
 namespace {
@@ -75,7 +75,7 @@ struct Piece {
   double start = 0;
   Segment inner;
   double r0 = 0;
-  std::optional<double> r1 = {};  ///< known where the piece ends at a break
+  std::optional<double> r1 = {};  ///< set where the piece ends at a break
 
   [[nodiscard]] double end() const {
     return r1 ? *r1 : r0 + (value(inner, 1) - value(inner, 0)) / outer.length;
@@ -110,7 +110,7 @@ std::optional<Segment> substituted(const Piece& p) {
   return g;
 }
 
-/// The outer's segments, by any position on its axis: outside its interval as its policy says.
+/// The outer's segments by any position on its axis: outside its interval by its policy.
 template <class Outer>
 class Places {
  public:
@@ -161,8 +161,8 @@ class Places {
   const Curve<Outer>& f_;
 };
 
-/// The pieces add up to the inner's length but for rounding: one of the longest takes that up. A sum
-/// that lies half between two doubles needs half of it, or another piece.
+/// The pieces add up to the inner's length but for rounding: one of the longest takes up the difference. A sum
+/// that lies half-way between two doubles needs half of that, or another piece.
 template <class Inner>
 Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
   Curve<Inner> g(pieces, inner.start(), inner.outside());
@@ -189,7 +189,7 @@ struct Cut {
   std::optional<double> level = {};  ///< the outer's break that is passed there
 };
 
-/// Where the inner segment passes a break of the outer, 0 and 1 included.
+/// The places where the inner segment passes a break of the outer, 0 and 1 included.
 template <class Outer>
 void cuts(const Places<Outer>& places, const Segment& inner, std::vector<Cut>& out) {
   out.assign(1, Cut{});
@@ -229,7 +229,7 @@ void require_inside(const Curve<Outer>& outer, const Curve<Inner>& inner) {
                            number(outer.end()));
 }
 
-/// Which segment of the outer a piece of the inner lies in, and where in it.
+/// The segment of the outer in which a piece of the inner lies, and the place in it.
 template <class Outer>
 Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double> first,
              std::optional<double> last, const std::optional<Piece>& before) {
@@ -280,7 +280,7 @@ struct Fit {
   }
 };
 
-/// The composition, piece by piece; `otherwise` appends what stands for a piece that does not fit.
+/// The composition, piece by piece; `otherwise` appends a replacement for a piece that does not fit.
 template <class Outer, class Inner, class Otherwise>
 Curve<Inner> assembled(const Curve<Outer>& outer, const Curve<Inner>& inner, Otherwise otherwise) {
   require_inside(outer, inner);

@@ -9,18 +9,18 @@
 #include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/error.hpp"
 
-// What rounding may amount to. A segment's numbers carry a relative error of a few epsilon each, so
-// its value carries one of
+// Bounds of the rounding error. Each number of a segment has a relative error of a few epsilon, so the
+// error of its value is
 //
 //   (1)  r_0 = 16 eps M,   M the sum of the magnitudes of its terms,
 //
-// and a derivative by u brings a factor of at most n / L for a polynomial of degree n over a length
-// L, of w / L for a sine that turns through the angle w:
+// and each derivative by u multiplies that by at most n / L for a polynomial of degree n over a length
+// L, and by w / L for a sine that turns through the angle w:
 //
 //   (2)  r_k = r_0 (max(1, n, w) / L)^k.
 //
-// M counts the value itself: a table's jerk is made of differences of its positions, whose rounding
-// is that of the positions.
+// M includes the value itself: a table's jerk is computed from differences of its positions, with the rounding
+// of the positions.
 //
 // Sines that do not fit. Over a piece on which it turns through h <= 1/16, the Taylor polynomial of
 // degree 11 of A sin(h s + phase) leaves in the k-th derivative at most
@@ -31,7 +31,7 @@
 namespace jounce {
 namespace {
 
-constexpr double widest_angle = 1.0 / 16;  // of (3)
+constexpr double widest_angle = 1.0 / 16;  // see (3)
 
 double widest(const Segment& f) {
   double angle = 0;
@@ -84,7 +84,7 @@ std::vector<Segment> subtracted(const Segment& after, const Segment& before) {
   return all;
 }
 
-/// The largest difference, of those beyond rounding if there are any.
+/// The largest difference, among those beyond rounding if there are any.
 template <class Over>
 Change largest_change(const Difference<Over>& d, const std::vector<Ranges>& ranges, std::size_t k) {
   Change change;
@@ -184,7 +184,7 @@ Jet rounding_at(const Curve<Over>& f, double x) {
   return r;
 }
 
-/// What became of the knots: pairs first, then what is left of either curve.
+/// The changes of the knots: pairs first, then the rest of either curve.
 template <class Over>
 class Matching {
  public:
@@ -197,7 +197,7 @@ class Matching {
   }
 
   std::vector<KnotChange> run() {
-    std::size_t i = 0;  // of a, and k of b: the first that no pair has taken
+    std::size_t i = 0;  // first knot of a without a pair; k: the same of b
     std::size_t k = 0;
     for (std::size_t m = 0, n = 0; m < a_.size() && n < b_.size();) {
       if (detail::same_place(a_[m].where, b_[n].where, scale_)) {

@@ -13,13 +13,13 @@
 namespace jounce {
 namespace {
 
-/// `noise`: by how much a candidate must be better, so that rounding does not move the place.
+/// `noise`: the least improvement of a new candidate, so that rounding does not move the place.
 void widen(Range& range, const Extremum& candidate, double noise = 0) {
   if (candidate.value < range.min.value - noise) range.min = candidate;
   if (candidate.value > range.max.value + noise) range.max = candidate;
 }
 
-/// Whether f keeps its sign but for less than `flat` on average: the integral over s of a Bernstein
+/// True if f keeps its sign but for less than `flat` on average: the integral over s of a Bernstein
 /// polynomial of degree n is at most that of its coefficients of one sign, their sum / (n + 1).
 bool keeps_sign(const Segment& f, double flat) {
   if (f.sines > 0) return false;
@@ -38,8 +38,8 @@ Range range_on(const Segment& g, const Segment& dg, double start, double end) {
   const Extremum first{value(g, 0), start, Side::right};
   Range range{first, first};
   const double noise = 2e-16 * magnitude(g);
-  // Where |g'| stays below this, g moves by less than its own rounding over the whole segment; and
-  // where g' passes zero by no more than that, nothing within lies beyond both ends.
+  // If |g'| stays below this, g changes by less than its own rounding over the whole segment. If
+  // g' passes zero by no more than this, no value within lies beyond both ends.
   const double flat = noise / g.length;
   if (flat > 0 && !keeps_sign(dg, flat)) {
     thread_local std::vector<double> critical;

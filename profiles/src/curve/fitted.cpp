@@ -112,7 +112,7 @@ void require_fitting(std::size_t pieces) {
 
 namespace {
 
-/// A segment that is to be without sines.
+/// A segment that becomes one without sines.
 struct Whole {
   Segment f;
 

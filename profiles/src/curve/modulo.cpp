@@ -38,7 +38,8 @@ struct Ways {
 
   [[nodiscard]] double at(double sign) const {
     const double d = forward(from, to, period);
-    const double rounding = 1e-12 * period;  // so near counts as there: no turn for the last digit
+    const double rounding =
+        1e-12 * period;  // so near counts as arrived: no turn for the last digit
     const double turns = (stop - d) / period;
     const double nearest = d + std::nearbyint(turns) * period;
     if (nearest != 0 && std::abs(nearest - stop) <= rounding) return stop;

@@ -6,16 +6,16 @@
 
 #include "profiles/src/solver/span.hpp"
 
-// Ramps and ways between velocities: detail/span.hpp, (1) to (5).
+// Ramps and motions between velocities: detail/span.hpp, (1) to (5).
 //
 // The entry velocity of a single ramp over D to v, by (1) and (2) of e = entry - v:
 //
 //   (6)  A reached, z = e/A:         A z^2 + (2v + A tau) z = 2 (D - v tau)
 //   (7)  otherwise, x = sqrt(e/J):   J x^3 + 2v x = D
 //
-// (7) is convex; either term alone bounds its root, by at most 47 % too high. The fastest stop from
-// v, a brings the acceleration to -+p, holds it there if p = A, and lets it go. With v + a |a|/(2J)
-// > 0, the velocity that is left when a is just let go (else mirrored), and while p <= A,
+// (7) is convex. Either term alone bounds its root, by at most 47 % too high. The fastest stop from
+// v, a brings the acceleration to -+p, holds it there if p = A, and brings it back to 0. v + a |a|/(2J) is the
+// velocity at which a is 0 if it goes there at once. Where that is > 0 (else mirrored), and while p <= A,
 //
 //   (8)  p = sqrt(J v + a^2/2)       from  (a^2 - p^2)/(2J) - p^2/(2J) = -v
 
@@ -51,8 +51,8 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
   return walk.done;
 }
 
-/// The fastest way. One that is too short for the direct ramp only by rounding of the velocities,
-/// as entry_velocity answers them, is that ramp.
+/// The fastest motion. If the distance is too short for the direct ramp only by rounding of the velocities
+/// that entry_velocity() returns, it is that ramp.
 constexpr double rounding = 1e-15;
 std::optional<detail::Way<double>> way(double distance, const SpanEnds& ends, const Ramp& ramp) {
   const bool possible = valid(ramp) && detail::is_magnitude(distance) && ends.entry >= 0 &&

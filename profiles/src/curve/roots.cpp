@@ -19,8 +19,8 @@ namespace {
 /// the remainder is at most angle^12 / 12! = 1.3e-16.
 constexpr double widest_angle = 0.25;
 
-/// f with each sine, which spans at most widest_angle, replaced by that polynomial. Only so do a
-/// sine and a polynomial that nearly cancel (the error of a table) leave a tight enclosure.
+/// f with each sine, which spans at most widest_angle, replaced by that polynomial. Without this, a
+/// sine and a polynomial that nearly cancel (the error of a table) have no tight enclosure.
 Segment as_polynomial(const Segment& f) {
   Segment g = f;
   g.sines = 0;
@@ -39,7 +39,7 @@ Segment as_polynomial(const Segment& f) {
   return g;
 }
 
-/// f is monotone over [a, b]: one sign change at the most, found by Newton kept inside a bracket.
+/// f is monotone over [a, b]: at most one sign change, found by Newton's method inside a bracket.
 void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
   const double fa = value(f, a);
   const double fb = value(f, b);
@@ -48,7 +48,7 @@ void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
     return;
   }
   if ((fa > 0) == (fb > 0)) {
-    // The Bernstein form saw a change of sign at an end of the piece, where rounding gives f the
+    // The Bernstein form changes its sign at an end of the piece, where rounding gives f the
     // other sign: the root is that end.
     const double nearest = std::min(std::abs(fa), std::abs(fb));
     if (nearest <= 2e-15 * magnitude(f)) out.push_back(nearest == std::abs(fa) ? a : b);
@@ -72,8 +72,8 @@ template <std::size_t n>
 struct Isolation {
   const Segment& f;
   double flat;
-  double remainder;  // what the polynomials may differ from f
-  double noise;      // what rounding may make of f = 0
+  double remainder;  // greatest difference of the polynomials from f
+  double noise;      // greatest error of f = 0 by rounding
   std::vector<double>& out;
 
   /// f over [a, b], where beta is its Bernstein form.
@@ -88,7 +88,7 @@ struct Isolation {
       bracket(f, a, b, out);
       return;
     }
-    if (lo >= -noise && hi <= noise) {  // a multiple root: rounding hides all that is in here
+    if (lo >= -noise && hi <= noise) {  // a multiple root: all values here are within rounding
       out.push_back((a + b) / 2);
       return;
     }

@@ -88,7 +88,7 @@ std::optional<Segment> integral(const Segment& f, double start_value) {
   double constant = start_value;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
     const auto& t = f.sine[i];
-    if (t.angle == 0) {  // a constant in disguise
+    if (t.angle == 0) {  // a constant
       g.c[1] += t.amplitude * std::sin(t.phase) * f.length;
       continue;
     }

@@ -57,13 +57,13 @@ double margin_of(const Bound& bound, double value) {
   return (bound.upper ? bound.limit - value : value - bound.limit) / bound.scale;
 }
 
-/// A limit that is met exactly is met: what is left is the rounding of the evaluation.
+/// A limit that is met exactly is not exceeded: a smaller excess is rounding of the evaluation.
 bool is_broken(const Bound& bound, double value) {
   const double room = bound.upper ? bound.limit - value : value - bound.limit;
   return room < -detail::forgiven * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
 }
 
-/// A peak on a break belongs to both segments beside it: told of the first.
+/// A peak on a break belongs to both segments beside it: the first is named.
 bool is_told(const std::optional<Finding>& before, const Extremum& worst, double start) {
   return before && worst.where == start && before->where == start &&
          std::abs(worst.value - before->value) <= 1e-12 * std::abs(worst.value);
@@ -153,7 +153,7 @@ std::optional<double> LimitCheck::closest(std::size_t bound) const {
 }
 
 Report LimitCheck::report() && {
-  // Per rule, the smallest margin; not where the rule is broken somewhere, and of +-limit one.
+  // For each rule the smallest margin: none where the rule is broken, and only one for +-limit.
   for (const auto& candidate : closest_) {
     if (!candidate) continue;
     const auto same =
@@ -174,7 +174,7 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
   for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
     const auto& range = ranges[k];
     const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
-    // Below the rounding of the values themselves nothing can be called a step.
+    // A step below the rounding of the values cannot be detected.
     const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;

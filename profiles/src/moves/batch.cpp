@@ -8,9 +8,9 @@
 
 #include "profiles/src/moves/batch_kernel.hpp"
 
-// The formulas are those of a single way (detail/span.hpp), on vectors of moves: a block at a time
-// goes through all of them. The same text is compiled for each width, and the processor is asked
-// once which to use. The rare move that has not settled after the usual steps goes the scalar way.
+// The formulas are those of a single move (detail/span.hpp), on vectors of moves: each formula takes a whole
+// block. The same source is compiled for each width, and the program queries the processor
+// once for the width to use. A move that has not converged after the usual steps, which is rare, is solved alone.
 
 namespace jounce {
 namespace {

@@ -7,25 +7,25 @@
 
 namespace jounce::detail {
 
-/// A block of moves in columns, and what the formulas make of them.
+/// A block of moves in columns, and their results.
 struct Block {
   static constexpr std::size_t size = 64;
 
   alignas(64) double distance[size], entry[size], exit[size], velocity[size],
       acceleration[size], jerk[size];
   alignas(64) double duration[size], peak[size];
-  alignas(64) double settled[size];  ///< > 0 where that is the answer
+  alignas(64) double settled[size];  ///< > 0 where the result is final
 };
 
-/// The kernels of each width are the templates below, compiled with that width's flags in a file of
-/// their own: nothing else may stand there that a linker could share with code for older machines.
+/// The kernels of each width are the templates below, compiled with that width's flags in a separate
+/// file. That file has no other code, since a linker could share it with code for older machines.
 struct Kernels {
   void (*ways)(Block&) noexcept;   ///< between any velocities
   void (*rests)(Block&) noexcept;  ///< from rest to rest: entry and exit are not looked at
 };
 extern const Kernels kernels_anywhere, kernels_avx2, kernels_avx512;
 
-/// True if the question was sound and the answer is one: no NaN passes a comparison.
+/// True if the input is valid and the result is a number: no NaN passes a comparison.
 template <class Real>
 JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velocity, Real ends,
                                   Real duration) {
@@ -33,7 +33,7 @@ JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velo
          is_way(distance) & is_moderate(ends) & (duration < __builtin_inf());
 }
 
-/// Every case is computed for every move, and the right one picked.
+/// Every case is computed for every move, and the right one is selected.
 template <class Real>
 JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   const Rates<Real> rates(load<Real>(b.acceleration + i), load<Real>(b.jerk + i));
@@ -71,7 +71,7 @@ JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   store(b.settled + i, (arrived & good) ? every<Real>(1) : every<Real>(0));
 }
 
-/// From rest to rest, another place.
+/// From rest to rest, over a distance that is not zero.
 template <class Real>
 JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Rates<Real> r(load<Real>(b.acceleration + i), load<Real>(b.jerk + i));

@@ -14,13 +14,12 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// A velocity ramp from (v0, a0) to (v1, 0). Letting a0 fall to zero at jerk_end alone changes the
-// velocity by
+// A velocity ramp from (v0, a0) to (v1, 0). If a0 only falls to zero at jerk_end, the velocity changes by
 //
 //   (1)  f = a0 |a0| / (2 je)
 //
-// so the side s = sign(v1 - v0 - f) on which the ramp's acceleration lies is known at once. Seen from
-// that side (everything times s), what is left is
+// so s = sign(v1 - v0 - f) is the sign of the ramp's acceleration. With all quantities multiplied by s,
+// the rest of the change is
 //
 //   (2)  dv = v1 - v0            if a0 > 0, and the acceleration rises on from a0
 //        dv = v1 - v0 + a0^2/2je if a0 <= 0, after it has fallen to zero first, a0 = 0 then
@@ -29,14 +28,14 @@
 //
 //   (3)  dv = (A^2 - a0^2)/2jb + A^2/2je + A hold,   A <= the limit.
 //
-// Where speeding up and slowing down have limits of their own, an acceleration that leads past v1 falls
-// to zero first, under those of the sense that it acts in (1); the ramp from there is one of (3), or
-// two with a rest between. If it slows the axis down and would turn it round, it falls until the axis
-// rests, after
+// Where speeding up and slowing down have separate limits, an acceleration that leads past v1 falls to zero
+// first, by (1) under the limits of the sense in which it acts. From there on the ramp is one of (3), or
+// two with a stop between. An acceleration that slows the axis down and would reverse it falls until the axis
+// stops, after
 //
 //   (4)  t = 2 |v0| / (|a0| + |a1|),   a1^2 = a0^2 - 2 je |v0|
 //
-// and what is left of it, a1, speeds up.
+// and the rest of it, a1, speeds up.
 
 namespace jounce {
 namespace {
@@ -75,7 +74,7 @@ class Growing {
     now_.acceleration = a + t * jerk;
   }
   [[nodiscard]] const MotionState& now() const { return now_; }
-  /// Ends at a velocity that is known better than its sum.
+  /// Sets the end velocity, which is known more exactly than the sum of the phases.
   void reached(double velocity, double acceleration = 0) {
     now_ = {now_.position, velocity, acceleration};
   }
@@ -89,7 +88,7 @@ class Growing {
   MotionState now_;
 };
 
-/// Names of keys with a ramp's own: nothing is put together, and allocated, unless it is wrong.
+/// Names of keys with the ramp's prefix: they are composed, and allocated, only for an error.
 struct RampKeys {
   const char *acceleration, *jerk_begin, *jerk_end;
 };
@@ -179,7 +178,7 @@ void add_fall(Growing& motion, double v1, const RampLimits& up, const RampLimits
   motion.reached(v);
 }
 
-/// To v1, from any state, each sense under its own limits.
+/// To v1 from any state: speeding up and slowing down each under its limits.
 void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimits& down) {
   if (up == down) return add_ramp(motion, v1, up);
   add_fall(motion, v1, up, down);
@@ -189,7 +188,7 @@ void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimi
 
 // ---- position moves in flight --------------------------------------------------------------------
 
-/// What the dynamics allow an axis that travels upwards (direction 1) or downwards (-1).
+/// The bounds that the dynamics give an axis that travels upwards (direction 1) or downwards (-1).
 Bounds bounds(const Dynamics& d, double direction) {
   Bounds b = within(d.velocity, d.acceleration);
   if (d.jerk > 0) {
@@ -207,8 +206,8 @@ Profile solved(const MoveResult& move) {
   return move.profile;
 }
 
-/// With two jerks: to one velocity towards the target and from there to rest, each sense under its
-/// own, or to rest alone. Nothing where that does not end at the target.
+/// For two jerks: to one velocity towards the target and from there to rest, each under its own jerk, or only
+/// to rest. Nothing where that does not end at the target.
 std::optional<Profile> in_two_ramps(const MotionState& from, double target, const Dynamics& d) {
   const RampLimits up{d.acceleration, d.jerk, d.jerk};
   const RampLimits down{d.deceleration, d.deceleration_jerk, d.deceleration_jerk};
@@ -232,7 +231,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
       s * from.velocity +
       fall_alone(s * from.acceleration, from.velocity * from.acceleration < 0 ? down : up);
   if (s * from.velocity < 0 || left_alone < 0) return std::nullopt;
-  // Below what the velocity would be if the acceleration fell alone, the distance does not grow with
+  // For a peak below the velocity at which the acceleration alone falls to zero, the distance does not grow with
   // the peak.
   const double low = std::min(left_alone, d.velocity);
   if (covered(low) > h + rounding) return std::nullopt;
@@ -242,7 +241,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
   return made(low + rise, rest > rounding ? rest / (low + rise) : 0);
 }
 
-/// From a state to rest at the target, in one profile or, where it must turn round, two.
+/// From a state to rest at the target, in one profile, or in two where the axis must reverse.
 std::vector<Profile> approach(const MotionState& from, double target, const Dynamics& d) {
   if (d.jerk != d.deceleration_jerk)
     if (const auto profile = in_two_ramps(from, target, d)) return {*profile};

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-// The move is antisymmetric in time, so that its first half decides: from rest to the peak velocity v
+// The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
 // in the middle, where a = 0 and the jerk is -m. Its jounce is
 //
 //   +s for b, 0 for c, -s for b     the acceleration rises to p,    p = s b (b + c)
@@ -19,8 +19,8 @@
 //
 // and b = min(j/s, sqrt(p/s)), b' = min(j/s, sqrt(p/(k s))): the jerk limit or none. Three regimes:
 //
-//   (2)  The velocity limit is not reached: q = 0, the jerk runs through in the middle without
-//        being let go. With jounce alone limited these are the switches of the perfect spline, at
+//   (2)  The velocity limit is not reached: q = 0, the jerk does not return to zero in the middle.
+//        With jounce alone limited these are the switches of the perfect spline, at
 //        sin^2(i pi/8) of the duration.
 //   (3)  It is reached and held: q = 1, jerk zero, then a cruise.
 //   (4)  Between them the middle touches the limit with a jerk: v and the way h/2 decide p (or d)
@@ -28,11 +28,11 @@
 //
 // The way of the half grows with p and d in (2), and with q at a given v in (4): bisection finds them
 // to the last bit, in any unit. (3) is the classical profile of Lambrechts et al., which for short
-// moves lets the jerk go in the middle as well and takes up to 7.5 % longer than (2).
+// moves returns the jerk to zero in the middle as well and takes up to 7.5 % longer than (2).
 //
 // (2) is optimal. At the velocity limit, a state constraint of third order, the optimum switches
-// very often to gain less than 0.1 % on (3) and (4), as
-// linear programming shows (tests/oracle/fourth_order.py): nothing that a machine would want.
+// very often and is less than 0.1 % shorter than (3) and (4), as linear programming shows
+// (tests/oracle/fourth_order.py). No machine gains from that.
 
 namespace jounce {
 namespace {
@@ -82,7 +82,7 @@ Jet Half::end() const {
   return x;
 }
 
-/// The largest x in [0, high] that is still below something, to the last bit.
+/// The largest x in [0, high] for which `below` holds, to the last bit.
 template <class Below>
 double largest(double high, const Below& below) {
   double low = 0;
@@ -91,7 +91,7 @@ double largest(double high, const Below& below) {
   return low;
 }
 
-/// (2): the half whose way is h/2, whatever its velocity.
+/// (2): the half that covers h/2, without a velocity limit.
 Half unlimited_half(double h, const Rates& l) {
   const auto way = [&](double p, double d) { return Half(p, d, 0, l).end()[0]; };
   if (way(l.a, 0) >= h / 2)
@@ -100,7 +100,7 @@ Half unlimited_half(double h, const Rates& l) {
   return {l.a, largest(more, [&](double d) { return way(l.a, d) < h / 2; }), 0, l};
 }
 
-/// The half that peaks at v, with a given q.
+/// The half with the peak velocity v, for a given q.
 Half half_to(double v, double q, const Rates& l) {
   const double without = Half(l.a, 0, q, l).end()[1];
   if (v >= without) return {l.a, (v - without) / l.a, q, l};
@@ -123,7 +123,7 @@ Plan planned(double h, double velocity, const Rates& l) {
   return {half_to(velocity, largest(1, [&](double q) { return way(q) < h / 2; }), l), 0};  // (4)
 }
 
-/// What takes less than this share of a move is rounding.
+/// Phases shorter than this share of a move are rounding.
 constexpr double negligible = 1e-15;
 
 Segment segment(const Jet& x, const Phase& phase) {
@@ -135,8 +135,8 @@ Segment segment(const Jet& x, const Phase& phase) {
   return f;
 }
 
-/// The half forth from the start, and the same backwards in time from the end: each is exact at its own
-/// end. A cruise covers what is between them at the velocity planned: rounding of the positions changes
+/// The half forwards from the start, and the same backwards in time from the end: each is exact at its own
+/// end. A cruise covers the distance between them at the planned velocity: rounding of the positions changes
 /// its duration, not its velocity.
 Trajectory curve(const Plan& plan, double velocity, double total, double from, double to) {
   const double sign = std::copysign(1, to - from);

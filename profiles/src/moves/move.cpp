@@ -7,6 +7,7 @@
 
 #include "profiles/src/solver/both.hpp"
 #include "profiles/src/solver/brake.hpp"
+#include "profiles/src/solver/even_rest.hpp"
 #include "profiles/src/solver/rest_to_rest.hpp"
 #include "profiles/src/solver/second_order.hpp"
 #include "profiles/src/solver/solver.hpp"
@@ -15,16 +16,16 @@ namespace jounce {
 namespace {
 
 constexpr double forgiven = 1e-12;  // share of a limit that rounding may have added
-// What products of a few of them stay finite and do not vanish for.
-constexpr double greatest = 1e50;
+// Products of a few magnitudes in this range neither overflow nor underflow.
+constexpr double most = 1e50;
 constexpr double least = 1e-50;
 
 bool is_state(const MotionState& s) {
-  return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < greatest;
+  return std::abs(s.position) + std::abs(s.velocity) + std::abs(s.acceleration) < most;
 }
 
 bool is_magnitude(double x) {
-  return x >= least && (x <= greatest || x == Bounds::none);
+  return x >= least && (x <= most || x == Bounds::none);
 }
 
 bool is_pair(double min, double max) {
@@ -62,12 +63,12 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
                                                         : MoveStatus::target_unreachable;
 }
 
-// The same questions without branches, for downwards and upwards at once in the two lanes of a vector.
+// The same checks without branches, for downwards and upwards at once in the two lanes of a vector.
 using detail::Both;
 using detail::every;
 using detail::Vector2;
 
-/// A number as seen downwards and upwards.
+/// A signed number measured downwards and upwards.
 JOUNCE_INLINE Vector2 directed(double x) {
   return Vector2{-x, x};
 }
@@ -82,15 +83,14 @@ struct Magnitudes {
         position{-b.position_min, b.position_max} {}
 
   JOUNCE_INLINE static Both none(Vector2 m) { return Both::equal(m, every<Vector2>(Bounds::none)); }
-  JOUNCE_INLINE static Both finite(Vector2 m) {
-    return Both::at_most(every<Vector2>(least), m) & Both::at_most(m, every<Vector2>(greatest));
-  }
-  JOUNCE_INLINE static Both sound(Vector2 m) { return finite(m) | none(m); }
+  JOUNCE_INLINE static Both finite(Vector2 m) { return Both::at_most(m, every<Vector2>(most)); }
   /// Sound, without position limits: the bounds of a second order, which steps, or a third.
   JOUNCE_INLINE Both limit(bool steps) const {
-    const Both common = sound(velocity) & none(position);
+    const Vector2 lowest = detail::least(velocity, detail::least(acceleration, jerk));
+    const Both common = Both::at_most(every<Vector2>(least), lowest) &
+                        (finite(velocity) | none(velocity)) & none(position);
     if (steps) return common & finite(acceleration) & none(jerk);
-    return common & sound(acceleration) & finite(jerk);
+    return common & (finite(acceleration) | none(acceleration)) & finite(jerk);
   }
   /// The velocity and the acceleration lie inside; a factor makes the limits greater.
   JOUNCE_INLINE Both hold(double v, double a, double more) const {
@@ -114,12 +114,12 @@ detail::Form detail::form(const MotionState& from, const MotionState& to,
   const Both limits = m.limit(steps);
   const double moves = std::abs(from.velocity) + std::abs(from.acceleration) +
                        std::abs(to.velocity) + std::abs(to.acceleration);
-  if (!(std::abs(from.position) + std::abs(to.position) + moves < jounce::greatest))
-    return Form::any;
+  if (!(std::abs(from.position) + std::abs(to.position) + moves < most)) return Form::any;
   if (moves == 0) {
     if (!limits.hold()) return Form::any;
     if (steps) return Form::second_order;
-    return from.position == to.position ? Form::any : Form::rest_to_rest;
+    if (from.position == to.position) return Form::any;
+    return is_even(to.position - from.position, b) ? Form::even_rest : Form::rest_to_rest;
   }
   const Both target = limits & m.hold(to.velocity, to.acceleration, 1 + forgiven);
   if (steps) return target.hold() ? Form::second_order : Form::any;
@@ -130,11 +130,13 @@ detail::Form detail::form(const MotionState& from, const MotionState& to,
   return sound.hold() ? Form::outside : Form::any;
 }
 
-// Each motion is constructed in `out`: a copy takes as long as the solution of a trapezoid.
+// Each motion is constructed in `out`: a copy would take as long as the solution of a trapezoid.
 bool detail::shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& b,
                       Profile& out) noexcept {
   if (form == Form::point_to_point) {
     ::new (&out) Profile(PointToPoint(from, to, b).shortest(from, to));
+  } else if (form == Form::even_rest) {
+    ::new (&out) Profile(profile_of(EvenRest(from, to, b).shortest(), b.jerk_max, from, to));
   } else if (form == Form::rest_to_rest) {
     RestToRest move(to.position - from.position, b);
     if (!move.solve_shortest()) return false;
@@ -183,6 +185,9 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
   const Form form = detail::form(from, to, bounds);
   if (form == Form::point_to_point)
     return {MoveStatus::ok, detail::PointToPoint(from, to, bounds).shortest(from, to)};
+  if (form == Form::even_rest)
+    return {MoveStatus::ok, detail::profile_of(detail::EvenRest(from, to, bounds).shortest(),
+                                               bounds.jerk_max, from, to)};
   if (form == Form::rest_to_rest)
     if (detail::RestToRest move(to.position - from.position, bounds); move.solve_shortest())
       return {MoveStatus::ok, move.profile(from, to)};
@@ -208,7 +213,7 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
     move.status = solver.shortest(move.profile);
   else
     move.status = solver.lasting(duration, move.profile);
-  // The edge of a blocked interval may miss by rounding what the interval itself permits.
+  // At the edge of a blocked interval, rounding may reject a duration that durations() permits.
   if (move.status == MoveStatus::blocked && solver.durations().allows(duration))
     for (double more = 0; move.status == MoveStatus::blocked && more < forgiven;
          more = 4 * more + 0x1p-52)

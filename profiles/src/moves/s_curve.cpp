@@ -42,7 +42,7 @@ struct RampPhases {
   [[nodiscard]] double duration() const { return 2 * jerk + plateau; }
 };
 
-/// (1), (2): the smaller jerk time is the one that holds; a negative plateau says that (2) does.
+/// (1), (2): the smaller jerk time is the right one; it is that of (2) where the plateau is negative.
 JOUNCE_INLINE RampPhases ramp_to(double v, const Limit& r) {  // (1), (2)
   if (v >= r.threshold) return {r.jerk_time, v * r.per_a - r.jerk_time};
   return {std::sqrt(v * r.per_j), 0};
@@ -81,7 +81,7 @@ JOUNCE_INLINE double peak_velocity(const Limit& r1, const Limit& r2, double h) {
   return r1.threshold < r2.threshold ? peak_mixed(r1, r2, h) : peak_mixed(r2, r1, h);
 }
 
-/// What takes less than this share of a move is rounding.
+/// Phases shorter than this share of a move are rounding.
 constexpr double dust = 1e-15;
 
 double swept(double duration, double total) {
@@ -170,7 +170,7 @@ Profile trapezoid(const TrapezoidSpec& spec) {
   const double v = std::min(peak, spec.velocity);
   const double up = v * per_a;
   const double down = v * per_b;
-  const double cruise = h / v - (up + down) / 2;  // where there is none, what rounding leaves: dust
+  const double cruise = h / v - (up + down) / 2;  // rounding alone where there is none
   const double total = up + cruise + down;
   if (!positive(total)) refuse_duration(spec.to, total);
 

@@ -11,20 +11,20 @@
 namespace jounce::detail {
 namespace {
 
-/// What rounding makes of a number of this size on its way through a user's program and a plan.
+/// The rounding error of a number of this size after its way through a user's program and a plan.
 constexpr double digits = 0x1p-46;
-/// What adding up cycles makes of the way of a target that moves, as a share of it.
+/// The rounding error of adding up cycles, as a share of the distance that a moving target covers.
 constexpr double drift = 0x1p-40;
-/// A velocity in a direction that is forbidden is none below this share of the other one.
+/// In a forbidden direction, a velocity below this share of the other one counts as zero.
 constexpr double at_rest = 1e-12;
-/// An instant that differs by this share of a cycle is the same.
+/// Instants that differ by less than this share of a cycle are the same.
 constexpr double same_instant = 1e-9;
 
 bool agree(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance + digits * (std::abs(a) + std::abs(b));
 }
 
-/// Bounds with what is zero in them taken from others.
+/// Bounds in which each zero is replaced by the value of others.
 Bounds where_zero(Bounds b, const Bounds& others) {
   const auto fill = [](double& x, double other) {
     if (x == 0) x = other;
@@ -38,7 +38,7 @@ Bounds where_zero(Bounds b, const Bounds& others) {
   return b;
 }
 
-/// The opposite directions, as magnitudes of this one.
+/// The bounds of the opposite directions, as magnitudes of this one.
 Bounds mirrored(const Bounds& b) {
   return {-b.velocity_max, -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
           -b.jerk_max,     -b.jerk_min,     b.position_min,      b.position_max};
@@ -139,7 +139,7 @@ MotionState OnlineAxis::target_now() const noexcept {
   return t;
 }
 
-/// Whether the plan leads to the target, within the tolerance.
+/// True if the plan leads to the target, within the tolerance.
 bool OnlineAxis::is_aimed() const noexcept {
   if (goal_ != aim_goal_) return false;
   const MotionState t = target_now();
@@ -151,7 +151,7 @@ bool OnlineAxis::is_aimed() const noexcept {
   return agree(t.position, aim_.position + moved, position_tolerance_ + rounding);
 }
 
-/// Narrower bounds that the plan keeps leave it the best there is: they only take others away.
+/// A plan that keeps narrower bounds stays the best one: they only exclude other plans.
 bool OnlineAxis::fits_bounds() noexcept {
   if (bounds_ == asked_) return true;
   if (!lies_in(bounds_, in_force_) || !keeps(rest_of_plan(), bounds_)) return false;
@@ -159,7 +159,7 @@ bool OnlineAxis::fits_bounds() noexcept {
   return true;
 }
 
-/// Whether the limits that were kept for the sake of the target are no longer needed.
+/// True if the target no longer needs the limits that were kept for it.
 bool OnlineAxis::may_narrow() const noexcept {
   if (wider(bounds_) == bounds_ || ended() || must_stop()) return false;
   const double v = now_.velocity;
@@ -189,7 +189,7 @@ bool OnlineAxis::is_stale() noexcept {
   return may_narrow();
 }
 
-/// In both, acceleration and jerk as wide as the motion under way has them.
+/// Both, with acceleration and jerk as wide as in the motion under way.
 Bounds OnlineAxis::wider(const Bounds& bounds) const noexcept {
   Bounds b = bounds;
   b.acceleration_min = std::min(b.acceleration_min, in_force_.acceleration_min);
@@ -315,7 +315,7 @@ void OnlineAxis::advance(double dt) noexcept {
   if (std::abs(elapsed_ - duration_) <= same_instant * dt) elapsed_ = duration_;
   if (ended() && purpose_ == Purpose::goal && aim_goal_ == MoveGoal::state)
     passed_ = passed_ || aim_.velocity != 0 || aim_.acceleration != 0;
-  if (ended() && plan_.end().acceleration != 0) {  // released, on the way at the velocity reached
+  if (ended() && plan_.end().acceleration != 0) {  // released: goes on at the velocity reached
     const double late = elapsed_ - duration_;
     const AxisMove m{plan_.end(), {0, plan_.end().velocity, 0}, in_force_, MoveGoal::velocity};
     Profile on;

@@ -37,7 +37,7 @@ bool OnlineGroup::in_phase() const noexcept {
   return sync == Sync::phase || sync == Sync::phase_or_time;
 }
 
-/// Each turn plans all axes, or leaves one out that cannot go to its goal.
+/// Each pass plans all axes, or leaves one out that cannot go to its goal.
 void OnlineGroup::plan() noexcept {
   bool held = false;
   for (OnlineAxis& axis : axes) {
@@ -75,7 +75,7 @@ bool OnlineGroup::gather(bool widened) noexcept {
   return any;
 }
 
-/// On a line the limits of one axis are those of all: those that were lowered may lead another past its
+/// On a line the limits of one axis act on all: a lowered limit may lead another axis past its
 /// target or its velocity limit.
 Synchronised OnlineGroup::solve() noexcept {
   Synchronised result = synchronise(moves, sync, next, 0, grid);
@@ -98,14 +98,14 @@ Synchronised OnlineGroup::solve() noexcept {
   return result;
 }
 
-/// Whether all that take part go to their goals already, so that only bounds have changed.
+/// True if all enabled axes go to their goals already, so that only bounds have changed.
 bool OnlineGroup::is_on_its_way() const noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (moves[i].enabled && !axes[i].is_on_its_way()) return false;
   return true;
 }
 
-/// The line is left where that keeps the axes from passing their goals or turning round.
+/// The axes leave the line where that keeps them from passing their goals or reversing.
 Synchronised OnlineGroup::bend(const Synchronised& straight) noexcept {
   bent = true;
   gather(false);
@@ -130,7 +130,7 @@ bool OnlineGroup::detour(Judged judged) const noexcept {
   return false;
 }
 
-/// An axis that brakes already cannot take longer without turning round: if its target rests, it
+/// An axis that brakes already cannot take longer without reversing: if its target rests, it
 /// arrives earlier and waits there.
 void OnlineGroup::wait_rather_than_turn_round() noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) {

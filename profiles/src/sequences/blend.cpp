@@ -24,17 +24,17 @@
 //
 //   (3)  dD/dw = (e - 3 w) / (2 sqrt(j (e - w)))
 //
-// so that stopping takes less way than slowing to e/3. Nothing below rests on more than the two
-// monotonies before (3): what is called reachable has been tried.
+// so that stopping takes less distance than slowing to e/3. The code below relies only on the two
+// monotonies before (3), and tries whether a velocity is reachable.
 //
-// A start with acceleration, which only the first move of a batch has, first settles at
+// A start with acceleration, which only the first move of a batch has, first goes to
 //
 //   (4)  n = v + a |a| / (2 j)
 //
-// (natural_velocity() in detail/brake.hpp) and behaves like e = n from there, a constant way on.
+// (natural_velocity() in detail/brake.hpp). From there it behaves like e = n, a constant distance later.
 //
-// Turning round changes the sign of the direction, and with it which acceleration may act which way.
-// Where they are equal, the bounds serve both ways and the turn is one move. Where they differ, the
+// A reversal changes the sign of the direction, and so exchanges acceleration and deceleration.
+// Where they are equal, the same bounds hold both ways and the reversal is one move. Where they differ, the
 // axis stops with its deceleration and moves back from rest, as with_target() (dynamics.hpp) does.
 
 namespace jounce::detail {
@@ -68,15 +68,15 @@ double ramp_length(double from, double velocity, const Bounds& bounds) {
   return ramp_length({0, from, 0}, velocity, bounds);
 }
 
-/// The profile ends at the position that it was meant for, not a rounding beside it.
+/// Ends the profile exactly at its target, without rounding.
 Profile finished(Profile profile, double target, double velocity) {
   profile.finish({target, velocity, 0});
   return profile;
 }
 
-/// A ramp to u, as long at u as there is room, a ramp to the exit. u is the velocity given or, where
-/// that does not fit, the nearest to it that does. From a start without acceleration this is the
-/// shortest motion, and it needs no more than that one ramp to the exit fits.
+/// A ramp to u, a cruise at u over the rest, a ramp to the exit. u is the given velocity or, where
+/// that does not fit, the nearest one that does. From a start without acceleration this is the
+/// shortest motion, and it exists if one ramp to the exit fits.
 ///
 ///   (5)  D(from, u) + D(u, exit) <= L
 std::vector<Profile> by_ramps(const MotionState& from, double target, double exit, double velocity,
@@ -110,7 +110,7 @@ Bounds with_swapped_acceleration(Bounds b) {
   return b;
 }
 
-/// What a way is not known better by, for the positions of its ends.
+/// The error of a distance by rounding of the positions of its ends.
 double position_rounding(const MotionState& from, double target) {
   return rounding * std::max(std::abs(from.position), std::abs(target));
 }
@@ -159,8 +159,8 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
   const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
   if (fits(wanted)) return {wanted, backwards};
   const double settled = std::max(natural_velocity(from, bounds), 0.0);
-  // Too short to get up to it: (2). Too short to slow down: passes faster if the next moves can
-  // cope, otherwise stops there if (3) permits, or comes back.
+  // Too short to speed up to it: (2). Too short to slow down: passes faster if the next moves can take that
+  // over, otherwise stops there if (3) permits, or comes back.
   const double nearest = settled < wanted ? settled : std::min(settled, cap);
   if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
   return {0, ramp_length(from, 0, bounds) > length + position_rounding(from, target)};

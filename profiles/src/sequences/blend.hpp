@@ -6,8 +6,8 @@
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
-// How one move of a queue is planned between two junctions. Everything here looks *forward*: the
-// target lies at a greater position; who asks mirrors what runs the other way.
+// Plans one move of a queue between two junctions. All functions look *forward*: the
+// target lies at a greater position; callers mirror a move in the other direction.
 
 namespace jounce::detail {
 
@@ -17,10 +17,10 @@ Bounds forward(const Dynamics& dynamics);
 /// True if the axis runs, or is about to run, backwards.
 bool runs_backwards(const MotionState& from, const Dynamics& dynamics);
 
-/// Where acceleration and deceleration differ, an axis that has to turn round stops first.
+/// True if an axis that must reverse stops first: acceleration and deceleration differ.
 bool stops_to_turn(const Dynamics& dynamics);
 
-/// The fastest stop, wherever the axis is going.
+/// The fastest stop, in either direction of motion.
 Profile halt(const MotionState& from, const Dynamics& dynamics);
 
 /// The fastest change to a velocity; neither end need keep the velocity bound.
@@ -30,19 +30,20 @@ Profile ramp(const MotionState& from, double velocity, const Bounds& bounds);
 /// `exit` >= 0; `cap` itself if that is not higher than `exit`.
 double highest_entry(double length, double exit, double cap, const Bounds& bounds);
 
-/// What can be reached at the end of a move.
+/// The end of a move that can be reached.
 struct Exit {
   double velocity = 0;
-  bool turns = false;  ///< the axis has to turn round
+  bool turns = false;  ///< the axis must reverse
 };
 
 /// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as it can.
-/// `cap` >= `wanted` is the most that the moves after it can take over. A move that turns round and
-/// stops to do so is not looked at further: ask again from there.
+/// `cap` >= `wanted` is the greatest velocity that the moves after it can take over. A move that stops in order to
+/// reverse is not examined further: call again from there.
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
                     const Dynamics& dynamics);
 
-/// The move itself, which does not stop to turn: one profile, or three where it begins or leaves faster than it may run.
+/// The move itself, which does not stop to reverse: one profile, or three where it begins or ends faster than it
+/// may run.
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
                              const Dynamics& dynamics);
 

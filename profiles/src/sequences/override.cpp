@@ -40,7 +40,7 @@ void require_valid(const OverrideSpec& spec, double start) {
   }
 }
 
-/// Tells the worst of what the axis breaks.
+/// Reports the worst violation of the axis.
 void require_kept(const std::string& key, const Trajectory& axis, const Limits& limits) {
   const Report report = check(axis, limits);
   if (report.ok()) return;
@@ -77,7 +77,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
   return path;
 }
 
-/// The whole clock, up to where the path ends.
+/// The whole clock, up to the end of the path.
 Trajectory finished(const Clock& clock, double path_end) {
   const double end = clock.reaches(path_end);
   if (std::isfinite(end)) return clock.until(end);

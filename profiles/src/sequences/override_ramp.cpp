@@ -16,15 +16,15 @@
 //
 //   (1)  v = f' c',   a = f'' c'^2 + f' c'',   j = f''' c'^3 + 3 f'' c' c'' + f' c'''
 //
-// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses A and
-// J up: with v the plan's fastest anywhere these are the nominal bounds of a ramp. The ramps that
+// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses up A and
+// J. With v the greatest velocity of the plan, these are the nominal bounds of a ramp. The ramps that
 // are tried are k times as slow, in shapes that differ in the jerk at either end:
 //
 //   (2)  |c''| <= A / (k v),   |c'''| <= g J / (k^2 v)
 //
 // k stretches a ramp without changing its shape. Where f'' = 0, g = 1 holds from k = 1 on. Early in
-// an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds; where f accelerates at its
-// limit speeding up does not hold at all, nor slowing down where it brakes at its limit.
+// an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds. Where f accelerates at its
+// limit, no ramp that speeds up holds; where it brakes at its limit, none that slows down.
 
 namespace jounce::detail {
 namespace {
@@ -94,7 +94,7 @@ void Clock::follow(const Ramp& ramp) {
   rate = ramp.factor;
 }
 
-/// Most ramps that break a limit show it at a few points already.
+/// Most ramps that break a limit do so at one of a few points.
 bool Path::allows(const Trajectory& clock) const {
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (is_broken_at_points(axes[i], limits[i], clock)) return false;
@@ -162,7 +162,7 @@ class Search {
     return t;
   }
 
-  /// The steepest ramp that begins at t, unless one that is known ends earlier.
+  /// The steepest ramp that begins at t, unless one found before ends earlier.
   void try_from(double t) {
     const MotionState now = clock_.at(t);
     const double factor = request_.factor > 1
@@ -177,7 +177,7 @@ class Search {
 
   /// The same among the ramps of one shape.
   void steepest_of(double t, const MotionState& now, double factor, const Shape& shape) {
-    double refused = 0;  // a limit breaks at it; at k it does not, or the ramp comes too late
+    double refused = 0;  // it breaks a limit; k does not, or its ramp comes too late
     double k = 0;
     Outcome outcome = Outcome::breaks_a_limit;
     for (int n = steepest; outcome == Outcome::breaks_a_limit && n <= slowest; ++n) {
@@ -200,7 +200,7 @@ class Search {
     Bounds bounds = within(Bounds::none, path_.acceleration / k, shape.in * j);
     (factor < now.velocity ? bounds.jerk_max : bounds.jerk_min) *= shape.out / shape.in;
     const MoveResult change = move_velocity(now, factor, bounds);
-    if (!change) return Outcome::breaks_a_limit;  // numbers beyond what a move is told in
+    if (!change) return Outcome::breaks_a_limit;  // numbers beyond the range of a move
     const double end = t + change.profile.duration();
     const double path = change.profile.end().position;
     const bool slows_down = factor < now.velocity;
@@ -219,7 +219,7 @@ class Search {
   const Clock& clock_;
   FactorRequest request_;
   double maximum_;
-  double over_;  // when the path ends if nothing changes
+  double over_;  // end of the path without a change
   std::optional<Ramp> best_;
 };
 

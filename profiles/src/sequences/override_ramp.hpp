@@ -10,7 +10,7 @@
 
 namespace jounce::detail {
 
-/// One answer to a request: at `begin` the clock leaves what was decided and follows `pieces`.
+/// One answer to a request: at `begin` the clock leaves its old course and follows `pieces`.
 struct Ramp {
   double begin = 0;
   double end = 0;
@@ -19,7 +19,7 @@ struct Ramp {
   std::vector<Segment> pieces;
 };
 
-/// The clock as far as it is decided: `pieces` from the start on, then the factor `rate` for ever.
+/// The clock as far as it is decided: `pieces` from the start on, then the factor `rate` without end.
 struct Clock {
   double start = 0;   ///< s
   double origin = 0;  ///< path time at the start
@@ -31,7 +31,7 @@ struct Clock {
   /// The clock up to t, which lies after the start, and its state there.
   [[nodiscard]] Trajectory until(double t) const;
   [[nodiscard]] MotionState at(double t) const;
-  /// When the path time is reached; infinite if never.
+  /// The time at which the path time is reached; infinite if never.
   [[nodiscard]] double reaches(double path_time) const;
   void follow(const Ramp& ramp);
 };
@@ -45,9 +45,9 @@ struct Path {
 
   [[nodiscard]] double start() const { return axes.front().start(); }
   [[nodiscard]] double end() const { return axes.front().end(); }
-  /// Do all axes keep their limits along this stretch of the clock?
+  /// True if all axes keep their limits along this stretch of the clock.
   [[nodiscard]] bool allows(const Trajectory& clock) const;
-  /// The greatest factor that the path from `from` to its end leaves room for.
+  /// The greatest factor that the path from `from` to its end permits.
   [[nodiscard]] double room(double from) const;
 };
 

@@ -17,12 +17,11 @@
 // highest entry velocity, up to cap, from which a move over L can end at w (detail/blend.cpp (2)):
 //
 //   (1)  backward:  W_k = entry(L_{k+1}, W_{k+1}, V_k),   W of the last = its V
-//   (2)  forward:   move k ends at W_k, or as near to it as it can reach from where it begins
+//   (2)  forward:   move k ends at W_k, or as near to it as it can from its beginning
 //
-// What is reached forward is at most W_k, and a move that may begin at W_k may begin at less; so
-// every move can end at its W or at less, and the last can end: no queue fails. The exception is a
-// run's first move when it begins too fast for W_1; reachable_exit() then asks for what (1) gives
-// with the cap lifted.
+// The velocity reached forward is at most W_k, and a move that may begin at W_k may begin at less. So
+// every move can end at its W or at less, and the last move can end: no queue fails. The exception is a
+// run's first move when it begins too fast for W_1: reachable_exit() then uses (1) without the cap.
 
 namespace jounce {
 namespace {
@@ -44,7 +43,7 @@ MotionState times(double factor, const MotionState& s) {
   return {factor * s.position, factor * s.velocity, factor * s.acceleration};
 }
 
-/// Where the axis goes by itself: 1 or -1.
+/// The direction in which the axis goes without a command: 1 or -1.
 double heading(const MotionState& s) {
   return s.velocity < 0 || (s.velocity == 0 && s.acceleration < 0) ? -1 : 1;
 }
@@ -182,7 +181,7 @@ std::vector<Leg> Planner::legs(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// The most, up to `cap`, that what follows leg k can take over: (1).
+/// The greatest velocity, up to `cap`, that the legs after leg k can take over: (1).
 double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::size_t first,
                              double cap) const {
   if (legs[k].planned == 0) return 0;
@@ -201,8 +200,8 @@ void Planner::plan_run(std::size_t first, std::size_t last) {
   }
 }
 
-/// Leg k from wherever the axis is. After a stop to turn round, which may lie beyond the target, it
-/// goes the rest as from there.
+/// Leg k from the present state of the axis. After a stop to reverse, which may lie beyond the target, it
+/// goes the rest from there.
 void Planner::travel(const std::vector<Leg>& run, std::size_t k, std::size_t first) {
   const Dynamics& dynamics = commands_[first + k].dynamics;
   const double way = run[k].target - path_.state().position;

@@ -5,7 +5,7 @@
 
 namespace jounce::detail {
 
-/// Throws InputError for what queue() refuses; keys count commands from 1.
+/// Throws InputError for input that queue() rejects; keys count commands from 1.
 void require_valid(const QueueSpec& spec);
 
 }  // namespace jounce::detail

@@ -7,7 +7,7 @@
 
 namespace jounce::detail {
 
-/// A motion being put together, profile after profile; ends with the state that the next begins from.
+/// A motion under construction, profile after profile; ends with the state in which the next one begins.
 class Sequence {
  public:
   explicit Sequence(const MotionState& start) : state_(start) {}
@@ -23,7 +23,7 @@ class Sequence {
   /// Goes on for a time with the velocity reached.
   void hold(double time);
 
-  /// What follows begins without acceleration: that of a motion of second order is no state.
+  /// Makes the next profile begin without acceleration: that of a motion of second order is no state.
   void let_go() { state_.acceleration = 0; }
 
   /// Ends at `time`: drops what is later, or holds on until then. Returns how many of the segments

@@ -20,12 +20,12 @@ void require_not_before(const Trajectory& f, double t) {
     throw InputError("t", t, "must not be before the motion begins, at " + number(f.start()));
 }
 
-/// Where two times on f are the same: what the breaks themselves are rounded to.
+/// Two times on f that differ by less are the same: the rounding of the breaks.
 bool same_time(const Trajectory& f, double a, double b) {
   return std::abs(a - b) <= 1e-14 * std::max(std::abs(f.start()), std::abs(f.end()));
 }
 
-/// What f goes on with beyond its end. A velocity that is only what rounding leaves is none.
+/// The continuation of f beyond its end. A velocity within rounding is zero.
 MotionState beyond(const Trajectory& f, double t) {
   const Segment& last = f.segments().back();
   const Jet end = evaluate(last, 1);
@@ -34,7 +34,7 @@ MotionState beyond(const Trajectory& f, double t) {
   return {end[0] + v * (t - f.end()), v, 0};
 }
 
-/// Whether the stretch around t over which f's acceleration is continuous, and not zero, has zero at
+/// True if the stretch around t over which f's acceleration is continuous, and not zero, has zero at
 /// one of its ends.
 bool is_built_up(const Trajectory& f, double t) {
   const auto segments = f.segments();
@@ -72,7 +72,7 @@ void append(Segments& segments, const Trajectory& next) {
   segments.insert(segments.end(), next.segments().begin(), next.segments().end());
 }
 
-/// What lies beyond a motion that has been cut and gone on with: rest, or nothing that is known.
+/// The policy beyond the ends of a motion that was cut and continued: rest, or undefined.
 Trajectory with_end(const Trajectory& f) {
   const bool rests = beyond(f, f.end()).velocity == 0;
   return with(f, rests ? Extrapolation::hold : Extrapolation::refuse);

@@ -14,8 +14,8 @@
 //   (2)  they are opposite:    v = 0, a towards the next point: it brakes and speeds up in one
 //   (3)  one of them is 0:     v = a = 0
 //
-// The search changes one knot at a time, which concerns two stretches. Its steps are measured by the
-// motion that stops at every knot: for a way h that takes T from rest to rest,
+// The search changes one knot at a time, which affects two stretches. The scale of its steps is the
+// motion that stops at every knot: for a distance h that takes T from rest to rest,
 //
 //   (4)  v scale = 2 h/T,   a scale = 4 h/T^2
 //
@@ -25,9 +25,9 @@
 //
 //   (5)  v = (w1 + w2) / (w1/m1 + w2/m2),   w1 = T1 + 2 T2,   w2 = 2 T1 + T2,   m = h/T
 //
-// A search ends beside the states at which a phase of the profile vanishes, so that phases of a microsecond
-// are common. A table needs a knot at either end of a phase. A quintic of the length L makes of rounded
-// positions, the greatest of them P,
+// A search ends near the states at which a phase of the profile vanishes, so phases of a microsecond
+// are common. A table needs a knot at either end of a phase. With rounded positions, the greatest of them P, a
+// quintic of the length L has
 //
 //   (6)  a jerk of up to 120 e P / L^3
 //
@@ -63,14 +63,14 @@ bool turns_back(const Profile& profile, double d) {
     const Profile::Phase phase = profile.phase(i);
     const Motion m = profile.at(t);
     if (i > 0) reach.see(m.velocity, d);
-    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;  // where the velocity turns
+    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;  // the velocity's extremum
     if (level > 0 && level < phase.duration) reach.see(m.velocity + m.acceleration * level / 2, d);
     t += phase.duration;
   }
   return reach.least < -0x1p-40 * reach.greatest;
 }
 
-/// Whether the axis is within its bounds there, and can go on without leaving them.
+/// True if the axis is within its bounds there, and can go on without leaving them.
 bool is_inside(const MotionState& s, const Bounds& b) {
   constexpr double most = 1 + 0x1p-40;
   const auto within = [](double x, double min, double max) {
@@ -81,7 +81,7 @@ bool is_inside(const MotionState& s, const Bounds& b) {
          within(s.acceleration, b.acceleration_min, b.acceleration_max);
 }
 
-/// Where (6) is a thousandth of the jerk; 0 without a limit of the jerk.
+/// The length for which (6) is a thousandth of the jerk; 0 without a limit of the jerk.
 double shortest_phase(const Bounds& b, double largest) {
   const double jerk = std::min(b.jerk_max, -b.jerk_min);
   if (!std::isfinite(jerk)) return 0;
@@ -137,8 +137,8 @@ class Search {
   const StretchBounds& bounds_;
   std::size_t axes_;
   std::span<Knot> knots_;
-  std::vector<double> rest_;     ///< durations of the motion that it begins from
-  std::vector<double> time_;     ///< durations now
+  std::vector<double> rest_;     ///< durations of the motion with which the search begins
+  std::vector<double> time_;     ///< present durations
   std::vector<double> largest_;  ///< position of each axis, in magnitude
 };
 
@@ -185,8 +185,8 @@ void Search::refine(bool bends) {
   }
 }
 
-/// What is changed together: all velocities; each velocity, and if asked for each acceleration,
-/// alone; both of an axis, in and against each other.
+/// The joint changes: all velocities; each velocity alone, and on request each acceleration;
+/// both of an axis, in the same and in opposite directions.
 std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
   const Knot nothing(axes_);
   std::vector<Knot> all{nothing};

@@ -17,11 +17,11 @@ struct Hop {
   std::vector<Profile> profiles;
 };
 
-/// What each axis may do, for each stretch between two knots.
+/// The bounds of each axis, for each stretch between two knots.
 using StretchBounds = std::vector<std::vector<Bounds>>;
 
 /// All axes from one knot to the next in the least common time, if every axis gets there without
-/// turning back on the way.
+/// reversing on the way.
 Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
 
 /// The durations between the knots.

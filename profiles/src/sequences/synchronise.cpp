@@ -9,6 +9,7 @@
 
 #include "profiles/src/solver/axis_task.hpp"
 #include "profiles/src/solver/brake.hpp"
+#include "profiles/src/solver/even_rest.hpp"
 #include "profiles/src/solver/solver.hpp"
 
 namespace jounce {
@@ -16,7 +17,7 @@ namespace {
 
 using detail::AxisTask;
 
-/// What is asked of the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
+/// The condition on the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
 struct Timing {
   double minimum;
   double grid;
@@ -41,7 +42,7 @@ double at_least(const Durations& allowed, double t, double grid) {
 /// The motion that lasts t, or where that is blocked the next possible duration, which becomes t.
 MoveStatus lasting(const AxisTask& task, double& t, double grid, Profile& out) {
   MoveStatus status = task.lasting(t, out);
-  // At the very edge of a blocked interval rounding decides: then a little later.
+  // At the edge of a blocked interval rounding decides: it tries a little later.
   for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
     t = at_least(task.durations(), t * (1 + more), grid);
     status = task.lasting(t, out);
@@ -53,7 +54,7 @@ Profile left_out(const AxisMove& axis) {
   return {axis.from, 3};
 }
 
-/// The tasks of all axes. The first are kept, where each is asked again; the others are made each time.
+/// The tasks of all axes. The first ones are stored, if each is used again; the others are made at each use.
 class Tasks {
  public:
   Tasks(std::span<const AxisMove> axes, bool keeps) noexcept
@@ -67,7 +68,7 @@ class Tasks {
 
  private:
   static constexpr std::size_t capacity = 16;
-  union Slot {  // a std::optional would be cleared at first
+  union Slot {  // a std::optional would be cleared first
     Slot() noexcept {}
     AxisTask task;
   };
@@ -112,20 +113,21 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
   return each(axes, out, timing, tasks);
 }
 
-/// The next axis, round and round.
+/// The next axis, cyclically.
 std::size_t after(std::size_t i, std::size_t axes) {
   return i + 1 < axes ? i + 1 : 0;
 }
 
-/// A common duration on its way: round and round, from `next` on, every axis is asked until all of them agree.
+/// A common duration in progress: from `next` on, cyclically, each axis is asked until all of them agree.
 struct Agreement {
   Synchronised common;
   std::size_t next = 0;
-  std::size_t agreed = 0;  ///< axes, in a row before `next`, that move in this duration already
+  std::size_t agreed =
+      0;  ///< number of axes directly before `next` whose motion has this duration already
 };
 
-/// The least time in which all can move. An axis that cruises in a time that another needs anyway has its motion,
-/// and is not asked for its shortest: so the one that likely takes longest comes first.
+/// The least time in which all can move. An axis that cruises in a time that another one needs has its motion,
+/// and its shortest motion is not computed. So the axis that probably takes longest comes first.
 Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
                         const Timing& timing, Tasks& tasks) {
   Agreement result;
@@ -155,7 +157,8 @@ Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
     if (common > 0 && task.cruises(common, out[i])) continue;
     (void)task.shortest(out[i]);
     const double shortest = out[i].duration();
-    if (shortest != t) result.agreed = shortest > t ? 1 : 0;  // it does not, or those before do not
+    if (shortest != t)
+      result.agreed = shortest > t ? 1 : 0;  // this axis does not agree, or those before do not
     t = std::max(t, shortest);
   }
   if (usual < axes.size() || t != on_grid(std::max(t, timing.minimum), timing.grid))
@@ -167,10 +170,40 @@ bool rests(const AxisMove& axis) {
   return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
 }
 
-/// All in the least time that each can do: whenever one cannot, in the next time that it can. With
-/// `if_moving`, an axis whose target rests stays as fast as it is.
+/// All axes that go from rest to rest with the same limits both ways: the slowest decides, and the others last as
+/// long. False where an axis asks another question.
+bool resting_in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+                     double& t) {
+  constexpr std::size_t capacity = 16;
+  if (axes.size() > capacity) return false;
+  std::array<detail::EvenRest, capacity> rests;
+  std::array<detail::EvenCourse, capacity> courses;
+  double least = timing.minimum;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto& [from, to, bounds, goal, enabled, under_way] = axes[i];
+    if (!enabled || goal != MoveGoal::state || under_way ||
+        detail::form(from, to, bounds) != detail::Form::even_rest)
+      return false;
+    rests[i] = {from, to, bounds};
+    courses[i] = rests[i].shortest();
+    least = detail::greatest(least, courses[i].duration());
+  }
+  t = on_grid(least, timing.grid);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const bool is_slowest = courses[i].duration() >= t * (1 - rounding_of_duration);
+    if (!is_slowest && !rests[i].lasting(t, courses[i])) return false;
+    ::new (&out[i])
+        Profile(profile_of(courses[i], axes[i].bounds.jerk_max, axes[i].from, axes[i].to));
+  }
+  return true;
+}
+
+/// All in the least time that is possible for each: if it is not for one of them, in the next time that is. With
+/// `if_moving`, an axis whose target rests keeps its shortest motion.
 Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      bool if_moving) {
+  if (double t = 0; !if_moving && resting_in_time(axes, out, timing, t))
+    return {MoveStatus::ok, 0, t};
   Tasks tasks(axes, true);
   Agreement all = if_moving ? Agreement{each(axes, out, {0, timing.grid}, tasks)}
                             : in_least_time(axes, out, timing, tasks);
@@ -180,7 +213,7 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   for (std::size_t i = all.next; all.agreed < axes.size();
        i = after(i, axes.size()), ++all.agreed) {
     if (!axes[i].enabled || (if_moving && rests(axes[i]))) continue;
-    // What is left of a duration by rounding alone is no time to spend: a velocity made of it is any.
+    // A difference of durations within rounding is no time to use: a velocity computed from it is arbitrary.
     if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
     const double before = t;
     const MoveStatus status = lasting(tasks.of(i), t, timing.grid, out[i]);
@@ -190,7 +223,7 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   return all.common;
 }
 
-/// What of an axis may define the common line: the distance, or where nothing moves, a rate.
+/// A component of an axis that may define the common line: the distance, or if that is 0 for all, a rate.
 double component(const AxisMove& m, int which) {
   switch (which) {
     case 0:
@@ -249,8 +282,8 @@ void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double rati
   lead.position_max = std::min(lead.position_max, lead_from + hi);
 }
 
-/// Whether a component of an axis is `ratio` times the leader's, as well as positions and the states of
-/// a running motion can tell: their last digits are those of the positions and of the bounds.
+/// True if a component of an axis is `ratio` times the leader's, within the rounding of positions and of the states
+/// of a running motion: their last digits are those of the positions and of the bounds.
 bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio, double scale) {
   constexpr double digits = 0x1p-48;
   const auto far = [](const AxisMove& m) {
@@ -270,7 +303,7 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
   return std::abs(here - ratio * there) <= slack;
 }
 
-/// Whether all axes inside their own bounds keep their velocity limits: the line's velocity has to pass
+/// Checks that all axes inside their own bounds keep their velocity limits: the line's velocity must pass
 /// the one at which its acceleration is back at zero.
 Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
                              const Bounds& line) {
@@ -283,14 +316,14 @@ Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lea
     const double v = component(axis, which) / component(lead, which) * peak;
     const bool outside = v > axis.bounds.velocity_max * (1 + forgiven) ||
                          v < axis.bounds.velocity_min * (1 + forgiven);
-    // One that is outside comes inside as the line does.
+    // An axis that is outside comes inside as the line does.
     if (outside && detail::is_inside(axis.from, axis.bounds, forgiven))
       return {MoveStatus::not_straight, i, 0};
   }
   return {};
 }
 
-/// Whether all goals are of one kind and sound.
+/// Checks that all goals are valid and of one kind.
 Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;

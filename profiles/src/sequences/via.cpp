@@ -14,9 +14,9 @@
 #include "profiles/src/sequences/stretches.hpp"
 
 // One axis. Between two turning points the shortest motion through all points of one direction is
-// the shortest motion from the first to the last of them: it does not turn back, so that it passes
-// the others anyway. What is left to choose is the acceleration at the turning points, where the
-// velocity is 0: with a = 0 there the axis would brake gently, and start gently, for nothing.
+// the shortest motion from the first to the last of them: it does not turn back, so it passes
+// the others anyway. Only the acceleration at the turning points, where the velocity is 0, can be chosen:
+// with a = 0 the axis would brake and start more gently than necessary.
 //
 // Several axes pass a point at one instant, which the shortest motion of each alone does not do. So
 // every point is a knot of the search (detail/stretches.cpp).
@@ -46,7 +46,7 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
     throw InputError(key(k), "", "must differ from the point before");
 }
 
-/// The sign of each bound, and whether they go together, move_to() looks after.
+/// move_to() checks the sign of each bound, and that they fit together.
 void require_magnitudes(const Bounds& b, const std::string& axis) {
   const std::pair<const char*, double> values[] = {{"velocity_min", b.velocity_min},
                                                    {"velocity_max", b.velocity_max},
@@ -105,8 +105,8 @@ void require_valid(const ViaSpec& spec) {
   require_valid_norm(spec.norm);
 }
 
-/// The bounds of an axis that goes `share` of the way under limits of the norm. An axis that does not
-/// move takes nothing of them.
+/// The bounds of an axis that goes `share` of the distance under limits of the norm. They do not limit an axis that
+/// does not move.
 Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
   if (!(share > 0)) return b;
   const auto limit = [](double most, double& min, double& max) {
@@ -119,7 +119,7 @@ Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
   return b;
 }
 
-/// What each axis may do on each stretch.
+/// The bounds of each axis on each stretch.
 detail::StretchBounds stretch_bounds(const ViaSpec& spec) {
   detail::StretchBounds all;
   for (std::size_t k = 0; k + 1 < spec.points.size(); ++k) {
@@ -153,8 +153,8 @@ std::vector<Knot> stopping(const ViaSpec& spec) {
   return knots;
 }
 
-/// The points between which nothing is left to choose but the shortest way: all of several axes', of
-/// one axis the turning points and both ends.
+/// The points between which the motion is the shortest one: all points for several axes; the turning points and
+/// both ends for one axis.
 std::vector<std::size_t> essential(const ViaSpec& spec, const detail::StretchBounds& bounds) {
   std::vector<std::size_t> points;
   const auto& p = spec.points;
@@ -168,7 +168,7 @@ std::vector<std::size_t> essential(const ViaSpec& spec, const detail::StretchBou
   return points;
 }
 
-/// With a stop at each point between; infinite where one cannot be made without turning back.
+/// The motion with a stop at each point between; infinite where one is impossible without turning back.
 double stopping_duration(const ViaSpec& spec, const detail::StretchBounds& bounds) {
   const std::vector<Knot> knots = stopping(spec);
   double total = 0;
@@ -217,7 +217,7 @@ ViaKnot chosen(const Knot& states, double time) {
   return knot;
 }
 
-/// The trajectories through the knots, and when they pass each.
+/// The trajectories through the knots, and the times at which they pass each.
 struct Built {
   std::vector<Trajectory> axes;
   std::vector<double> times{0};
@@ -244,7 +244,7 @@ Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots)
   return built;
 }
 
-/// From the first state to the last: through the points between at rest, or at part of the velocity of
+/// From the first state to the last: at rest at the points between, or at part of the velocity of
 /// the end beside them where they cannot rest there.
 std::vector<Knot> feasible(const detail::StretchBounds& bounds, std::vector<Knot> knots) {
   const auto fits = [&] {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 
+#include "profiles/src/solver/even_rest.hpp"
 #include "profiles/src/solver/rest_to_rest.hpp"
 #include "profiles/src/solver/solver.hpp"
 #include "profiles/src/solver/span.hpp"
@@ -13,15 +14,15 @@
 namespace jounce::detail {
 namespace {
 
-/// A duration that differs by this share is the same.
+/// Durations that differ by less than this share are the same.
 constexpr double same_duration = 1e-12;
 
 MotionState lowered(const MotionState& s) {
   return {s.velocity, s.acceleration, 0};
 }
 
-/// Without the position limits: the fastest change of velocity leaves those of the velocity no
-/// farther than it must.
+/// Without position limits: the fastest change of velocity exceeds the velocity limits no
+/// farther than necessary.
 Bounds lowered(const Bounds& b) {
   Bounds low;
   low.velocity_min = b.acceleration_min;
@@ -35,7 +36,7 @@ MotionState less(const MotionState& s, const MotionState& target) {
   return {s.position - target.position, s.velocity - target.velocity, s.acceleration};
 }
 
-/// One order up: the phases of a change of velocity as those of a motion.
+/// One order higher: the phases of a change of velocity as those of a motion.
 Profile raised(const Profile& change, const MotionState& from, const MotionState& to) {
   Profile p(from, change.order() + 1);
   for (std::size_t i = 0; i < change.phases(); ++i)
@@ -55,6 +56,10 @@ Profile unmoved(const Profile& relative, const MotionState& from, const MotionSt
     p.add(relative.phase(i).duration, relative.phase(i).value + target.velocity);
   p.finish(end);
   return p;
+}
+
+EvenRest even_rest(const AxisMove& axis) {
+  return {axis.from, axis.to, axis.bounds};
 }
 
 }  // namespace
@@ -92,7 +97,7 @@ MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) n
   return keeps ? MoveStatus::ok : MoveStatus::position_limit;
 }
 
-/// Whether the goal is a velocity and the velocity may step.
+/// True if the goal is a velocity and the velocity may step.
 bool AxisTask::steps() const noexcept {
   return axis_.goal == MoveGoal::velocity && order_of(axis_.bounds) == 1;
 }
@@ -150,8 +155,8 @@ void AxisTask::begin(Profile& out) const noexcept {
   ::new (&out) Profile(axis_.from, axis_.to, 3, {}, {});
 }
 
-/// What the start's velocity takes to end, and the target's to begin, both without jerk limits, and the motion
-/// from rest to rest in between, with the same limits both ways.
+/// The time to stop from the start's velocity, and to reach the target's, both without jerk limits, and the
+/// duration of the motion from rest to rest in between, with the same limits both ways.
 double AxisTask::about() const noexcept {
   const Bounds& b = axis_.bounds;
   const double per_a = 1 / b.acceleration_max;
@@ -165,6 +170,12 @@ double AxisTask::about() const noexcept {
 }
 
 bool AxisTask::cruises(double t, Profile& out) const noexcept {
+  if (form_ == Form::even_rest) {
+    EvenCourse c;
+    if (!even_rest(axis_).lasting(t, c) || !(c.cruise > 0x1p-20 * t)) return false;
+    ::new (&out) Profile(profile_of(c, axis_.bounds.jerk_max, axis_.from, axis_.to));
+    return true;
+  }
   if (form_ == Form::rest_to_rest) {
     RestToRest move(axis_.to.position - axis_.from.position, axis_.bounds);
     if (!move.solve_lasting(t) || !(move.cruise() > 0x1p-20 * t)) return false;
@@ -176,6 +187,12 @@ bool AxisTask::cruises(double t, Profile& out) const noexcept {
 }
 
 MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
+  if (form_ == Form::even_rest) {
+    if (EvenCourse c; even_rest(axis_).lasting(t, c)) {
+      ::new (&out) Profile(profile_of(c, axis_.bounds.jerk_max, axis_.from, axis_.to));
+      return MoveStatus::ok;
+    }
+  }
   if (form_ == Form::rest_to_rest) {
     RestToRest move(axis_.to.position - axis_.from.position, axis_.bounds);
     if (move.solve_lasting(t)) {

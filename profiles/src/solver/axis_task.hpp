@@ -9,7 +9,7 @@
 
 namespace jounce::detail {
 
-// Every goal is a move between two states, in coordinates of its own:
+// Every goal is a move between two states, in its own coordinates:
 //
 //   state     the axis as it is
 //   velocity  one derivative lower: the velocity takes the place of the position, the acceleration
@@ -21,10 +21,10 @@ namespace jounce::detail {
 /// The goal of an axis as a move between two states, in those coordinates.
 AxisMove posed(const AxisMove& axis) noexcept;
 /// A solution in those coordinates as the motion of the axis. `position_limit` where it leaves the
-/// axis's position limits; `out` is the motion all the same.
+/// axis's position limits; `out` is the motion in that case, too.
 MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) noexcept;
 
-/// What can be asked about one axis and its goal. The AxisMove must outlive it.
+/// The questions about one axis and its goal. The AxisMove must outlive it.
 class AxisTask {
  public:
   explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis) {
@@ -41,7 +41,7 @@ class AxisTask {
   MoveStatus shortest(Profile& out) const noexcept;
   /// A usual question of third order: it has a shortest motion.
   [[nodiscard]] bool is_usual() const noexcept {
-    return form_ == Form::point_to_point || form_ == Form::rest_to_rest;
+    return form_ == Form::point_to_point || form_ == Form::rest_to_rest || form_ == Form::even_rest;
   }
   /// About how long the shortest motion of such a question takes, s.
   [[nodiscard]] double about() const noexcept;
@@ -60,7 +60,7 @@ class AxisTask {
   const AxisMove& axis_;
   Form form_ = Form::any;
   std::optional<PointToPoint> inside_;  ///< only for Form::point_to_point
-  std::optional<AxisMove> posed_;       ///< of other goals than a state
+  std::optional<AxisMove> posed_;       ///< for goals other than a state
 };
 
 }  // namespace jounce::detail

@@ -5,8 +5,8 @@
 
 namespace jounce::detail {
 
-/// Two answers at once, one of each lane of a comparison. By SSE2's own instructions: GCC takes the
-/// lanes of a Mask<Vector2> apart where it has no SSE4.
+/// Two results at once, one from each lane of a comparison. It uses SSE2 instructions: without SSE4, GCC
+/// separates the lanes of a Mask<Vector2>.
 class Both {
  public:
 #ifdef __SSE2__

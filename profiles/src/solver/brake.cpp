@@ -20,15 +20,15 @@ MotionState after(Profile& profile, const MotionState& s, double t, double jerk)
           s.velocity + t * (s.acceleration + t * (jerk / 2)), s.acceleration + t * jerk};
 }
 
-/// Which velocity limit the natural velocity n passes: 1 the upper, -1 the lower, 0 none.
+/// The velocity limit that the natural velocity n passes: 1 the upper, -1 the lower, 0 none.
 int violated(const MotionState& s, const Bounds& b, double n) {
   const double terms = rounding * (std::abs(s.velocity) + std::abs(n));
   if (n > b.velocity_max + (forgiven * b.velocity_max + terms)) return 1;
   return n < b.velocity_min + (forgiven * b.velocity_min - terms) ? -1 : 0;
 }
 
-/// (8): the motion returns level to the limit, which the natural velocity passes by `excess`; up to
-/// where its acceleration begins its way back to zero. `side` is 1 at the upper limit.
+/// (8): the motion returns level to the limit, which the natural velocity passes by `excess`. It ends
+/// where the acceleration begins its way back to zero. `side` is 1 at the upper limit.
 MotionState level_return(const MotionState& from, const Bounds& b, int side, double excess,
                          Profile& profile) {
   const double limit = side > 0 ? b.velocity_max : b.velocity_min;
@@ -59,7 +59,7 @@ bool is_inside(const MotionState& s, const Bounds& b, double tolerance) noexcept
   const double top = b.velocity_max * more;
   const double bottom = b.velocity_min * more;
   if (v > top || v < bottom) return false;
-  // Where the acceleration comes to zero, without a division:
+  // The place where the acceleration comes to zero, without a division:
   return a > 0 ? a * a <= 2 * -b.jerk_min * (top - v) : a * a <= 2 * b.jerk_max * (v - bottom);
 }
 
@@ -74,7 +74,7 @@ MotionState acceleration_inside(const MotionState& from, const Bounds& b,
   MotionState s = from;
   s.acceleration = std::clamp(from.acceleration, b.acceleration_min, b.acceleration_max);
   const double change = s.acceleration - from.acceleration;
-  // A last digit, too: left over, it would act through all of a hold or a cruise.
+  // Also where only a last digit is left: it would act through all of a hold or a cruise.
   if (change == 0) return s;
   const double jerk = change < 0 ? b.jerk_min : b.jerk_max;
   const double a = s.acceleration;
@@ -101,19 +101,19 @@ Braking braking_under_way(const MotionState& from, const MotionState& to,
   const double distance = to.position - from.position;
   const double way = distance < 0 ? -1 : 1;
   const double v = way * from.velocity;
-  const double a = -way * from.acceleration;  // how it brakes
+  const double a = -way * from.acceleration;  // its deceleration
   const double most = way > 0 ? -b.acceleration_min : b.acceleration_max;
   const double rise = way > 0 ? b.jerk_max : -b.jerk_min;
   const double n = v - a * a / (2 * rise);
   const bool rests = to.velocity == 0 && to.acceleration == 0;
   if (!rests || distance == 0 || !(a > most * (1 + forgiven)) || !(n > 0)) return {};
-  // (10) for what is left beside the ramp to zero acceleration
+  // (10) for the rest beside the ramp to zero acceleration
   const double ramp = a / rise * (v - a * a / (3 * rise));
   const double e = rise * (way * distance - ramp);
   const double r = std::sqrt(e * e + n * n * n * rise);
   const double x = e > 0 ? n * n * rise / (e + r) : (r - e) / n;
   if (x <= most) return {};
-  // A last digit more, so that rounding leaves the axis before the target and not behind it.
+  // A last digit more, so that the axis stops before the target and not behind it by rounding.
   if (x <= a) return {.limit = -way * std::min(x * (1 + 0x1p-48), a)};
   return {.hold = n / a};
 }

@@ -8,10 +8,10 @@
 
 namespace jounce::detail {
 
-/// True if a state keeps the bounds, and can go on to, but for a share of the limits.
+/// True if a state keeps the bounds now and can keep them from there on, but for a share of the limits.
 bool is_inside(const MotionState& s, const Bounds& bounds, double tolerance) noexcept;
 
-/// The velocity at which the acceleration is back at zero if that begins at once.
+/// The velocity at which the acceleration is back at zero if it returns at once.
 double natural_velocity(const MotionState& s, const Bounds& bounds) noexcept;
 
 /// Brings the acceleration inside its limits at full jerk: appends that phase, returns the state
@@ -19,7 +19,7 @@ double natural_velocity(const MotionState& s, const Bounds& bounds) noexcept;
 MotionState acceleration_inside(const MotionState& from, const Bounds& bounds,
                                 Profile& profile) noexcept;
 
-/// Which velocity limit a state will pass whatever is done: 1 the upper, -1 the lower, 0 none.
+/// The velocity limit that every motion from a state passes: 1 the upper, -1 the lower, 0 none.
 int runs_out(const MotionState& s, const Bounds& bounds) noexcept;
 
 /// Appends the beginning that all motions from a start outside the bounds share, and returns the

@@ -30,7 +30,7 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
   half_.to_sat = k_ / 2 * (half_.limit - begun) * (half_.limit + begun);
   half_.sat = half_.natural + half_.to_sat;
   natural_ = std::max(half_.natural[0], half_.natural[1]);
-  // c1 - c2 from differences, so that what is small does not drown in the velocities.
+  // c1 - c2 from differences, so that it keeps its digits beside large velocities.
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
   const double dc = -dv - (s0 - s1) * (s0 + s1) * ijp_ / 2;
@@ -53,7 +53,7 @@ bool Extremals::has_early() const noexcept {
   const auto room = half_[static_cast<std::size_t>(1 - first_)];
   const double tolerance = rounding * (std::abs(degenerate.c) + std::abs(room.c) +
                                        k_ * square(degenerate.s) + k_ * square(room.s));
-  const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // room.c - degenerate.c
+  const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // between the c of both halves
   return room.s < 0 && degenerate.s > 0 && dc >= -tolerance &&
          dc + k_ * (room.s - degenerate.s) * (room.s + degenerate.s) / 2 >= -tolerance;
 }
@@ -64,7 +64,7 @@ Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   const Vector2 zero{};
   const Vector2 s = half_.s;
   const Vector2 above = vp - half_.v - half_.gain + beyond;
-  // No phases for the sake of the last digits.
+  // No phases for the last digits alone.
   const Vector2 more = above <= every<Vector2>(rounding * std::abs(vp)) ? zero : above;
   const Vector2 begun = greatest(s, zero);
   // From the same difference as the rise, so that the fall brings the acceleration back to zero.
@@ -81,7 +81,7 @@ Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   return e;
 }
 
-/// The member at which one half has no phase of rising acceleration: its z is where it begins. The
+/// The member at which one half has no phase of rising acceleration: its z is its initial acceleration. The
 /// other half's z has the given sign.
 Extremal Extremals::beginning(int which, double sign) const noexcept {
   const auto i = static_cast<std::size_t>(which);
@@ -95,12 +95,12 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   // The square of z, from the nearer one.
   const double square_of_z =
       std::abs(other.s) < std::abs(s) ? square(other.s) + squares : square(s) + more;
-  // Below zero it is the other direction's limit that counts, which an end keeps.
+  // Below zero the limit of the other direction counts, which each end keeps.
   if (sign < 0 || square_of_z < other.limit * other.limit) {
     z = sign * root(square_of_z);
     e.fall = (z * s < 0 ? more / (z - s) : z + s) * ijd_;
     if (sign > 0 && z < other.s) {
-      // By rounding of the accelerations the fall is known better than their difference is.
+      // The fall is more exact than the difference of the rounded accelerations.
       const bool is_rounding = other.s - z <= rounding * other.s;
       z = other.s;
       if (!is_rounding) e.fall = (z + s) * ijd_;
@@ -108,7 +108,7 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   } else {
     z = other.limit;
     squares = (other.limit - other.s) * (other.limit + other.s);
-    // From the change of velocity, of which rise and fall are parts: vp and sat may be far above it.
+    // From the change of velocity, which includes rise and fall: vp and sat may be far above it.
     const double passed = ((z - other.s) * (z + other.s) * ijp_ + (z - s) * (z + s) * ijd_) / 2;
     e.hold = pair(0, std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0), which == 1);
     e.fall = (z + s) * ijd_;
@@ -140,7 +140,7 @@ Extremal Extremals::last_early() const noexcept {
 
 double Extremals::distance(const Extremal& e) const noexcept {
   const Vector2 risen = half_.v + e.rise * (half_.s + e.z) / 2;
-  const Vector2 v = risen + e.hold * e.z;  // where the fall begins and ends
+  const Vector2 v = risen + e.hold * e.z;  // at the beginning and the end of the fall
   const Vector2 rises = e.rise * ((half_.v + risen) / 2 - e.rise * (e.z - half_.s) / 12);
   const Vector2 holds = e.hold * (risen + v) / 2;
   const Vector2 ramps = rises + holds;
@@ -165,7 +165,7 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
     const double z_low = root(z_high * z_high + q_);
     return z_high < 0 ? q_ / (z_low - z_high) : z_low + z_high;
   };
-  double vp = a.c + k_ * square(a.s) / 2;  // where we are
+  double vp = a.c + k_ * square(a.s) / 2;  // the present vp
   if (a.s < 0) {                           // below zero: a is the high half
     const double end = b == Branch::main ? 0 : -root(2 * ik_ * (o.c + k_ * square(o.s) / 2 - a.c));
     double x = a.s;
@@ -186,7 +186,7 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   const auto u = half_[static_cast<std::size_t>(1 - lower)];
   const auto z = [this](const Half<double>& h, double v) { return root(2 * ik_ * (v - h.c)); };
   const double c_high = half_[static_cast<std::size_t>(high_)].c;
-  // Where the branch begins, both z are known better than from the velocities.
+  // At the beginning of the branch, both z are more exact than from the velocities.
   const bool begins = a.s >= 0;
   const Extremal start = begins ? first(b) : Extremal{};
   const double to_none = std::min(l.sat, vmax_);
@@ -242,13 +242,13 @@ std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   double fall = e.fall;
   Vector2 rise = e.rise;
   if (!cruises && std::min(rise[0], rise[1]) < 0) {
-    // A rise that rounding made negative is taken from the other: duration and acceleration at the end
-    // stay. What is then left of it is left out.
+    // A rise that is negative by rounding is subtracted from the other: duration and acceleration at the end
+    // stay. The rest of it is left out.
     const std::size_t i = rise[0] < 0 ? 0 : 1;
     rise[1 - i] += rise[i];
     rise[i] = 0;
     const double less = -std::min(rise[1 - i], 0.0);
-    // The fall makes up for it, unless only rounding of the acceleration is left.
+    // The fall compensates for it, unless it is only rounding of the acceleration.
     if (less > rounding * (std::abs(half_[0].s) + std::abs(half_[1].s)) * ijp_)
       fall += less * ijd_ / ijp_;
   }
@@ -284,7 +284,7 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
         e = member(p, p.lo);
         const double per_velocity = 1 / half_[0].limit + 1 / half_[1].limit;
         x = (t - duration(e)) / per_velocity;
-        if (std::min(e.rise[0], e.rise[1]) <= 0)  // a hold may have been taken as none
+        if (std::min(e.rise[0], e.rise[1]) <= 0)  // a hold may have been rounded to none
           x += (t - duration(at_peak(p.lo, x))) / per_velocity;
         return at_peak(p.lo, std::clamp(x, 0.0, p.hi - p.lo));
       }

@@ -8,8 +8,8 @@
 
 namespace jounce::detail {
 
-// The farthest a jerk-limited axis can get in a given time: the one family of motions on which the
-// general solver rests. docs/generators/move.md derives it at length.
+// The motions that go farthest in a given time under a limited jerk: the family of motions on which the
+// general solver is based. docs/generators/move.md derives it in detail.
 //
 // Fix both ends, (v0, a0) and (vf, af), and a duration T. The bounds on velocity, acceleration and
 // jerk are convex, so the distances that can be covered in T form an interval [Dmin(T), Dmax(T)].
@@ -35,21 +35,21 @@ namespace jounce::detail {
 //
 // Where one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
 // phase of seconds changes z by less than its last digits. The same equations in the times of the phases
-// keep theirs (extremal_timed.cpp).
+// keep their digits (extremal_timed.cpp).
 
-/// By how much one jerk must be below the other, or one acceleration above the other, for the digits that
-/// (1) to (3) lose to matter.
+/// The least ratio of one jerk to the other, or of one acceleration to the other, for which the digits that
+/// (1) to (3) lose matter.
 inline constexpr double uneven = 8;
 
 /// A member of the family.
 struct Extremal {
   // The first and the second half, each in a lane:
   Vector2 z{};        ///< peak accelerations towards the peak velocity
-  Vector2 rise{};     ///< how long they take to build up
-  Vector2 hold{};     ///< how long they are held
-  double fall = 0;    ///< how long the acceleration takes from z1 to -z2, cruise left out
+  Vector2 rise{};     ///< s, of rising to them
+  Vector2 hold{};     ///< s, of holding them
+  double fall = 0;    ///< s, of the acceleration from z1 to -z2, without the cruise
   double vp = 0;      ///< peak velocity
-  double cruise = 0;  ///< how long that is held
+  double cruise = 0;  ///< s, at the peak velocity
 };
 
 /// All extremals between two ends. With both accelerations at the ends of one sign there may be two
@@ -75,13 +75,13 @@ class Extremals {
   };
   enum class Branch { early, main };
 
-  /// `degenerate` is the half (0 or 1) with the greater natural velocity, that at which the
-  /// acceleration comes to zero if it begins to at once.
-  /// `dv` is how much greater the velocity `to` is: it may be known better than the two.
+  /// `degenerate` is the half (0 or 1) with the greater natural velocity: the velocity at which the
+  /// acceleration comes to zero if it returns at once.
+  /// `dv` is the velocity `to` less that of `from`: it may be more exact than the two.
   Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
-  /// True if there is an early branch, give or take what rounding makes of the velocities.
+  /// True if there is an early branch, within the rounding of the velocities.
   [[nodiscard]] bool has_early() const noexcept;
   /// The shortest member of a branch, and the longest of the early one.
   [[nodiscard]] Extremal first(Branch b) const noexcept;
@@ -93,8 +93,8 @@ class Extremals {
     return e.rise[0] + e.hold[0] + e.fall + e.cruise + e.hold[1] + e.rise[1];
   }
   [[nodiscard]] double distance(const Extremal& e) const noexcept;
-  /// The durations of the seven phases, jerk + 0 - 0 - 0 +; what rounding made of nothing may be
-  /// negative.
+  /// The durations of the seven phases, jerk + 0 - 0 - 0 +. A phase that does not occur may be negative by
+  /// rounding.
   [[nodiscard]] std::array<double, 7> phases(const Extremal& e) const noexcept;
   /// (4)
   [[nodiscard]] double slope(const Extremal& e) const noexcept {
@@ -104,7 +104,7 @@ class Extremals {
   /// The members of the branch that cover d, in the order of their duration: at most three.
   using Members = std::array<Extremal, 3>;
   [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
-  /// The shortest of them on the main branch, the fast way, given where that begins: d >= covered,
+  /// The shortest of them on the main branch, by a faster method. d >= covered,
   /// the distance of `begin`, which is first(Branch::main).
   [[nodiscard]] Extremal cover(double d, const Extremal& begin, double covered) const noexcept;
   /// The member of the branch that lasts t.
@@ -112,12 +112,12 @@ class Extremals {
 
   /// The greater of the velocities at which the acceleration of an end would come to zero.
   [[nodiscard]] double natural() const noexcept { return natural_; }
-  /// Not extremal, but of the same form: the motion that cruises at the natural velocity in duration t; and
-  /// the one that cruises at the higher velocity that covers d in t. Only for t and d that permit the
-  /// former; false where no velocity covers d, give or take `slack`.
+  /// Two motions that are not extremal, but of the same form: one cruises at the natural velocity; the other one
+  /// cruises at a higher velocity and covers d in t. Only for t and d that permit the
+  /// former; false where no velocity covers d, within `slack`.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
   bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
-  /// The same the fast way; false also where its few steps do not find it.
+  /// The same by a faster method; false also where its few steps do not find the motion.
   bool soon_cruising(double t, double d, Extremal& out) const noexcept;
 
  private:
@@ -135,7 +135,7 @@ class Extremals {
       return {v[i], s[i], limit[i], c[i], gain[i], to_sat[i], sat[i], natural[i]};
     }
   };
-  /// A stretch of a branch over which the same z are held, run through by one parameter.
+  /// A stretch of a branch over which the same z are held. One parameter runs through it.
   struct Stretch {
     enum class Held { none, one, both, cruise } held;
     int free;  ///< Held::one: the half that does not hold
@@ -157,21 +157,21 @@ class Extremals {
   [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
   [[nodiscard]] Extremal cruising_above(double above, double t) const noexcept;
   double cruising_step(const Extremal& e, double d, double& sign) const noexcept;
-  /// `beyond`: what vp + beyond would round.
+  /// `beyond`: a small part of the peak velocity, which vp + beyond would round.
   [[nodiscard]] Extremal at_peak(double vp, double beyond = 0) const noexcept;
-  /// How long the other half holds its limit where the half `free` has z. From the difference of both c,
-  /// as velocities are no measure of it.
+  /// The time for which the other half holds its limit where the half `free` has z. It follows from the difference
+  /// of both c: velocities have too few digits.
   [[nodiscard]] double held_beside(int free, double z) const noexcept {
     const double l = half_[static_cast<std::size_t>(1 - free)].limit;
     return k_ / 2 * ((free == high_ ? q_ : -q_) + (z - l) * (z + l)) / l;
   }
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
-  /// How long a half takes to its z, of which z^2 - s^2 is known better than z where they agree.
+  /// The time that a half takes to its z. z^2 - s^2 is more exact than z where z and s nearly agree.
   [[nodiscard]] double rise(const Half<double>& h, double z, double squares) const noexcept {
     return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
   }
 
-  // By the time of a slow phase: of both rises together, of the free half's rise, or of the fall.
+  // By the time of a slow phase: that of both rises, of the free half's rise, or of the fall.
   [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
   [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;
   [[nodiscard]] Extremal timed_none(double x) const noexcept;

@@ -10,7 +10,7 @@
 #include "profiles/src/solver/extremal.hpp"
 #include "profiles/src/solver/zero.hpp"
 
-// Which member covers a distance.
+// The member that covers a distance.
 //
 // While nothing is held, (1) gives z_low^2 - z_high^2 = q. With the sum S = z1 + z2, which grows
 // with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
@@ -28,8 +28,8 @@
 namespace jounce::detail {
 namespace {
 
-/// A power of two within a factor of 4 of the cube root: the same in all units that are powers of two
-/// of each other, which std::cbrt is not.
+/// A power of two within a factor of 4 of the cube root. Units that differ by powers of two give the same result,
+/// which std::cbrt does not.
 double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
@@ -88,7 +88,7 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const double y = zero(f, p.lo, hi, rising, guess);
       const Extremal e = member(p, y);
       if (!(y > uneven * l)) return e;
-      // The terms are y/L times as large as the sum over the phases is: one step more by that.
+      // The terms are y/L times as large as the sum over the phases: one more step with that sum.
       const double slope = k_ * (x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)));
       const double next = y - newton(distance(e) - d, slope, rising);
       return next > p.lo && next < hi ? member(p, next) : e;
@@ -102,7 +102,7 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const double y = rising == (h > 0) ? 2 * g / (h + signed_root) : signed_root - h;
       const Extremal found = at_peak(p.lo, std::clamp(y, 0.0, p.hi - p.lo));
       if (std::min(e.rise[0], e.rise[1]) > 0) return found;
-      // At the begin a hold may have been taken as none for the last digits: one step more.
+      // At the beginning a hold of a few last digits may have been rounded to none: one more step.
       const double less =
           (distance(found) - d) / (slope(found) * (1 / half_[0].limit + 1 / half_[1].limit));
       return at_peak(p.lo, std::clamp(y - less, 0.0, p.hi - p.lo));
@@ -115,7 +115,7 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
   return e;
 }
 
-/// Where (4) is zero in a stretch, ascending.
+/// The zeros of (4) in a stretch, ascending.
 int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexcept {
   double lo = inf;
   double hi = inf;
@@ -152,7 +152,7 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
   for (int i = 0; i < stretches_in_use && found < most; ++i) {
     Stretch piece = all[static_cast<std::size_t>(i)];
     const double end = piece.hi;
-    // The distance may rise, fall and rise again; once it rises with both z > 0 it goes on rising.
+    // The distance may rise, fall and rise again. Once it rises with both z > 0, it continues to rise.
     const Extremal begin = member(piece, piece.lo);
     std::array<double, 2> turns;
     const bool turns_somewhere = std::min(begin.z[0], begin.z[1]) < 0 || slope(begin) < 0;
@@ -246,8 +246,8 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   return lo;
 }
 
-/// The velocity of cruising() to some nine digits; NaN where these steps do not find it. A half that passes
-/// zero acceleration at velocity c loses against a cruise, with p = 1/jp,
+/// The velocity of cruising() to about nine digits; NaN where these steps do not find it. A half that passes
+/// zero acceleration at velocity c covers less than a cruise, with p = 1/jp, by
 ///
 ///   (11)  k (k + p) z^3/6 + h (z^2 (k + p) + h z)/2 - (vp - c) s p + s^3 p^2/6
 double Extremals::cruise_velocity(double t, double d) const noexcept {
@@ -273,7 +273,7 @@ double Extremals::cruise_velocity(double t, double d) const noexcept {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// By how much the peak velocity is above the natural one.
+/// The motion whose peak velocity is above the natural one by `above`.
 Extremal Extremals::cruising_above(double above, double t) const noexcept {
   Extremal e = at_peak(natural_, above);
   e.cruise = t - duration(e);
@@ -306,7 +306,7 @@ bool Extremals::cruising(double t, double d, double slack, Extremal& out) const 
   };
   // Without the time that the ramps take, the mean velocity would do.
   out = cruising_above(zero(f, 0, farthest.vp - natural_, true, d / t - natural_), t);
-  // Beside the farthest rounding of the peak velocity may leave no time to cruise.
+  // Near the farthest member, rounding of the peak velocity may leave no time to cruise.
   if (!(out.cruise > 0)) out = farthest;
   return true;
 }

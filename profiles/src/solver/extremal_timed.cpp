@@ -8,7 +8,7 @@
 #include "profiles/src/solver/zero.hpp"
 
 // Members by the time of a phase, for jerks that are far apart. With x the time in which a half's
-// acceleration goes from s to z, g = s x + jp x^2/2 what that adds to the velocity, and
+// acceleration goes from s to z, g = s x + jp x^2/2 the velocity that this adds, and
 // n = v + s^2/(2 jd), (1) is
 //
 //   (8)   vp = n + k jp g + z h
@@ -18,7 +18,7 @@
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
-// unless s1 + s2 is far below zero: then the rises take as long as whole ramps do, and keep their digits.
+// unless s1 + s2 is far below zero: then the rises take as long as whole ramps, and keep their digits.
 // The same holds for jerks that are not apart while the acceleration keeps its sign.
 // While one half holds z = L, x of the other runs, and dT/dx = k jp (1 + z/L).
 //
@@ -36,7 +36,7 @@ bool Extremals::is_timed(const Stretch& p) const noexcept {
   const double s1 = half_[1].s;
   if (!(uneven * (s0 + s1) > -(std::abs(s0) + std::abs(s1)))) return false;
   if (rises_slowly_) return true;
-  // Where the acceleration keeps its sign, it may last long beside the change: then, too.
+  // Also where the acceleration keeps its sign and lasts long beside its change.
   const bool keeps_sign = p.hi * p.hi <= q_ * (1 + rounding);
   return keeps_sign && (s0 + s1 >= 0 || ijd_ <= uneven * ijp_);
 }
@@ -80,7 +80,7 @@ Extremal Extremals::timed(const Stretch& p, double x) const noexcept {
   return p.held == Stretch::Held::none ? timed_none(x) : timed_one(p.free, x);
 }
 
-/// Where a stretch's own parameter, z or the sum of both, is this one.
+/// The time at which a stretch's own parameter, z or the sum of both, has the value z.
 double Extremals::time_of(const Stretch& p, double z) const noexcept {
   if (p.held == Stretch::Held::none) return (z - (half_[0].s + half_[1].s)) * ijp_;
   const auto f = static_cast<std::size_t>(p.free);
@@ -100,7 +100,7 @@ double Extremals::time_lasting(const Stretch& p, double t) const noexcept {
 
 Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const noexcept {
   const bool by_rise = rises_slowly_ || p.held == Stretch::Held::none;
-  const double rate = k_ / (by_rise ? ijp_ : ijd_);  // dT/dx, but for what is held
+  const double rate = k_ / (by_rise ? ijp_ : ijd_);  // dT/dx, without the holds
   const auto f = [&](double x, double& sign) {
     const Extremal e = timed(p, x);
     sign = distance(e) - d;
@@ -111,7 +111,7 @@ Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const no
     const double v = h.v + e.rise[0] * (h.s + e.z[0]) / 2 + e.z[0] * e.hold[0];
     return newton(sign, (v + e.z[0] * e.fall / 2) * rate * held, rising);  // (4)
   };
-  // The ends of the stretch are known no better than the accelerations that they are made of, or, of
+  // The ends of the stretch are no more exact than the accelerations from which they follow or, for
   // slow rises, than the velocities c.
   double terms = std::abs(half_[0].s) + std::abs(half_[1].s) + std::abs(p.lo);
   if (rises_slowly_ && p.lo != 0)

@@ -22,22 +22,22 @@ Extremals::Jerks upward_jerks(const Bounds& b) {
   return {per_rise, per_fall, per_rise + per_fall, per_k};
 }
 
-/// How much greater the target's velocity is, or what the bare ramp of acceleration adds, if only
-/// rounding keeps the two apart: a motion that has reached its last phase must not begin another.
+/// The target's velocity less the start's or, if the two differ only by rounding, the change by the bare ramp of
+/// acceleration: a motion that has reached its last phase must not begin another.
 double velocity_difference(const MotionState& from, const MotionState& to,
                            const Extremals::Jerks& j) {
   const double a0 = from.acceleration;
   const double af = to.acceleration;
   const double dv = to.velocity - from.velocity;
   const double ramp = std::abs(af - a0) * (af + a0) * (af > a0 ? j.per_rise : j.per_fall) / 2;
-  // Of jerks far apart the larger: with that one, what rounding leaves of the velocity is made good.
+  // For jerks far apart the larger one: it corrects the rounding error of the velocity.
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
                        2 * (a0 * a0 + af * af) * std::min(j.per_rise, j.per_fall);
   return std::abs(dv - ramp) <= detail::rounding * scale ? ramp : dv;
 }
 
-/// How far the natural velocity of an end, where its acceleration a (seen forwards in time from the
-/// start and backwards from the target) comes to zero, is from the velocity there.
+/// The natural velocity of an end less its velocity: the acceleration a (forwards in time from the
+/// start, backwards from the target) comes to zero at the natural velocity.
 double to_natural(double a, const Extremals::Jerks& j) {
   return a * std::abs(a) * (a > 0 ? j.per_fall : j.per_rise) / 2;
 }
@@ -56,8 +56,8 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
                            const Bounds& bounds) noexcept
     : PointToPoint(from, to, bounds, upward_jerks(bounds)) {}
 
-// Rounding may have put an end a last digit beyond the velocity limit: that is then the limit. Which
-// natural velocity is the greater is asked once, so that both families agree.
+// Rounding may have put an end a last digit beyond the velocity limit: that velocity is then the limit. The
+// natural velocities are compared once, so that both families agree.
 PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
                            const Extremals::Jerks& jerks) noexcept
     : rise_(b.jerk_max),
@@ -81,7 +81,7 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
             std::abs(from.acceleration) + std::abs(to.acceleration)};
 }
 
-/// How well a distance is known that is covered in t.
+/// The rounding error of a distance that is covered in t.
 double PointToPoint::rounding(double t) const noexcept {
   return detail::rounding * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
 }
@@ -96,7 +96,7 @@ Extremals PointToPoint::family(bool upwards) const noexcept {
           start_is_higher_ ? 1 : 0};
 }
 
-/// Whether there may be an early branch.
+/// True if there may be an early branch.
 bool PointToPoint::is_early(const Extremals& up) const noexcept {
   return from_.acceleration * to_.acceleration > 0 && up.has_early();
 }
@@ -114,7 +114,7 @@ bool PointToPoint::fastest_early(const Extremals& up, Course& out) const noexcep
   const Extremal first = up.first(Branch::early);
   const double direct = up.distance(first);
   out = {true, up.phases(first)};
-  // The branch may be far shorter than the direct change of the main one.
+  // This branch may be far shorter than the direct change of the main branch.
   const double known = rounding(up.duration(first));
   if (std::abs(d_ - direct) <= known) return true;
   out.upwards = d_ > direct;
@@ -147,12 +147,12 @@ double PointToPoint::minimum() const noexcept {
 
 namespace {
 
-/// Of the phases of an extremal: whether the jerk is that of rise, of fall, or none.
+/// The jerk in the phases of an extremal: that of rise (1), that of fall (-1), or none.
 constexpr std::array<int, 7> pattern{1, 0, -1, 0, -1, 0, 1};
 
 }  // namespace
 
-/// The jerks of a family's phases, real ones: of rise, of fall.
+/// The real jerks of a family's phases: of rise, of fall.
 std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
   return {either(upwards, rise_, fall_), either(upwards, fall_, rise_)};
 }
@@ -179,24 +179,24 @@ void PointToPoint::append(const Course& c, Profile& out) const noexcept {
     out.add(c.phases[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
 }
 
-/// `share` of one motion and the rest of another that lasts as long. Bounds are convex: what both
+/// `share` of one motion and the rest of another one of the same duration. Bounds are convex: bounds that both
 /// keep, their mean keeps.
 void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
                                 Profile& out) const noexcept {
   const std::array<double, 2> weight{share, 1 - share};
-  // What is there already has whole jerks; it is written as the sum of the same parts.
+  // The phases so far have whole jerks; they are written as sums of the same parts.
   Profile whole(out.start(), 3);
   whole.finish(out.end());
   for (std::size_t i = 0; i < out.phases(); ++i) {
     const auto f = out.phase(i);
     whole.add(f.duration, weight[0] * f.value, weight[1] * f.value);
   }
-  std::array<std::array<double, 3>, 2> jerk;  // of -, 0, +
+  std::array<std::array<double, 3>, 2> jerk;  // for -, 0, +
   for (std::size_t k = 0; k < 2; ++k) {
     const auto [rise, fall] = jerks(c[k].upwards);
     jerk[k] = {weight[k] * fall, 0, weight[k] * rise};
   }
-  // Rounding may end one a little before the other: that has no jerk then.
+  // By rounding one motion may end a little before the other: it has no jerk then.
   std::array<std::size_t, 2> at{0, 0};
   std::array<double, 2> left{c[0].phases[0], c[1].phases[0]};
   while (at[0] < 7 || at[1] < 7) {
@@ -223,15 +223,15 @@ Bounds PointToPoint::ramps() const noexcept {
           .jerk_max = rise_};
 }
 
-/// For where there are phases already, and for durations that are long beside the changes at the ends.
+/// For profiles that have phases already, and for durations that are long beside the changes at the ends.
 bool PointToPoint::append_long(double t, Profile& out) const noexcept {
   const VelocityChange direct({0, from_.velocity, from_.acceleration}, to_.velocity,
                               to_.acceleration, ramps());
   return (out.phases() > 0 || t > 8 * direct.duration()) && append_stair(t, out);
 }
 
-/// The velocity stops half-way between both ends to cruise, if there is time for that. Of fewer
-/// phases than a mean of two motions, and each of its own length: beside long ones, the ends of short phases would
+/// The velocity stops half-way between both ends to cruise, if there is time for that. It has fewer
+/// phases than a mean of two motions, and each has its own length: beside long phases, the ends of short ones would
 /// lose their digits.
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   const Bounds bounds = ramps();
@@ -280,7 +280,7 @@ bool PointToPoint::cruises(double t, Profile& out) const noexcept {
   const double least = 0x1p-20 * t;
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
-  // Most often one family alone has the answer: the likely one comes first.
+  // Usually one family has the answer: the more probable one comes first.
   const bool rises = d_ >= t * (natural_[0] + natural_[1]) / 2;
   for (const bool upwards : {rises, !rises}) {
     const Extremals f = family(upwards);
@@ -312,7 +312,7 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   const bool is_early = both.early && t < main &&
                         t <= both.up.duration(both.up.last_early()) * (1 + detail::rounding);
   if (!is_early && t < main * (1 - detail::rounding)) return false;
-  // At the edge of a blocked interval both sides have rounded, also what the accelerations at the ends add.
+  // At the edge of a blocked interval both sides are rounded, also the change by the accelerations at the ends.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
   const double slack = 3 * (rounding(t) + detail::rounding * std::abs(d_)) +
                        detail::rounding * cube(scale_.acceleration) * square(per_jerk);
@@ -361,7 +361,7 @@ void PointToPoint::add_events(Branch b, const Families& both, Events& events) co
   }
 }
 
-/// Adds what is not possible after the minimum, between two events each.
+/// Adds the durations after the minimum that are impossible, each interval between two events.
 template <class Possible>
 void PointToPoint::find_blocked(Events events, Durations& out, Possible possible) noexcept {
   std::sort(events.at.begin(), events.at.begin() + events.count);

@@ -9,21 +9,21 @@
 
 namespace jounce::detail {
 
-/// One move between two states inside the bounds, third order: both families of extremals, the one
-/// that goes as far up as it can in every duration and the one that goes as far down (as the
+/// One move between two states inside the bounds, third order, from two families of extremals: one
+/// goes as far up as possible in every duration, the other as far down (as the
 /// mirror image of an upward one). docs/generators/move.md.
 class PointToPoint {
  public:
   PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-  /// The shortest motion, as a profile between the two states that were asked for.
+  /// The shortest motion, as a profile between the two given states.
   [[nodiscard]] Profile shortest(const MotionState& from, const MotionState& to) const noexcept;
-  /// The same appended to a way inside.
+  /// The same, appended to a motion that comes inside the bounds.
   void append_shortest(Profile& out) const noexcept { append(fastest(), out); }
   /// Appends the phases of a motion of exactly this duration >= minimum(); false if it is blocked.
   bool lasting(double t, Profile& out) const noexcept;
-  /// The same where that motion cruises for a time that is more than rounding: then t is longer than minimum(),
-  /// and the shortest motion need not be known. Otherwise false.
+  /// The same where that motion cruises for more than rounding: then t is longer than minimum(),
+  /// and the shortest motion is not needed. Otherwise false.
   bool cruises(double t, Profile& out) const noexcept;
   [[nodiscard]] double minimum() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
@@ -31,7 +31,7 @@ class PointToPoint {
   // The early branch alone, for a start that runs out of the bounds and may meet its target before.
   // It has the state from which the acceleration has to return at once, and may not pass zero.
   [[nodiscard]] bool has_early() const noexcept;
-  /// Whose last blocked interval is without end.
+  /// The last blocked interval is without end.
   [[nodiscard]] Durations early_durations() const noexcept;
 
  private:
@@ -40,12 +40,12 @@ class PointToPoint {
   PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
                const Extremals::Jerks& jerks) noexcept;
 
-  /// The phases of one member, and of which family.
+  /// The phases of one member, and its family.
   struct Course {
     bool upwards = true;
     std::array<double, 7> phases{};
   };
-  /// Both families at work on one question.
+  /// Both families of one question.
   struct Families {
     Extremals up, down;
     bool early;
@@ -61,7 +61,7 @@ class PointToPoint {
   [[nodiscard]] bool fastest_early(const Extremals& up, Course& out) const noexcept;
   [[nodiscard]] Course fastest() const noexcept;
   [[nodiscard]] bool reachable(const Families& both, double t) const noexcept;
-  /// Instants between which nothing changes about whether the target can be reached.
+  /// Instants between which the target is either always or never reachable.
   struct Events {
     std::array<double, 17> at{};
     std::size_t count = 0;
@@ -85,17 +85,17 @@ class PointToPoint {
 
   double rise_, fall_;  ///< the jerks, signed
   double d_;
-  double dv_;  ///< dv of the velocities: to_ less from_
+  double dv_;  ///< the velocity of to_ less that of from_
   Extremals::End from_, to_;
   Extremals::Jerks jerks_;
   std::array<double, 2> natural_;  ///< velocities of start and target
-  bool start_is_higher_;           ///< in its natural velocity
+  bool start_is_higher_;           ///< the start has the higher natural velocity
   Extremals::Limits up_limits_, down_limits_;
-  MotionState scale_;  ///< what the states are made of
+  MotionState scale_;  ///< magnitudes of the states
 };
 
-/// Adds a blocked interval behind the others: to the last where it goes on, or where there is no room
-/// for another (so that no duration is promised that is blocked).
+/// Adds a blocked interval behind the others. It extends the last one where the two touch, or where no more fit
+/// (so that no blocked duration is promised).
 void block(const Durations::Interval& interval, Durations& out) noexcept;
 
 }  // namespace jounce::detail

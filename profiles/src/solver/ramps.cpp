@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// What a law makes of a change that may be none.
+/// The phase of a law for a change that may be zero.
 template <class Law>
 auto ramp_of(const Law& law, double dv) {
   return dv > 0 ? law.ramp(dv) : decltype(law.ramp(dv)){};
@@ -29,11 +29,11 @@ Segment sine_edge(double length, double p, double v0, double v1) {
   return f;
 }
 
-/// A ramp in jerks. They cancel to the last bit, because what they left of the acceleration would be
-/// felt through the whole cruise.
+/// A ramp in jerks. They cancel to the last bit, because a rest of the acceleration would
+/// act through the whole cruise.
 struct Jerks {
   double rising, falling;
-  double fall;  ///< s, the ramp's own, to the last bits
+  double fall;  ///< s, of this ramp, to the last bits
 };
 
 Jerks jerks(const RampShape& r) {
@@ -90,7 +90,7 @@ Trajectory curve(const RampedMove<SineLaw>& move, double from, double to) {
   const double peak = sign * (move.v0 + move.dv0);
   const double up = ramp_of(move.up, move.dv0).duration();
   const double down = ramp_of(move.down, move.dv1).duration();
-  // Built from both ends; what rounding leaves lies where they meet.
+  // Built from both ends; the rounding error lies where they meet.
   const double begin = from + (v0 + peak) / 2 * up;
   const double end = to - (peak + v1) / 2 * down;
   std::vector<Segment> segments;

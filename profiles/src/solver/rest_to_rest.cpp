@@ -2,30 +2,11 @@
 #include "profiles/src/solver/rest_to_rest.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "jounce/profiles/detail/numeric.hpp"
 
 namespace jounce::detail {
-namespace {
-
-/// 2^n, for |n| < 1000.
-double power_of_two(std::int64_t n) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
-}
-
-/// The cube root of a normal number; the same in all units that are powers of two of each other.
-double root_in_units(double x, double per_x) {
-  const auto exponent = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) >> 52);
-  const std::int64_t thirds = exponent / 3 - 341;
-  return cube_root(x * power_of_two(-3 * thirds), per_x * power_of_two(3 * thirds)) *
-         power_of_two(thirds);
-}
-
-}  // namespace
-
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
   // Up and down change places where the way leads down.
   const bool down = distance < 0;
@@ -52,7 +33,7 @@ void RestToRest::rise_to(double vp) noexcept {
   lasts_ = k_ * z_ + hold_;
 }
 
-/// E, from (1) and what the hold adds to it.
+/// E, from (1) and the part of the hold.
 Vector2 RestToRest::lost() const noexcept {
   const Vector2 at_first = k_ * (k_ + p_) * (z_ * z_ * z_) / 6;
   return at_first + hold_ * (z_ * z_ * (k_ + p_) + hold_ * z_) / 2;
@@ -79,7 +60,7 @@ bool RestToRest::solve_shortest() noexcept {
   const double kk = k_ * (k_ + q_);
   const double cubed = 3 * d_ / kk;
   if (!(cubed > 1e-290)) return false;  // too near to the least double
-  const double z = root_in_units(cubed, kk / (3 * d_));
+  const double z = cube_root_in_units(cubed, kk / (3 * d_));
   if (z <= std::min(limit_[0], limit_[1])) {
     pass(z);
     return true;
@@ -103,7 +84,7 @@ bool RestToRest::solve_lasting(double t) noexcept {
   return cruise_ > 0 && vp_ <= vmax_;
 }
 
-/// (3) with (1): with g = z/z0, where z0 does without a loss, g^2 - u g^3 = 1.
+/// (3) with (1): with g = z/z0, where z0 is z without a loss, g^2 - u g^3 = 1.
 bool RestToRest::pass_in(double t) noexcept {
   const double z0 = std::sqrt(2 * d_ / (k_ * t));
   const double u = 2 * (k_ + p_) * z0 / (3 * t);

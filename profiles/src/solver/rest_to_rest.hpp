@@ -8,7 +8,7 @@ namespace jounce::detail {
 
 // From rest to rest, third order, in magnitudes along the way: each half has s = 0 and c = 0
 // (extremal.hpp), with p = 1/jp, q = 1/jd, k = p + q. Up to the peak velocity vp a half takes t and
-// covers D; E = vp t - D is what it loses against a cruise at vp. With its limit L of acceleration,
+// covers D, which is less than a cruise at vp by E = vp t - D. With its limit L of acceleration,
 //
 //   (1)  z < L:  vp = k z^2/2,   t = k z,            D = k (k + q) z^3/6,  E = k (k + p) z^3/6
 //   (2)  z = L:  t = vp/L + k L/2,   D = vp^2/(2 L) + vp L q/2 - g,   E = vp^2/(2 L) + vp L p/2 + g,
@@ -18,14 +18,14 @@ namespace jounce::detail {
 //
 //   (3)  vp T - E - E' = d,   the smaller solution: the left side is concave, and grows up to there
 
-/// No other question is asked here: both ends at rest, inside the bounds, apart.
+/// Only for this question: both ends at rest, inside the bounds, at different positions.
 class RestToRest {
  public:
   RestToRest(double distance, const Bounds& bounds) noexcept;
 
   /// False where one half reaches its limit and the other does not: that has no closed form.
   bool solve_shortest() noexcept;
-  /// Lasts t, more than the shortest. False also where it comes so near to it that (3) has about a double
+  /// Lasts t, longer than the shortest. False also where t is so near to the shortest that (3) has almost a double
   /// root.
   bool solve_lasting(double t) noexcept;
 

@@ -31,7 +31,7 @@ ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionSt
   const bool is_direct = std::abs(excess) <= rounding_of(from, to, direct);
   const bool up = excess >= 0;
   const double sign = either(up, 1, -1);
-  const Vector2 rate = pair(amax, amin, !up);  // of the rise, of the fall
+  const Vector2 rate = pair(amax, amin, !up);  // rise, fall
   const Vector2 per_rate = pair(per_limit[0], per_limit[1], !up);
   const Vector2 v = sign * Vector2{from.velocity, to.velocity};
   const double natural = std::max(v[0], v[1]);
@@ -44,7 +44,7 @@ ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionSt
   const double peak = std::max(std::sqrt(std::max(square, 0.0)), natural);
   const bool passes = (peak <= vmax) & !is_direct;
   const double top = either(is_direct, natural, std::min(peak, vmax));
-  // (2) gives p^2 - v^2 without p: accurate also where they nearly agree.
+  // (2) gives p^2 - v^2 without p: exact also where p and v nearly agree.
   const double squares = (v[0] - v[1]) * (v[0] + v[1]);
   const Vector2 rest = twice + Vector2{-squares, squares} * Vector2{per_rate[1], per_rate[0]};
   const Vector2 from_here = every<Vector2>(either(passes, 0, inf));
@@ -147,8 +147,8 @@ bool SecondOrder::lasting(double t, Profile& out) const noexcept {
       w->append_cruise(spare, w->sign * excess, out);
       return true;
     }
-  // Between the two velocities: the change stops half-way to cruise. (Of a time that is rounding alone,
-  // the quotient may be anything.)
+  // Between the two velocities: the change stops half-way to cruise. (Where the spare time is only rounding, the
+  // quotient is arbitrary.)
   const double v = std::clamp(excess / spare, -down_.natural(), up_.natural());
   const double a = up_.vf > up_.v0 ? up_.rise : -up_.fall;
   out.add((v - up_.v0) / a, a);
@@ -160,7 +160,7 @@ bool SecondOrder::lasting(double t, Profile& out) const noexcept {
 Durations SecondOrder::durations() const noexcept {
   Durations out;
   out.minimum = minimum();
-  // With both velocities against the way, the farthest that can be reached along it first falls
+  // If both velocities point away from the target, the motion that goes farthest towards it first falls
   // back, and passes the target on its return.
   for (const Way* w : {&up_, &down_}) {
     const double p =

@@ -5,7 +5,7 @@
 
 namespace jounce::detail {
 
-// Where the acceleration may step, a motion rises to a peak velocity p, holds it and falls (or the
+// If the acceleration may step, a motion rises to a peak velocity p, holds it and falls (or is the
 // mirror image of that). With rise r and fall f of the velocity, both > 0,
 //
 //   (1)  t = (p - v0)/r + (p - vf)/f + cruise
@@ -18,8 +18,8 @@ namespace jounce::detail {
 //
 //   (3)  k y^2/2 - spare y + (d - d0 - m spare) = 0,   the smaller solution; cruise = spare - k y
 
-/// The shortest motion alone, start and target inside the bounds. No branch depends on the numbers: a
-/// processor foresees none of them.
+/// Only the shortest motion, start and target inside the bounds. No branch depends on the numbers: a
+/// processor could predict none of them.
 class ShortestSecondOrder {
  public:
   ShortestSecondOrder(const MotionState& from, const MotionState& to,

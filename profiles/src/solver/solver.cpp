@@ -20,7 +20,7 @@ bool limits_position(const Bounds& b) {
   return b.position_min > -Bounds::none || b.position_max < Bounds::none;
 }
 
-/// Whether no turning point lies outside the position limits.
+/// True if no turning point lies outside the position limits.
 bool keeps_positions(const Profile& profile, const Bounds& b) {
   if (!limits_position(b)) return true;
   const double start = profile.start().position;
@@ -123,7 +123,7 @@ double Solver::minimum() const noexcept {
   return meets_ ? led_out().duration() + on_the_way_out().minimum() : minimum_inside();
 }
 
-/// Whether this is the question of RestToRest.
+/// True if this is the question of RestToRest.
 bool Solver::rests() const noexcept {
   const auto at_rest = [](const MotionState& s) { return s.velocity == 0 && s.acceleration == 0; };
   return order_ == 3 && at_rest(start_) && at_rest(to_) && start_.position != to_.position;
@@ -159,7 +159,7 @@ Durations Solver::durations() const noexcept {
   return d;
 }
 
-/// Of the motions that come inside first.
+/// The durations of the motions that come inside first.
 Durations Solver::durations_inside() const noexcept {
   Durations d;
   if (extended_) {

@@ -22,8 +22,9 @@ MoveStatus status_of(const MotionState& from, const MotionState& to, const Bound
 
 /// The usual questions: sound, without position limits. All but `outside` need no Solver.
 enum class Form : std::uint8_t {
-  any,      ///< another question, or one that is not sound: status_of() gives the reason
-  outside,  ///< third order, the start outside the bounds
+  any,        ///< another question, or one that is not sound: status_of() gives the reason
+  outside,    ///< third order, the start outside the bounds
+  even_rest,  ///< from rest to rest, acceleration and jerk with the same limits both ways
   rest_to_rest,
   point_to_point,
   second_order,
@@ -39,7 +40,7 @@ bool shortest(Form form, const MotionState& from, const MotionState& to, const B
 /// then whichever solver the order asks for, then the position limits.
 class Solver {
  public:
-  /// `keeps_braking`: whether the target is one that braking under way may be kept for.
+  /// `keeps_braking`: true if braking under way may be kept for the target.
   Solver(const MotionState& from, const MotionState& to, const Bounds& bounds,
          bool keeps_braking = true) noexcept;
 
@@ -69,9 +70,9 @@ class Solver {
   Bounds bounds_;
   MotionState start_, to_;  ///< without what is not part of the order's state
   MotionState asked_;       ///< the target as it was given
-  MotionState inside_;      ///< where the shared beginning ends
-  double before_ = 0;       ///< how long it takes
-  double hold_ = 0;         ///< how long it holds the start's acceleration
+  MotionState inside_;      ///< the end of the shared beginning
+  double before_ = 0;       ///< s, its duration
+  double hold_ = 0;         ///< s, in which it holds the start's acceleration
   bool extended_ = false;   ///< the bounds, by braking under way
   /// A start that runs out of the velocity limits meets a target that does so, too, before it is out.
   bool meets_ = false;

@@ -28,8 +28,8 @@
 // beyond it.
 namespace jounce::detail {
 
-/// Magnitudes for which no product or quotient in these formulas overflows or vanishes, whatever
-/// their ratios; move_to(), which takes more, keeps its accuracy for them.
+/// Magnitudes for which no product or quotient in these formulas overflows or underflows, at any
+/// ratio; move_to(), which accepts a wider range, is exact for them.
 inline constexpr double least_magnitude = 1e-30;
 inline constexpr double greatest_magnitude = 1e30;
 
@@ -42,15 +42,15 @@ JOUNCE_INLINE Mask<Real> is_magnitude(Real x) {
   return (x >= least_magnitude) & (x <= greatest_magnitude);
 }
 template <class Real>
-JOUNCE_INLINE Mask<Real> is_way(Real x) {  // of either sign, or none
+JOUNCE_INLINE Mask<Real> is_way(Real x) {  // a distance of either sign, or zero
   return is_magnitude(magnitude(x)) | (x == 0);
 }
 template <class Real>
-JOUNCE_INLINE Mask<Real> is_limit(Real x) {  // which may be infinite
+JOUNCE_INLINE Mask<Real> is_limit(Real x) {  // infinity included
   return (x >= least_magnitude) & ((x <= greatest_magnitude) | (x == __builtin_inf()));
 }
 
-/// Limits, with what every formula needs of them.
+/// Limits, and the quotients that every formula needs.
 template <class Real>
 struct Rates {
   Real a, j, inv_a, inv_j, tau, threshold;
@@ -58,7 +58,7 @@ struct Rates {
   JOUNCE_INLINE Rates(Real acceleration, Real jerk)
       : a(acceleration), j(jerk), inv_a(1 / a), inv_j(1 / j), tau(a * inv_j), threshold(a * tau) {}
 
-  /// (1), (2): the smaller jerk time is the one that holds; a negative plateau says that (2) does.
+  /// (1), (2): the smaller jerk time is the right one; it is that of (2) where the plateau is negative.
   [[nodiscard]] JOUNCE_INLINE Real ramp(Real dv) const {
     return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, every<Real>(0));
   }
@@ -119,7 +119,7 @@ struct Span {
     return b > 0 ? 2 * r / (b + w) : (w - b) * 0.5 * rates.inv_a;
   }
 
-  /// Is (5) the case, not (4)? Asked of the peak at which the ramp from l just reaches A.
+  /// True where (5) holds instead of (4): decided at the peak at which the ramp from l just reaches A.
   [[nodiscard]] JOUNCE_INLINE Mask<Real> none() const {
     const Real p = l + rates.threshold;
     const Real x = square_root(rates.tau * rates.tau - d * rates.inv_j);
@@ -148,7 +148,7 @@ struct Span {
   }
 };
 
-/// How long a way takes, and the velocity at which it cruises or turns over, signed.
+/// The duration of a motion, and the velocity at which it cruises or turns over, signed.
 template <class Real>
 struct Way {
   Real duration;
@@ -170,7 +170,7 @@ JOUNCE_INLINE Way<Real> none_way(const Span<Real>& s, Real q) {
   return {2 * q, s.h + s.rates.j * x * x};
 }
 
-/// With a cruise at velocity v, whose duration tells whether there is one (>= 0).
+/// A motion with a cruise at velocity v, which exists if its duration is >= 0.
 template <class Real>
 struct Cruise {
   Way<Real> way;
@@ -197,11 +197,11 @@ JOUNCE_INLINE Way<Real> rest_way(const Rates<Real>& r, Real D, Real velocity) {
   return {cruises ? D / velocity + r.ramp(velocity) : turning, cruises ? velocity : turn};
 }
 
-/// Halley's steps that settle nearly every root: each triples the number of correct digits.
+/// The number of Halley's steps that is enough for nearly every root: each triples the number of correct digits.
 constexpr int usual_steps = 4;
 constexpr int most_steps = 64;
 
-/// Has a step from `before` to `after` arrived? The next would change about the cube of this.
+/// True if a step from `before` to `after` is the last: the next relative change is about the cube of this one.
 template <class Real>
 JOUNCE_INLINE Mask<Real> settled(Real before, Real after) {
   return magnitude(after - before) <= 1e-5 * after;
@@ -219,7 +219,7 @@ inline double largest_root(const Start<double>& start) {
   return x;
 }
 
-/// The way under a velocity limit, which may be infinite, one branch at a time.
+/// The motion under a velocity limit, which may be infinite, one branch at a time.
 inline Way<double> fastest(const Span<double>& s, double velocity) {
   if (s.is_direct) return {s.direct, s.h};
   const Cruise<double> cruise = cruise_way(s, velocity);

@@ -18,7 +18,7 @@ struct Stretch {
   }
 };
 
-/// Where the slope c1 + c2 u + c3 u^2/2 is zero inside the stretch, ascending; others are 0.
+/// The zeros of the slope c1 + c2 u + c3 u^2/2 inside the stretch, ascending; others are 0.
 std::array<double, 2> turns(const Stretch& s) {
   const double w = s.c[2] * s.c[2] - 2 * s.c[1] * s.c[3];
   std::array<double, 2> u{};
@@ -67,7 +67,7 @@ bool keeps_accelerations(const Profile& profile, const Bounds& b) {
   return lies_within(lowest, highest, b.acceleration_min, b.acceleration_max, 0);
 }
 
-/// Of the derivative `which`, 0 or 1, and above.
+/// The travel of the derivative `which`, 0 or 1.
 Travel along(const Profile& profile, std::size_t which, double velocity) {
   Travel travel;
   const auto order = static_cast<std::size_t>(profile.order());

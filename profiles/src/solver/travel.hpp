@@ -5,19 +5,19 @@
 
 namespace jounce::detail {
 
-/// What the position of a profile runs through, as seen from something that moves at a constant
-/// velocity: from its start, u.
+/// The range of a profile's position relative to a frame that moves at a constant
+/// velocity, from its start, u.
 struct Travel {
   double lowest = 0, highest = 0;
-  double distance = 0;  ///< where it ends
-  double path = 0;      ///< how far it goes, to and fro
+  double distance = 0;  ///< at its end
+  double path = 0;      ///< length of its path, in both directions
 };
 Travel travelled(const Profile& profile, double velocity = 0) noexcept;
 
-/// The same of the velocity, u/s.
+/// The same for the velocity, u/s.
 Travel travelled_in_velocity(const Profile& profile) noexcept;
 
-/// True if a motion turns round on its way, by more than a share of it and rounding: it then passes its
+/// True if a motion reverses on its way, by more than a share of it and rounding: it then passes its
 /// end or goes back.
 bool turns_round(const Travel& travel, double share, double rounding) noexcept;
 

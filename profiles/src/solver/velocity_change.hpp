@@ -27,7 +27,7 @@ class VelocityChange {
 };
 
 /// Appends the fastest change from a state inside the bounds to a velocity and acceleration, third
-/// order; answers the state it ends in.
+/// order; returns the state in which it ends.
 MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
                             const Bounds& bounds, Profile& profile) noexcept;
 

@@ -11,8 +11,8 @@ inline double newton(double f, double slope, bool rising) {
   return (slope > 0) == rising ? f / slope : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f answers with, from a
-/// guess, kept inside by bisection. f says the sign of its value.
+/// The zero of a monotone f in [lo, hi], or the nearer end: by the steps that f returns, from a
+/// guess, kept inside by bisection. f sets the sign of its value.
 template <class F>
 double zero(F f, double lo, double hi, bool rising, double guess) {
   double x = guess > lo && guess < hi ? guess : lo + (hi - lo) / 2;

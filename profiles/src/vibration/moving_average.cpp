@@ -6,7 +6,7 @@
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/error.hpp"
 
-// With the head f(x) and the tail f(x - T) of the window,
+// The window has the head f(x) and the tail f(x - T):
 //
 //   (1)  g(x)  = 1/T * integral of f from x - T to x
 //   (2)  g'(x) = (f(x) - f(x - T)) / T
@@ -17,9 +17,9 @@
 //   (3)  s^m           ->  sum over k = 1..m+1 of C(m+1, k) (-q)^(k-1) s^(m+1-k) / (m + 1)
 //   (4)  A sin(w s + p) ->  A sin(w q/2) / (w q/2) * sin(w s + p - w q/2)
 //
-// without the difference of large numbers that (2) is for a short window. Elsewhere, where a piece
+// which avoids the difference of large numbers in (2) for a short window. Elsewhere, where a piece
 // is no longer than T, (2) is integrated from the value that (1) gives at the piece's start, so
-// that no error adds up along the curve. Places and values are counted from where f begins, so that
+// that errors do not add up along the curve. Places and values are counted from the start of f, so that
 // a far origin costs no digits.
 
 namespace jounce {
@@ -31,8 +31,8 @@ Segment integrated(const Segment& f, double start_value) {
   return *g;
 }
 
-/// A piece as long as the window carries the rounding of f, about 1e-16 of its stroke, as a change
-/// of velocity over T: the acceleration is out by 1e-16 * stroke / T^2.
+/// In a piece as long as the window, the rounding of f, about 1e-16 of its stroke, is a change
+/// of velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
 constexpr double shortest = 1e-5;
 constexpr double longest_window = 1e4;
 

@@ -19,11 +19,11 @@
 //
 //   (2)  c_(k+2) = b ((k + 1) f_(k+1) - 2 D (k + 1) c_(k+1) - b c_k) / ((k + 1) (k + 2))
 //
-// Q is given by c_0 to c_10. What is left out, and its derivative by r, are at most
+// Q is given by c_0 to c_10. The other terms, and their derivative by r, are at most
 //
 //   (3)  e = sum of |c_k|,  e' = sum of k |c_k|   over k >= 11
 //
-// An error in Q and Q' that one step leaves is a free motion of (1) in the next, and there
+// The error of one step in Q and Q' is a free motion of (1) in the next, in which
 // Q^2 + (Q'/w)^2 does not grow: errors add up, and a step adds at most
 //
 //   (4)  sqrt( e^2 + (e'/b)^2 )
@@ -78,7 +78,7 @@ class Filter {
     for (double i = 0; i < n; ++i) step(n == 1 ? f : part(f, i / n, (i + 1) / n));
   }
 
-  /// Bound of what all later time holds, if the command rests from now on.
+  /// Bound of the response at all later times, if the command rests from now on.
   [[nodiscard]] double tail() const { return gain_ * std::hypot(q_, rate_); }
   [[nodiscard]] double error() const { return gain_ * error_; }
   [[nodiscard]] double longest() const { return widest_step / w_; }

@@ -26,7 +26,7 @@ namespace jounce {
 namespace {
 
 constexpr double longest_shaper =
-    1e4;  // a shaper, in lengths of the motion: beyond, no digits are left
+    1e4;  // longest shaper, in lengths of the motion: beyond, no digits are left
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> weights(const ShaperSpec& spec, double K) {
@@ -82,7 +82,7 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
     for (const Impulse& y : b) all.push_back({x.time + y.time, x.amplitude * y.amplitude});
   std::sort(all.begin(), all.end(),
             [](const Impulse& x, const Impulse& y) { return x.time < y.time; });
-  std::vector<Impulse> merged;  // those that fall together, to rounding, are one
+  std::vector<Impulse> merged;  // impulses at the same time, to rounding, are one
   for (const Impulse& x : all)
     if (!merged.empty() && x.time - merged.back().time <= 1e-14 * all.back().time)
       merged.back().amplitude += x.amplitude;
@@ -99,7 +99,7 @@ Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
     throw InputError(
         "impulse[" + std::to_string(impulses.size()) + "].time", last,
         "must not be more than 10000 times the motion's length, " + number(f.length()));
-  const double origin = value(f.segments().front(), 0);  // a far origin shall cost no digits
+  const double origin = value(f.segments().front(), 0);  // so that a far origin costs no digits
   const Trajectory from_origin = shifted(f, -f.start(), -origin);
   Trajectory total = scaled(delayed(from_origin, 0, last), impulses.front().amplitude);
   for (const Impulse& impulse : impulses.subspan(1))

@@ -75,7 +75,7 @@ Complex phi_sine(double b, Complex z) {
   return std::exp(z) * phi(d)[0];
 }
 
-/// What is the same for all segments of one length, to the rounding of breaks.
+/// Terms that are equal for all segments of one length, to the rounding of breaks.
 struct Span {
   double length = 0;
   Complex z, decay;  ///< s L, e^(s L)

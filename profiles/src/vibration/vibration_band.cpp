@@ -18,8 +18,8 @@
 // subharmonic where D < 1, and has its maximum over a region on the region's edge: the band is worst
 // at one of its two end frequencies or one of its two end dampings.
 //
-// Along the edge. Between a and b on a path s(q) the function I(s(q)) is off the straight line between
-// its values at both ends by at most (b - a)^2 / 8 times its greatest second derivative by q; and the
+// Along the edge. Between a and b on a path s(q) the function I(s(q)) differs from the straight line between
+// its values at both ends by at most (b - a)^2 / 8 times its greatest second derivative by q. The
 // straight line is nowhere larger than at one of its ends. With M_k = integral of |f'| t^k, which
 // bounds the kth derivative of I since |e^(s t)| <= 1,
 //
@@ -27,7 +27,7 @@
 //   (3)  damping fixed, q = w: |s'| = 1, s'' = 0, so C = M_2
 //   (4)  w fixed, q = asin D: |s'| = |s''| = w, so C = M_2 w^2 + M_1 w
 //
-// Pieces of the edge are halved until (2) rules out that they hold more than the worst known.
+// Pieces of the edge are halved until (2) excludes that one exceeds the worst value found.
 
 namespace jounce {
 namespace {
@@ -53,7 +53,7 @@ struct Moments {
   }
 
  private:
-  /// A way spread evenly over the times a to b before the end.
+  /// A distance spread evenly over the times a to b before the end.
   void add(double way, double a, double b) {
     travel += way;
     first += way * (a + b) / 2;

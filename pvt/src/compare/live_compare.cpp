@@ -8,8 +8,8 @@
 #include "jounce/profiles/curve/cycle_motion.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 
-// The walk of position_compare.cpp from one point's instant to the next one's, piece by piece: what is
-// kept between two pieces is on which side of the next point the axis was.
+// The walk of position_compare.cpp from one point's instant to the next one's, piece by piece. Between two
+// pieces it keeps on which side of the next point the axis was.
 
 namespace jounce {
 
@@ -41,7 +41,7 @@ const CompareStep& LiveCompare::step(double position, double velocity, double dt
   return step_;
 }
 
-/// The piece since the last position; where there is none, the place alone.
+/// The piece since the last position, or the position alone where no other came before.
 void LiveCompare::move(double position, double velocity) {
   const double from = placed_ ? position_ : position;
   const double mean = (position - from) / elapsed_;
@@ -67,7 +67,7 @@ void LiveCompare::fire(double dt) {
   }
 }
 
-/// Where the piece is first at this level from s_ on.
+/// The first s from s_ on at which the piece is at this level.
 std::optional<double> LiveCompare::reach(double level) {
   const double flat = 4e-16 * (magnitude(piece_) + std::abs(level));
   const double here = value(piece_, s_) - level;
@@ -103,7 +103,7 @@ void LiveCompare::pass(const ComparePoint& point, double time) {
   if (pulses_) off_in_ = time + compare_.pulse;  // one that still lasts is prolonged
 }
 
-/// A pulse that ends before that.
+/// A pulse that ends before that time.
 void LiveCompare::end_pulse(double before) {
   if (!off_in_ || !(*off_in_ < before)) return;
   emit(std::max(*off_in_, 0.0), false);

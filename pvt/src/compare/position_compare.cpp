@@ -48,12 +48,12 @@ void require_one_pass(const Trajectory& motion) {
                      "has no last pass: use as many passes as the axis runs");
 }
 
-/// A walk along a motion that only goes forward: from one point's instant to the next one's.
+/// A walk along a motion, only forward: from one point's instant to the next one's.
 class Walk {
  public:
   explicit Walk(const Trajectory& motion) : motion_(motion) {}
 
-  /// The first instant from here on at which the motion is at `level`, and goes there.
+  /// Moves to the first instant from here on at which the motion is at `level`.
   std::optional<double> to(double level) {
     for (; i_ < motion_.segments().size(); ++i_, s_ = 0) {
       const Segment& f = motion_.segments()[i_];

@@ -14,7 +14,7 @@ std::string point(std::size_t i) {
   return "point " + std::to_string(i + 1);
 }
 
-/// How fast the axis is between two events against how fast it may be; the worst pair.
+/// The pair of events with the greatest ratio of the axis's velocity between them to the permitted one.
 Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion, double frequency) {
   Finding worst;
   worst.margin = 2;

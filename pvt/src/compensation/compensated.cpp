@@ -16,9 +16,10 @@
 #include "pvt/src/compensation/grid_cell.hpp"
 
 // Between two breaks of any of the curves, and two passages of grid lines, all references stay in one
-// cell, whose polynomial takes theirs: a polynomial of the product of the degrees. Where that does not
-// fit, or sines meet more than a straight line, the piece is fitted (detail/hermite.hpp), for which
-// its series at both ends and the majorant of the twelfth come of the same substitution.
+// cell. Inserted into its polynomial, they give a polynomial whose degree is the product of the degrees. Where
+// that does not fit into a segment, or sines meet more than a straight line, the piece is fitted
+// (detail/hermite.hpp). The same substitution gives the fit its series at both ends and the majorant of the
+// twelfth derivative.
 
 namespace jounce {
 namespace {
@@ -64,7 +65,7 @@ struct Piece {
     return detail::evaluated(with, each, references);
   }
 
-  // What detail::fit asks of a piece.
+  // The piece as detail::fit needs it.
   [[nodiscard]] double length() const { return s[0].length; }
   [[nodiscard]] detail::EndSeries end(double at) const {
     return of<6>(cell, [at](const Segment& f) { return detail::taylor(f, at); });

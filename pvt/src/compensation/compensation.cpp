@@ -71,7 +71,7 @@ void natural_slopes(const double* f, double* d, std::size_t count, std::size_t s
   for (std::size_t i = 0; i < count; ++i) d[i * stride] = v[i];
 }
 
-/// (2), or a straight line: power coefficients by s from what both ends have.
+/// (2), or a straight line: power coefficients by s from the values and slopes at both ends.
 using Line = std::array<double, 4>;  // f0, f1, d0, d1 and back as 1, s, s^2, s^3
 Line powers(const Line& ends, GridRule rule) {
   const auto [f0, f1, d0, d1] = ends;
@@ -79,7 +79,7 @@ Line powers(const Line& ends, GridRule rule) {
   return {f0, d0, 3 * (f1 - f0) - 2 * d0 - d1, 2 * (f0 - f1) + d0 + d1};
 }
 
-/// Where a reference is on its axis: the interval, and on which side of the grid (-1, 0, 1).
+/// The place of a reference on its axis: the interval, and the side of the grid (-1, 0, 1).
 struct Spot {
   std::size_t interval = 0;
   int outside = 0;
@@ -92,7 +92,7 @@ Spot spot(const GridAxis& axis, double x) {
   return {static_cast<std::size_t>(std::min(std::floor(s), last)), 0};
 }
 
-/// Of each power of s_j only the constant counts: the grid ends here, at s_j = 0 or 1.
+/// The grid ends here, at s_j = 0 or 1: only the constant of the powers of s_j remains.
 void hold(Compensation::Cell& cell, std::size_t j, std::size_t references, int outside) {
   std::size_t terms = 1;
   std::size_t stride = 1;

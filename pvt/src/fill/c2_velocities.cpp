@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-// With h_i the length and d_i the chord of piece i, acceleration is continuous at knot i where
+// Piece i has the length h_i and the chord d_i. The acceleration is continuous at knot i if
 //
 //   (1)  h_i v_(i-1) + 2 (h_(i-1) + h_i) v_i + h_(i-1) v_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)
 //
@@ -17,12 +17,12 @@
 //        D = 2 (h_(i-1) + h_i) - h_i c_(i-1)
 //
 // and 0 <= c <= 1/2 (from row to row, if c_(i-1) <= 1/2: D >= 2 h_(i-1) + 1.5 h_i), so no pivots are
-// needed. Each row waits for the division of the row before. But the chain forgets: an error of
-// y_(i-1) reaches y_i times f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)), and because
-// (1 - 2 c) / (2 - c) <= 1/2 the product of m of them is at most 2^-m (times 2 at its ends); an error
-// of c_(i-1) reaches c_i times c_i f_i <= 1/12; and v_(i+1) reaches v_i times c_i <= 1/2. A chain that
-// starts from nothing 64 rows early is therefore the same to 2^-63: long tables are cut into four
-// chains that run side by side.
+// needed. Each row waits for the division of the row before. But an error fades along the chain. An error of
+// y_(i-1) changes y_i by f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)) times that. Since
+// (1 - 2 c) / (2 - c) <= 1/2, the product of m such factors is at most 2^-m (times 2 at its ends). An error
+// of c_(i-1) changes c_i by c_i f_i <= 1/12 times that, and an error of v_(i+1) changes v_i by c_i <= 1/2
+// times that. So a chain that starts with zeros 64 rows early gives the same result to 2^-63: long tables are
+// cut into four chains that run side by side.
 
 namespace jounce::detail {
 namespace {
@@ -31,10 +31,10 @@ constexpr std::size_t chains = 4;
 constexpr std::size_t warm_up = 64;
 constexpr std::size_t worth_cutting = 16 * warm_up;
 
-/// What elimination carries from row to row.
+/// The numbers that elimination carries from row to row.
 struct State {
-  double c, y;  // of the row before
-  double h, d;  // of the piece before
+  double c, y;  // from the previous row
+  double h, d;  // from the previous piece
 };
 
 struct Knots {
@@ -58,7 +58,7 @@ struct Knots {
   }
 };
 
-/// Rows 1 to rows of a stretch, the chains of equal length, what is left over in the last.
+/// Rows 1 to rows of a stretch: chains of equal length, the remainder in the last.
 class Sweep {
  public:
   Sweep(Knots knots, std::size_t rows, double* c, double* v)
@@ -145,7 +145,7 @@ void c2_velocities(std::span<const double> x, std::span<const double> p, EndRow 
   v[0] -= c[0] * v[1];
 }
 
-// The velocity at the seam is u + t z, u with ends at rest, z the response to t = 1 at both ends.
+// The velocities are u + t z: u with ends at rest, z the response to t = 1 at both ends.
 // (1) at the seam is linear in t.
 void c2_periodic_velocities(std::span<const double> x, std::span<const double> p,
                             std::span<double> v) {

@@ -12,10 +12,10 @@
 //   (2)  jerk = 6 (v0 + v1 - 2 d) / h^2
 //
 // so limits of acceleration and jerk are half planes of (v0, v1), and so is convexity, a >= 0 at both
-// ends. |v| <= V at every place is a convex set, but a curved one: with w = V + v the piece of velocity
-// w has chord D = V + d and must not run backwards, which is Fritsch and Carlson's region (1) of
-// local_velocities.cpp times D; and the same with V - v, V - d. The polygon below is inscribed in it:
-// its corners are on the region's edge.
+// ends. |v| <= V at every place is a convex set with a curved edge. With w = V + v, the piece of velocity w
+// has the chord D = V + d and must not run backwards: this is Fritsch and Carlson's region (1) of
+// local_velocities.cpp times D. The same holds with V - v and V - d. The polygon below is inscribed: its
+// corners lie on the region's edge.
 
 namespace jounce::detail {
 namespace {
@@ -38,7 +38,7 @@ std::vector<Corner> corners_of_the_region() {
           {0, 3}};
 }
 
-/// alpha times this plus beta times that is at most the third.
+/// Half planes: alpha times the first plus beta times the second is at most the third.
 const std::vector<HalfPlane>& region() {
   static const std::vector<HalfPlane> planes = [] {
     const std::vector<Corner> corners = corners_of_the_region();

@@ -11,23 +11,23 @@
 
 namespace jounce::detail {
 
-/// Which way a piece has to turn for the data's sake.
+/// The direction in which the data demand that a piece turns.
 enum class Turn { any, left, right, neither };
 
 /// Velocities such that the cubic piece of this length and chord keeps velocity, acceleration and
-/// jerk limits. What is kept is within the limits, to rounding; of what is refused beside a velocity
-/// limit up to 2 % would be within them too.
+/// jerk limits. All velocities kept are within the limits, to rounding. Beside a velocity limit, up to 2 % of
+/// those refused would be within them too.
 Demand within_limits(const Limits& limits, double length, double chord);
 
-/// The factor that the length of a piece between two knots needs for its demand to be kept from some
-/// velocity in `from` to some in `to`; infinite where no time is enough.
+/// The factor by which a piece between two knots must be longer, so that its demand is kept from some
+/// velocity in `from` to some in `to`; infinite where no length is enough.
 double needed_stretch(const Limits& limits, double length, double chord, Gap from, Gap to);
 
 /// Velocities such that the piece turns left (convex), right (concave) or, straight, neither way.
 /// `slack` is the rounding of the chord.
 Demand turning(Turn turn, double chord, double slack);
 
-/// For each piece how the data turn at both of its knots; where they turn either way: any.
+/// For each piece the direction in which the data turn at both of its knots; any where the two differ.
 std::vector<Turn> turns_of(const Chords& chords, const std::vector<double>& rounding,
                            bool periodic);
 

@@ -24,7 +24,7 @@ constexpr std::array names{"natural",  "clamped",          "periodic",     "not_
 
 using Given = std::vector<std::optional<double>>;
 
-// ---- what is refused -------------------------------------------------------------------------
+// ---- refusals --------------------------------------------------------------------------------
 
 std::string key_of(const FillSpec& spec, std::size_t knot, std::size_t order) {
   const auto& words = spec.axis == Domain::time ? OverTime::names : OverMaster::names;
@@ -87,12 +87,12 @@ void require_method(const FillSpec& spec) {
                      "of velocity, acceleration or jerk are needed for within_limits");
 }
 
-/// Knots that are knots: the Table of a straight run through them says what is wrong.
+/// Requires sound knots: the Table of a straight run through them reports errors.
 void require_knots(const FillSpec& spec) {
   (void)Table(spec.axis, Interpolation::linear, spec.outside, {spec.x, spec.p, {}, {}});
 }
 
-// ---- what every method sees ------------------------------------------------------------------
+// ---- input of every method -------------------------------------------------------------------
 
 struct Pieces {
   std::vector<double> length, chord;
@@ -113,7 +113,7 @@ bool is_given(const Given& given, std::size_t i) {
   return !given.empty() && given[i].has_value();
 }
 
-/// What is given at one end of a periodic table is given at the other.
+/// Copies a given value from one end of a periodic table to the other.
 Given both_ends(Given given) {
   if (given.empty()) return given;
   if (!given.front()) given.front() = given.back();
@@ -140,7 +140,7 @@ EndRow open_end(std::span<const double> x, std::span<const double> p, Filling en
   return detail::not_a_knot_end(x[i + 1] - x[i], chord(i), x[j + 1] - x[j], chord(j));
 }
 
-/// Through three points: the parabola, which the two conditions at the ends say twice.
+/// Through three points: the parabola. Both conditions at the ends demand it.
 void parabola(std::span<const double> x, std::span<const double> p, std::span<double> v) {
   const double h0 = x[1] - x[0], h1 = x[2] - x[1];
   const double d0 = (p[1] - p[0]) / h0, d1 = (p[2] - p[1]) / h1;
@@ -149,7 +149,7 @@ void parabola(std::span<const double> x, std::span<const double> p, std::span<do
   v[2] = 2 * d1 - v[1];
 }
 
-/// Between given velocities there are splines of their own.
+/// Between given velocities there are separate splines.
 void spline_between(const FillSpec& spec, const Given& given, Filling ends, std::span<double> v) {
   const std::span<const double> x = spec.x, p = spec.p;
   const std::size_t last = x.size() - 1;
@@ -213,7 +213,7 @@ void add(Report& report, const FillSpec& spec, const char* rule, std::size_t pie
   report.findings.push_back(std::move(finding));
 }
 
-/// The pieces that given velocities, or a seam, turn against their chord.
+/// The pieces that turn against their chord because of given velocities, or of a seam.
 void report_turning_back(const FillSpec& spec, const Pieces& pieces, std::span<const double> v,
                          Report& report) {
   for (std::size_t i = 0; i < pieces.chord.size(); ++i) {
@@ -230,7 +230,7 @@ void fix(const Given& given, std::vector<detail::Gap>& gaps) {
     if (given[i]) gaps[i] = {*given[i], *given[i]};
 }
 
-/// What rounding of the positions does to each chord.
+/// The error of each chord by rounding of the positions.
 std::vector<double> rounding_of(const FillSpec& spec, const Pieces& pieces) {
   std::vector<double> all(pieces.chord.size());
   constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
@@ -246,7 +246,7 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   spline(spec, given, around ? Filling::periodic : Filling::natural, v);
   std::vector<detail::Gap> gaps = detail::monotone_gaps(pieces.view(), around);
   fix(given, gaps);
-  if (around) {  // the seam first: a ring is not followed, a chain is
+  if (around) {  // the seam first: follows a chain, not a ring
     const double seam = std::clamp(v[0], gaps[0].lo, gaps[0].hi);
     gaps.front() = gaps.back() = {seam, seam};
   }
@@ -262,7 +262,7 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   if (any_given(given)) report_turning_back(spec, pieces, v, report);
 }
 
-/// A bound for velocities that nothing else bounds.
+/// A bound for velocities that have no other bound.
 double far_beyond(const FillSpec& spec, const Pieces& pieces) {
   if (spec.limits.velocity) return *spec.limits.velocity;
   double most = 0;
@@ -276,7 +276,7 @@ std::string advice_for(double stretch, double length) {
              : "no length is sufficient: give other velocities";
 }
 
-/// The limits less what the rounding of a piece's positions makes of its acceleration and jerk.
+/// The limits less the error of acceleration and jerk that rounding of a piece's positions causes.
 Limits less_rounding(const FillSpec& spec, std::size_t i, double h) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double rounding = epsilon * std::max(std::abs(spec.p[i]), std::abs(spec.p[i + 1]));
@@ -384,7 +384,7 @@ Filled filled(const FillSpec& spec) {
   require_seam(spec);
   Columns columns{spec.x, spec.p, std::vector<double>(spec.x.size()), {}};
   Report report;
-  if (is_complete(spec))  // as a recording is: millions of rows, for which nothing else is kept
+  if (is_complete(spec))  // a recording: millions of rows, so nothing else is stored
     std::transform(spec.v.begin(), spec.v.end(), columns.v.begin(),
                    [](const auto& v) { return *v; });
   else

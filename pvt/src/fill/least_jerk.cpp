@@ -13,16 +13,16 @@
 //                                       ( 168   24  192  -36 )
 //                                       ( -24   -3  -36    9 )
 //
-// (`cam/src/design/least_energy.cpp` has the matrix with free positions too, which smoothing splines need;
-// here they are given, which leaves blocks of 2 x 2 that need no library.) The sum over all
-// pieces is least where its gradient by every free state vanishes: a positive definite system in
-// which a knot's two states x_i are coupled to those of its neighbours alone, with the first knot of a
-// periodic table as a border b_i, eliminated last:
+// (`cam/src/design/least_energy.cpp` has the matrix with free positions too, which smoothing splines need.
+// Here the positions are given, and the remaining blocks of 2 x 2 need no library.) The sum over all
+// pieces is least where its gradient by every free state vanishes. This is a positive definite system in
+// which a knot's two states x_i are coupled only to those of its neighbors. The first knot of a periodic table
+// is a border, eliminated last:
 //
 //   (2)  N_(i-1)' x_(i-1) + D_i x_i + N_i x_(i+1) + B_i x_0 = r_i
 //
-// A fixed state is an equation 1 * x = value, its column carried over to the right. Positive definite:
-// no pivots, whatever the scale of the unknowns. Lengths are counted in mean pieces.
+// A fixed state is an equation 1 * x = value, its column carried over to the right. The system is positive
+// definite: it needs no pivots at any scale of the unknowns. The unit of length is the mean piece.
 
 namespace jounce::detail {
 namespace {
@@ -49,7 +49,7 @@ constexpr void add(std::array<double, n>& a, const std::array<double, n>& b) {
   for (std::size_t k = 0; k < n; ++k) a[k] += b[k];
 }
 
-/// Of a symmetric positive definite one; Cholesky's Schur complement keeps its sign.
+/// The inverse of a symmetric positive definite matrix; Cholesky's Schur complement keeps its sign.
 Matrix inverse(const Matrix& m) {
   const double ratio = m[1] / m[0];
   const double schur = m[3] - ratio * m[1];
@@ -57,7 +57,7 @@ Matrix inverse(const Matrix& m) {
   return {1 / m[0] - off * ratio, off, off, 1 / schur};
 }
 
-/// The share of one piece in (2), halves of the gradient of (1).
+/// The part of one piece in (2): half of the gradient of (1).
 struct Element {
   Matrix first, coupling, second;
   Vector right_first, right_second;
@@ -159,7 +159,7 @@ class System {
     }
   }
 
-  /// Takes x_i out of the rows i + 1 and 0; leaves what it is in terms of them.
+  /// Eliminates x_i from the rows i + 1 and 0, and keeps it as a function of them.
   void eliminate(std::size_t i) {
     Row& row = rows_[i];
     const Matrix inverted = inverse(row.diagonal);
@@ -180,7 +180,7 @@ class System {
   double unit_;
 };
 
-/// What is fixed at one end of a periodic table is fixed at the other.
+/// Copies a fixed state from one end of a periodic table to the other.
 void close(JerkKnot& first, JerkKnot& last) {
   for (std::size_t k = 0; k < 2; ++k) {
     (first.fixed[k] ? last : first).state[k] = (first.fixed[k] ? first : last).state[k];
@@ -188,8 +188,8 @@ void close(JerkKnot& first, JerkKnot& last) {
   }
 }
 
-/// Parabolas through two points have no jerk: something must be given to choose among them. The
-/// line is the one without acceleration.
+/// Parabolas through two points have no jerk, so one state must be given to choose among them. The
+/// straight line is the one without acceleration.
 bool undetermined(std::span<const JerkKnot> knots) {
   if (knots.size() > 2) return false;
   for (const JerkKnot& knot : knots)

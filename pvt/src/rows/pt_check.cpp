@@ -8,8 +8,8 @@
 #include "jounce/pvt/warnings.hpp"
 
 // In a chain of normal segments b = 2 P/T - a: an error e of a rate becomes -e at the end of the
-// segment, +e at the end of the next, for ever. It shows as a rate that goes up and down from point to
-// point; four segments in turn are taken for one.
+// segment, +e at the end of the next, and so on without end. The rate then goes up and down from point to
+// point; four such segments in a row count as one oscillation.
 
 namespace jounce {
 namespace {

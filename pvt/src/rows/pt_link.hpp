@@ -3,7 +3,7 @@
 
 #include "jounce/pvt/pt.hpp"
 
-/// One segment of a PT chain, for what makes whole curves of them and for what plays them one by one.
+/// One segment of a PT chain, for pt(), which makes whole curves, and for the player, which takes one at a time.
 namespace jounce::detail {
 
 /// A segment: its increments, and the rates by equation (2) of pt.cpp.

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 
-// Who may touch a FIFO. The producer appends: it writes a slot beyond the size, then the size
-// (release); the player reads below the size it has seen (acquire). The player empties a FIFO, by
-// storing 0, in two places, and the producer is not at that FIFO in either: end_stream_fifo() runs
-// when the other one has rows, and the producer moves there for good when the first is full; and
-// end_pass() with a switch queued, after which push() refuses. The producer empties in clear(),
-// which excludes a take() by both raising a flag before they look at the other's (sequentially
-// consistent: one of them sees the other, and gives way).
+// Access to a FIFO. The producer appends: it writes a slot beyond the size, then the size (release). The
+// player reads below the size it has seen (acquire). The player empties a FIFO, by storing 0, in two
+// places, and the producer uses that FIFO in neither: end_stream_fifo() runs when the other FIFO has rows, and
+// the producer moves there for good when the first is full; end_pass() runs with a switch queued, after which
+// push() refuses. The producer empties in clear(). clear() and take() exclude each other: each raises a flag
+// before it looks at the other's (sequentially consistent: one of them sees the other, and gives way).
 
 namespace jounce {
 
@@ -45,7 +44,7 @@ bool SegmentFifos::in_use(int fifo) const {
 
 RowPeaks SegmentFifos::peaks() const {
   std::array<double, 4> f{peaks_[0].load(), peaks_[1].load(), peaks_[2].load(), peaks_[3].load()};
-  // Looked at last, as the producer writes it first: peaks of a row to come are known by it.
+  // Read last, since the producer writes it first: it shows the peaks of a row to come.
   if (pushed_at_.load() > sight_) {
     const Slot* const last = newest();
     f = last != nullptr ? last->peaks : std::array<double, 4>{};
@@ -67,7 +66,7 @@ RowRule SegmentFifos::admits(int fifo, const SegmentRow& row) const {
   if (space(fifo) == 0) return RowRule::full;
   const auto [from, rate] = tail(fifo);
   if (const RowRule wrong = check(row, from); wrong != RowRule::none) return wrong;
-  if (std::isnan(rates(row, from, rate).start)) return RowRule::none;  // known when it is played
+  if (std::isnan(rates(row, from, rate).start)) return RowRule::none;  // computed when it is played
   RowPeaks f = jounce::peaks(row, from, rate);
   if (std::isnan(rate)) f.velocity_step = 0;
   return check(f, layout_.limits);
@@ -152,7 +151,7 @@ bool SegmentFifos::queue_switch() {
 
 // ---- player --------------------------------------------------------------------------------------
 
-/// Stamps ascend: what is not there yet is at the end.
+/// Stamps ascend: rows that are not there yet are at the end.
 std::size_t SegmentFifos::visible(int fifo) const {
   const Fifo& of = fifos_[index(fifo)];
   std::size_t n = of.size.load();
@@ -175,7 +174,7 @@ bool SegmentFifos::switch_seen() const {
   return queued_.load() && queued_at_.load() <= sight_ && visible(1 - active()) > 0;
 }
 
-/// The last row that is there, by its number: of a stream, its end.
+/// The number of the last row that is there: the end of a stream.
 const SegmentFifos::Slot* SegmentFifos::newest() const {
   const Slot* last = nullptr;
   for (const int fifo : {0, 1}) {
@@ -262,7 +261,7 @@ PtRate SegmentFifos::rates_here() const {
   return rates(at.row, before(slot_), at.rate);
 }
 
-/// Whether rows have been pushed behind the last one that was known: looked for only when that is
+/// True if rows have been pushed behind the last one that was seen. It looks for them only when that row is
 /// at its end. The passes of a table so far were shorter than those to come.
 bool SegmentFifos::grown() {
   const std::size_t now = visible(active());
@@ -285,7 +284,7 @@ void SegmentFifos::next() {
     end_pass();
 }
 
-/// Whether an open stream is at the end of all that was pushed, and more is to come.
+/// True if an open stream is at the end of all rows that were pushed, and more are to come.
 bool SegmentFifos::dry() const {
   return growing() && slot_ + 1 == visible(active()) && visible(1 - active()) == 0;
 }
@@ -333,8 +332,8 @@ void SegmentFifos::end_pass() {
   enter(0);
 }
 
-/// The rate r with which a pass ends depends on the one before as s r + c: s is 0 where any row
-/// has a rate of its own, otherwise 1 or -1. So two passes change it by the same each time.
+/// A pass that begins with the rate r ends with s r + c: s is 0 where any row has a given rate, otherwise 1 or
+/// -1. So each two passes change the rate by the same amount.
 void SegmentFifos::skip_passes(double x) {
   if (layout_.stream || switch_seen() || slot_ != 0 || known_rates_ < 3) return;
   constexpr double countable = 9007199254740992;  // 2^53: beyond, the place in the pass is rounding
@@ -352,10 +351,10 @@ void SegmentFifos::skip_passes(double x) {
   enter(0);
 }
 
-/// Stands where the last row ends. A stream is used up; a table is kept. A switch that did not come is void.
+/// Stops where the last row ends. A stream is used up; a table is kept. A switch that did not come is void.
 void SegmentFifos::stop() {
   queued_.store(false);
-  constexpr double rounding = 1e-9;  // what a chain of quotients leaves where it comes to rest
+  constexpr double rounding = 1e-9;  // error of a chain of quotients where it comes to rest
   const bool rests = std::abs(rate_) <= rounding * std::abs(rates_here().start - rate_);
   origin_.position += last_row().p_end;
   end_ = {origin_.x + last_row().x_end, origin_.position, rate_};

@@ -18,16 +18,16 @@ struct BestTable {
   double share = 0;  ///< at most 1
 };
 
-/// What is searched over places: tables of so many knots, of curves of so many segments.
+/// The search over places is limited to tables of so many knots, of curves of so many segments.
 constexpr std::size_t most_searched_knots = 64;
 constexpr std::size_t most_searched_segments = 128;
 
 /// The best table over places by a dynamic programme, then with its knots moved. The places are the
 /// breaks of the curve, `known` knots and equal parts of it, or all multiples of x_step where they are
-/// few; see best_places.cpp. Nothing where none of at most `most` knots keeps the tolerances, or where
+/// few; see best_places.cpp. Nothing where no table of at most `most` knots keeps the tolerances, or where
 /// the knots or segments are more than above; nothing for quadratic pieces.
 ///
-/// `fewest`: of the fewest knots; otherwise of the least share.
+/// `fewest`: the table of the fewest knots; otherwise that of the least share.
 template <class Over>
 std::optional<BestTable> best_over_places(const Curve<Over>& f, const Target& target,
                                           const Tolerances& tolerances,

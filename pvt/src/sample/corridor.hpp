@@ -23,7 +23,7 @@ struct HalfPlane {
   double c = 0;
 };
 
-/// What one piece demands of the velocities at its ends: all of some half planes.
+/// The demand of one piece on the velocities at its ends: they lie in all of some half planes.
 class Demand {
  public:
   static constexpr std::size_t most = 28;
@@ -42,17 +42,17 @@ class Demand {
 /// The velocities v1 in `to` that some v0 in `from` permits; nothing if there is none.
 std::optional<Gap> reached(const Demand& demand, Gap from, Gap to);
 
-/// The velocities v0 in `from` that permit v1, which reached() found: where rounding leaves none, the
-/// one that misses least.
+/// The velocities v0 in `from` that permit a v1 that reached() found. Where rounding leaves none: the one
+/// with the least error.
 Gap leading_to(const Demand& demand, Gap from, double v1);
 
 /// A way through the gaps that every piece's demand permits, and the pieces without one.
 struct Corridor {
-  std::vector<Gap> gaps;            ///< at each knot, what the knots before leave of its gap
-  std::vector<std::size_t> closed;  ///< pieces whose demand nothing keeps: it is dropped there
+  std::vector<Gap> gaps;  ///< at each knot, the part of its gap that the knots before permit
+  std::vector<std::size_t> closed;  ///< pieces whose demand no velocity keeps: it is dropped there
 };
 
-/// Follows the pieces upwards: what remains of each gap. demand_of(i) makes the Demand of piece i,
+/// Follows the pieces upwards: the rest of each gap. demand_of(i) makes the Demand of piece i,
 /// between the knots i and i + 1.
 template <class DemandOf>
 Corridor corridor(std::vector<Gap> gaps, const DemandOf& demand_of) {
@@ -66,8 +66,8 @@ Corridor corridor(std::vector<Gap> gaps, const DemandOf& demand_of) {
   return all;
 }
 
-/// Replaces the velocities by a way through the corridor: from the last knot back, each the nearest
-/// to what it was that leads on.
+/// Replaces the velocities by a way through the corridor: from the last knot back, each by the nearest
+/// one that leads on.
 template <class DemandOf>
 void follow(const Corridor& corridor, const DemandOf& demand_of, std::span<double> v) {
   const auto nearest = [](Gap gap, double wanted) {

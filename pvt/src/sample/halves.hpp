@@ -15,7 +15,7 @@ namespace jounce::detail {
 /// True if one quadratic piece leads from a to b, with the velocities of both.
 bool is_one_quadratic(const Knot& a, const Knot& b);
 
-/// The knot between at which the two pieces meet, in the middle or the step of x next to it; nothing
+/// The knot at which the two pieces meet, in the middle or at the step of x next to it; nothing
 /// where the target leaves no place for it. With P = p_b - p_a, h_a and h_b the lengths of the pieces:
 ///
 ///     (1)  v = (2 P - v_a h_a - v_b h_b) / (h_a + h_b),     p = p_a + (v_a + v) h_a / 2

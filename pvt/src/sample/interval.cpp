@@ -8,8 +8,8 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 
-// The difference of the table's one polynomial and the curve's segments, piece by piece. Each test is
-// as cheap as it may be:
+// The difference of the table's one polynomial and the curve's segments, piece by piece, by the cheapest test
+// that decides:
 //
 //   (1)  a value of the difference anywhere is no more than its maximum: a few in the interval show
 //        most of those that are too long;
@@ -54,7 +54,7 @@ double exact_peak(const Segment& d) {
   return peak;
 }
 
-/// The greater of `worst` and what d, a difference, makes of its tolerance.
+/// The greater of `worst` and the share of its tolerance that the difference d uses up.
 double raised(double worst, const Segment& d, double tolerance) {
   const double bound = worst * tolerance;
   if (magnitude(d) <= bound || hull_within(d, bound)) return worst;
@@ -76,7 +76,7 @@ double sampled(const Curve<Over>& f, const Segment& table, double start,
   return worst;
 }
 
-/// part(), of a whole segment the segment itself.
+/// part(), or the segment itself where that is whole.
 Segment cut(const Segment& f, double s0, double s1) {
   return s0 == 0 && s1 == 1 ? f : part(f, s0, s1);
 }

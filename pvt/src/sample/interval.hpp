@@ -20,9 +20,9 @@ struct Tolerances {
   double velocity = 0;
 };
 
-/// How much of its tolerances the table uses up from knot a to knot b: the greater of the two errors
-/// over theirs, exact (see interval.cpp) as far as it is at most 1. Above that something in (1, the
-/// true one]. Does not allocate beyond a scratch of the thread.
+/// The share of its tolerances that the table uses up from knot a to knot b: the greater ratio of error to
+/// tolerance. It is exact (see interval.cpp) up to 1; above that it is some number above 1, at most the true
+/// one. Does not allocate beyond a scratch of the thread.
 template <class Over>
 double share(const Curve<Over>& f, Interpolation rule, const Knot& a, const Knot& b,
              const Tolerances& tolerances);

@@ -10,23 +10,22 @@
 #include "pvt/src/sample/halves.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// The error of an interval of length h goes with h^k (Hermite interpolation: k = 2, 4, 6; of two
-// quadratic pieces: 3), so that a
-// length whose share of the tolerance is e is followed by
+// The error of an interval of length h is proportional to h^k (Hermite interpolation: k = 2, 4, 6; two
+// quadratic pieces: 3). So after a length whose share of the tolerance is e, the next length tried is
 //
 //   (1)  h (0.99995 / e)^(1/k)
 //
-// and few are tried. Where the curve is not that smooth, bisection takes over. An interval is done
-// when its share is within 1e-4 of 1, or its length known to 1e-6.
+// and few are tried. Where the curve is not that smooth, bisection takes over. The search ends
+// when the share is within 1e-4 of 1, or the length is exact to 1e-6.
 //
 // Rounded knots: with d the distance of a rounded position from the curve, the error of the interval
-// is at most the unrounded one plus d, and at least that minus d. So no interval beyond
+// is at most the unrounded one plus d, and at least that minus d. So no interval is longer than
 //
 //   (2)  the longest that keeps, unrounded, the tolerance plus p_step / 2
 //
-// does, and the knots within are tried from there down.
+// and the knots within are tried from there down.
 //
-// No interval goes beyond the next knot that must be, the limit. Before a dwell or a straight line that
+// No interval goes beyond the next required knot, the limit. Before a dwell or a straight line that
 // the curve enters with a step of a derivative, the last interval must be short:
 //
 //   (3)  an interval that ends just before the limit ends where the limit can be reached from.
@@ -51,7 +50,7 @@ template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side) {
   Knot knot = knot_at(f, x, side);
   knot.jet[0] = rounded_to(knot.jet[0], target.p_step);
-  // A period closes on its first knot, whichever way that one was rounded.
+  // A period ends on the position of its first knot, as that one was rounded.
   if (target.p_step > 0 && repeats(f.outside()) && x == f.end()) {
     const double first = f.jet(f.start())[0];
     const double travel = f.jet(x, Side::left)[0] - first;
@@ -67,7 +66,7 @@ namespace {
 template <class Over>
 class Search {
  public:
-  /// Wherever knots may be: the target's steps and spacing are kept by who takes what is found.
+  /// Knots may be anywhere: the caller keeps the target's steps and spacing.
   Search(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& limit,
          const Tolerances& tolerances)
       : f_(f),
@@ -115,9 +114,9 @@ class Search {
     return from + (to - from) / (from > 0 ? 2 : 8);
   }
 
-  /// A break of the curve is the better knot: at one within the bracket the curve steps, and the
-  /// interval ends with what it has to the left; one just behind is as good, and the next interval is
-  /// spared the rest of that segment.
+  /// A break of the curve is the better knot. At a break within the bracket the curve steps, and the interval
+  /// ends with the limits from the left. A break just behind is as good, and spares the next interval the
+  /// rest of that segment.
   std::optional<Knot> at_break() {
     const auto breaks = f_.breaks();
     const double last = hi_ == inf ? lo() : hi_;
@@ -138,11 +137,11 @@ class Search {
   const Knot& a_;
   const Knot& limit_;
   const Tolerances& tolerances_;
-  double hi_ = inf;  ///< the least end that is known to be too far
+  double hi_ = inf;  ///< the least end that was found to be too far
   std::optional<Knot> best_;
 };
 
-/// Whether the curve has other numbers to the left of x than to the right.
+/// True if the curve differs to the left and to the right of x.
 template <class Over>
 bool steps_at(const Curve<Over>& f, double x) {
   if (!std::binary_search(f.breaks().begin() + 1, f.breaks().end() - 1, x)) return false;
@@ -150,7 +149,7 @@ bool steps_at(const Curve<Over>& f, double x) {
   return !std::equal(left.begin(), left.begin() + 3, f.jet(x, Side::right).begin());
 }
 
-/// Whether a knot may be at x after one at a: by their distance, and that from the limit.
+/// True if a knot may be at x after one at a: by their distance, and the distance from the limit.
 bool may_be(const Target& target, double a, double x, double limit) {
   const double least = target.spacing * (1 - 1e-12);
   return x > a && x - a >= least && (x == limit || limit - x >= least);
@@ -185,7 +184,7 @@ const Straight* stretch_behind(const std::vector<Straight>& stretches, double x)
   return at == stretches.end() ? nullptr : &*at;
 }
 
-/// The knot that the intervals from x on must not pass.
+/// The required knot that the intervals from x on must not pass.
 template <class Over>
 Knot limit_behind(const Curve<Over>& f, const Target& target, const Straight* stretch, double x) {
   if (stretch == nullptr) return held_at(f, target, f.end(), Side::left);
@@ -269,7 +268,7 @@ class Followers {
   const Target& target_;
   const Knot& a_;
   Knot limit_;
-  bool is_line_;  ///< what the curve is up to the limit
+  bool is_line_;  ///< the form of the curve up to the limit
   const Tolerances& tolerances_;
   std::vector<Knot> all_;
 };

@@ -20,14 +20,15 @@ Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
 /// The knots that may follow a, so that the interval keeps the tolerances: first the farthest that the
 /// target allows, then breaks of the curve near it, from which the next interval may reach farther.
-/// None beyond the next end of a stretch, which must be a knot. None at all where nothing can follow. `guess` > 0 is a length to try first, such as that of the interval
-/// before.
+/// None beyond the next end of a stretch, which must be a knot. None at all where no knot can follow. `guess` > 0
+/// is a length to try first, such as that of the interval before.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess);
 
-/// Which power of its length the error of an interval goes with: 2, 4, 6; 3 for two quadratic pieces.
+/// The power of its length to which the error of an interval is proportional: 2, 4, 6; 3 for two quadratic
+/// pieces.
 int order(const Target& target);
 
 }  // namespace jounce::detail

@@ -17,24 +17,23 @@
 #include "pvt/src/sample/stretches.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// An interval's error depends on its two knots alone. So a table with each interval as long as
-// it can be has the fewest knots: by induction its i-th lies at or beyond the i-th of any other, as
-// long as
+// An interval's error depends only on its two knots. So a table with each interval as long as
+// possible has the fewest knots: by induction its i-th knot lies at or beyond the i-th of any other table, if
 //
 //   (1)  an interval that keeps the tolerance keeps it from any later beginning.
 //
-// It does where the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of the
-// error. It need not where a derivative steps: an interval from just before the break is shorter than
+// (1) holds where the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of the
+// error. It may fail where a derivative steps: an interval from just before the break is shorter than
 // one from the break. So
 //
-//   (2)  beside the farthest knot the breaks next to it are gone on with,
+//   (2)  the search continues from the farthest knot and from the breaks next to it,
 //
-// the few farthest of each number of knots. Knots that must be (detail/stretches.cpp) part the curve
-// into such problems, one behind the other. What can still be left out at the end is left out. With all
+// from the few farthest for each number of knots. Required knots (detail/stretches.cpp) divide the curve
+// into such problems, one behind the other. Knots that can still be left out at the end are left out. With all
 // tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
 // table of n knots, and bisection finds it.
 //
-// Where (1) does not hold that is near the best, no more. So tables of few knots are also searched
+// Where (1) does not hold, the result is only near the best. So tables of few knots are also searched
 //
 //   (3)  over places, by a dynamic programme (detail/best_places.cpp),
 //
@@ -54,7 +53,7 @@ constexpr std::size_t worth_keeping = 4;  ///< nodes of a layer
 
 struct Attempt {
   std::vector<Knot> knots;
-  double scale = 0;      ///< of the tolerances
+  double scale = 0;      ///< factor of the tolerances
   bool reaches = false;  ///< the end of the curve
   bool stuck = false;    ///< no interval does from the last knot; otherwise there are too many
 };
@@ -63,7 +62,7 @@ struct Attempt {
 struct Node {
   Knot knot;
   std::size_t from = 0;
-  double length = 0;  ///< of the interval between them
+  double length = 0;  ///< length of the interval between them
 };
 
 template <class Over>
@@ -117,7 +116,7 @@ class Reduction {
     const std::vector<Straight> kept = kept_within(allowed);
     std::vector<Node> nodes{
         {detail::held_at(f_, target_, f_.start(), Side::right), 0, f_.length()}};
-    std::size_t first = 0;  // of the last layer
+    std::size_t first = 0;  // first node of the last layer
     for (std::size_t count = 2; count <= most; ++count) {
       const std::size_t last = nodes.size();
       for (std::size_t i = first; i < last; ++i) {
@@ -144,7 +143,7 @@ class Reduction {
     return Attempt{std::move(best->knots), scale * best->share, true, false};
   }
 
-  /// `found`, or what the search over places has with fewer knots or an error smaller by a hundredth.
+  /// `found`, or a table from the search over places with fewer knots or an error smaller by a hundredth.
   [[nodiscard]] Attempt better(Attempt found, std::size_t most, bool any) const {
     const std::size_t n = found.knots.size();
     auto other = searched(any ? 1 : found.scale, found.knots, any ? n : most, any);
@@ -162,7 +161,7 @@ class Reduction {
     return kept;
   }
 
-  /// Of the nodes from `first` on, the few farthest, in this order.
+  /// The few farthest of the nodes from `first` on, in this order.
   static void keep_farthest(std::vector<Node>& nodes, std::size_t first) {
     const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, nodes.end(),
@@ -181,8 +180,8 @@ class Reduction {
     return knots;
   }
 
-  /// `found` with the least scale, to a hundredth, that does with `most` knots; `factor` < 1 is what
-  /// to try first.
+  /// `found` with the least scale, to a hundredth, for which `most` knots are enough; `factor` < 1 is
+  /// tried first.
   [[nodiscard]] Attempt least(Attempt found, std::size_t most, double factor) const {
     double lo = 0;
     while (lo == 0 && found.scale * asked_.position > floor_ && found.scale > 1e-15) {
@@ -204,7 +203,7 @@ class Reduction {
     return found;
   }
 
-  /// The knots without those that two intervals as one do without.
+  /// The knots without those whose two intervals can be one.
   [[nodiscard]] std::vector<Knot> needed(std::vector<Knot> knots, const Tolerances& allowed) const {
     std::vector<double> fixed;
     for (const Straight& each : kept_within(allowed))
@@ -256,7 +255,7 @@ class Reduction {
     return velocity ? Binding::velocity_tolerance : Binding::tolerance;
   }
 
-  // ---- what to say of a target that cannot be met
+  // ---- the message for a target that cannot be met
 
   /// A tolerance times `scale`, in three digits that are not below it.
   static std::string digits(double value) {
@@ -330,7 +329,7 @@ class Reduction {
   const Target& target_;
   std::vector<Straight> stretches_;  ///< intervals of the table
   Tolerances asked_;
-  double floor_ = 0;  ///< of the position tolerance: the rounding of the curve
+  double floor_ = 0;  ///< least position tolerance: the rounding of the curve
 };
 
 void require_valid(const Target& target) {
@@ -355,7 +354,7 @@ void require_valid(const Target& target) {
   require_not_negative("v_step", target.v_step);
 }
 
-/// The curve, on whose ends knots can be: where it holds outside, up to the next multiple of x_step.
+/// The curve with ends that can be knots: where it holds outside, up to the next multiple of x_step.
 template <class Over>
 Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
   const double x_step = target.x_step;

@@ -20,7 +20,7 @@
 namespace jounce {
 namespace {
 
-/// Lets a periodic table end on exactly the numbers it begins with, where they differ by rounding.
+/// Makes the last values of a periodic table exactly the first ones, where they differ by rounding.
 void close_period(std::vector<double>& column) {
   if (column.empty()) return;
   double scale = 0;
@@ -58,13 +58,13 @@ std::vector<double> equal_parts(double from, double to, std::size_t intervals) {
   return knots;
 }
 
-/// A knot has one velocity and one acceleration: where the curve's steps, the table has the right
-/// one, and strays in the interval before by at most (greatest values of the Hermite shapes)
+/// A knot has one velocity and one acceleration. Where those of the curve step, the table has the right
+/// ones, and in the interval before it deviates by at most (greatest values of the Hermite shapes)
 ///
 ///     (1)  cubic:   4/27 |dv| d;      quintic:   0.2 |dv| d + 0.01728 |da| d^2
 ///
-/// over an interval of length d: so that one is made short enough for an eighth of `wanted`. A curve
-/// that repeats has its end's from its start.
+/// over an interval of length d. So that interval is made short enough for an eighth of `wanted`. A curve
+/// that repeats has at its end the values of its start.
 template <class Over>
 std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation rule, double wanted,
                                            const std::vector<double>& knots) {
@@ -86,12 +86,12 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation r
   return all;
 }
 
-/// A knot's position is rounded to e P, P the greatest position. An interval of length L makes of it a
-/// third derivative of its own of up to
+/// A knot's position is rounded to e P, P the greatest position. In an interval of length L this adds to the
+/// third derivative up to
 ///
 ///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
 ///
-/// which counts as much as a thousandth of the curve's below the length that this returns.
+/// which is a thousandth of the curve's third derivative at the length that this returns.
 template <class Over>
 double noisy_length(const Curve<Over>& f, Interpolation rule) {
   const Ranges peaks = extrema(f);
@@ -165,7 +165,7 @@ class Spread {
     return true;
   }
 
-  /// Whether the interval from knot i was made longer.
+  /// True if the interval from knot i was made longer.
   bool parted(std::vector<double>& knots, std::size_t i) const {
     return replaced(knots, i + 1, {}) || replaced(knots, i, {}) ||
            replaced(knots, i + 1, knots[i] + 2 * least_) ||
@@ -199,9 +199,9 @@ double rise(const Curve<Over>& f, double a, double b) {
   return sum;
 }
 
-/// Knots that must stay near each other, as those of a phase that nearly vanishes. Between them, over a length
-/// d, the rounding e of the rise makes a jerk of 60 e / d^3. One of them goes to the double, of many beside
-/// its place, for which e is least. What is left of it is given to both velocities, as e / d: the interval then
+/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Between them, over a length
+/// d, the rounding e of the rise causes a jerk of 60 e / d^3. One of them moves to the nearby double for which e
+/// is least. Both velocities then take up the rest of e, as e / d: the interval then
 /// has the curve's derivatives, and the intervals beside it, which are long, change by far less.
 template <class Over>
 class ShortIntervals {
@@ -328,11 +328,11 @@ template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       std::size_t most) {
   require_positive("tolerance", tolerance);
-  // What is below the rounding of the values cannot be asked for.
+  // A tolerance below the rounding of the values cannot be kept.
   const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short ones have few digits
+    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short pieces have few digits
     const auto fits = [&](std::size_t n) {
       return sample(piece, rule, n).error.position <= wanted;
     };
@@ -357,7 +357,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
-  // An interval that fitted by its symmetry may no longer do so once it is shortened.
+  // An interval that kept the tolerance by its symmetry may not keep it once it is shorter.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
     knots.insert(above, (*(above - 1) + *above) / 2);

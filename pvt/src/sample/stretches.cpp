@@ -7,20 +7,20 @@
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// A machine relies on two things that a tolerance says nothing of: a slave that dwells stands still,
-// and one in sync keeps its ratio. So the straight parts of a curve are intervals of its table. Of
-// neighbouring segments on one line, a stretch is the whole. It is kept where
+// A machine relies on two properties that a tolerance does not cover: a slave that dwells stands still,
+// and one in sync keeps its ratio. So the straight parts of a curve are intervals of its table. Neighboring
+// segments on one line are one stretch. It is kept where
 //
-//   (1)  the curve is bent on one side of it: then a designer drew it;
+//   (1)  the curve is bent on one side of it: then it is part of the design;
 //   (2)  or it stands still for a part of 1/64 of the curve. Between straight lines the curve is a
 //        table itself, which may have been recorded in whole counts: its steps are no dwells.
 //
-// Between steps of x the ends move inwards. What leaves no place for two knots is not kept.
+// The ends move inwards to steps of x. A stretch without two such steps is not kept.
 namespace jounce::detail {
 namespace {
 
 constexpr double least_part = 1.0 / 64;
-constexpr double rounding = 4e-15;  // of the sum of a segment's terms
+constexpr double rounding = 4e-15;  // share of the sum of a segment's terms
 
 bool is_straight(const Segment& f) {
   double bend = 0;
@@ -35,7 +35,7 @@ struct Run {
   double travel = 0;  ///< 0: a dwell
 };
 
-/// Whether g goes on as f goes.
+/// True if g continues the line of f.
 bool goes_on(const Segment& f, const Segment& g) {
   const double allowed = rounding * (magnitude(f) + magnitude(g));
   const double rate = f.c[1] / f.length - g.c[1] / g.length;
@@ -91,7 +91,7 @@ Straight knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
   return made;
 }
 
-/// Whether two knots that are not one are far enough apart.
+/// True if two different knots are far enough apart.
 bool apart(double x, double next, double spacing) {
   return next == x || next - x >= spacing * (1 - 1e-12);
 }

@@ -9,7 +9,7 @@
 
 namespace jounce::detail {
 
-/// Where the curve is one straight line, which a reduced table keeps: from knot to knot.
+/// A straight line of the curve, which a reduced table keeps: from knot to knot.
 struct Straight {
   Knot begin;
   Knot end;

@@ -5,7 +5,7 @@
 
 namespace jounce::detail {
 
-/// k steps. Where a unit is a whole number of steps, as 1 s of 0.001 s, by division: 9 / 1000 is the
+/// k steps. Where a unit is a whole number of steps, such as 1 s of 0.001 s, it divides: 9 / 1000 is the
 /// double nearest to 0.009, 9 * 0.001 is not.
 inline double steps(double k, double step) {
   const double per_unit = std::round(1 / step);

@@ -14,10 +14,10 @@
 
 #include "pvt/src/table/hull_kernel.hpp"
 
-// The exact search of extrema.cpp costs some 100 ns an interval and order. Here it sees the intervals alone
-// that can change the outcome, in ascending order, so that the outcome is the same. Chunk by chunk, with
+// The exact search of extrema.cpp costs some 100 ns an interval and order. Here it runs only in the intervals
+// that can change the outcome, in ascending order, so that the outcome is the same. In each chunk, with
 // U the bound of an interval (hull_kernel.hpp), B the best value so far and T a value that the chunk
-// takes for certain, an interval matters for a greatest value only if
+// certainly takes, an interval matters for a greatest value only if
 //
 //   (1)  U > B   and   U >= T - r,     r = 4 eps (|T| + |limit|)
 //
@@ -25,14 +25,14 @@
 //
 //   (2)  U > G + 0.999e-12 max(|G|, scale),
 //
-// below which nothing counts as broken. Least values and lower limits are the same of -f.
+// since no smaller value breaks the limit. For least values and lower limits the same holds with -f.
 
 namespace jounce {
 namespace {
 
 using detail::Hulls;
 
-/// One thing that is sought: the greatest value of f (side 0) or -f (side 1) of an order.
+/// One goal of the search: the greatest value of f (side 0) or -f (side 1) of an order.
 struct Sought {
   std::size_t order;
   std::size_t side;
@@ -56,7 +56,7 @@ bool is_finite(const Hulls& hulls) {
   });
 }
 
-/// A bound that is no number: the curve's own check names the segment, where there is one to name.
+/// For a bound that is NaN: the curve's own check names the segment, if there is one.
 void refuse(const Table& table) {
   if (table.axis() == Domain::time)
     (void)table.curve<OverTime>();
@@ -76,8 +76,8 @@ Intervals all_of(const Table& table) {
   return {0, table.size() - 1};
 }
 
-/// visit(index of what is sought, range, interval) for every interval that matters to it; visit
-/// raises its `best`. What is sought of one order stands together.
+/// Calls visit(index of the goal, range, interval) for every interval that matters to a goal; visit
+/// raises its `best`. The goals of one order are adjacent.
 template <class Visit>
 void search(const Table& table, const Intervals& within, std::vector<Sought>& sought, Visit visit) {
   const detail::KnotColumns knots = detail::knots_of(table.columns());

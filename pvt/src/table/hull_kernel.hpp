@@ -8,23 +8,23 @@
 //
 //   (1)  b_i - c_0 = sum over 1 <= k <= i of C(i, k) / C(n, k) c_k,
 //
-// and the polynomial lies between the least and the greatest of them. What an exact search computes,
-// rounded, lies there too once the hull is widened by
+// and the polynomial lies between the least and the greatest of them. The rounded results of an exact search
+// lie there too if the hull is wider by
 //
 //   (2)  e = 64 eps sum over k >= 1 of |c_k|,   eps = 2^-53,
 //
 // which covers the rounding of Horner's rule, of (1), and of the coefficients. The addition of c_0 comes
-// last in both and rounds monotonically: so a constant has exactly itself as its bound, and of a
-// million intervals at rest none passes the first.
+// last in both and rounds monotonically. So the bound of a constant is exactly that constant, and none of a
+// million intervals at rest exceeds the first.
 namespace jounce::detail {
 
-/// For at most `size` intervals, for the value and three derivatives: what no value exceeds, of f [0] and
-/// of -f [1], and the greatest that are taken for certain among all.
+/// For at most `size` intervals, for the value and three derivatives: the bounds of f [0] and of -f [1],
+/// and the greatest values among all that are certainly taken.
 struct Hulls {
   static constexpr std::size_t size = 256;
 
   alignas(64) double bound[4][2][size];
-  double greatest[4][2];  ///< of the bounds; NaN or infinite where one is
+  double greatest[4][2];  ///< greatest of the bounds; NaN or infinite where one is
   double taken[4][2];
 };
 
@@ -81,8 +81,8 @@ JOUNCE_INLINE void enclose(const Real* c, int order, std::size_t i, Hulls& out, 
   }
 }
 
-/// Of interval i of the table and those in the lanes after it, `at` in the chunk. First coefficients as
-/// jounce::derivative divides them, again and again; others by 1/L.
+/// The bounds of interval i of the table and of those in the lanes after it, `at` in the chunk. The first
+/// coefficients are divided repeatedly, as jounce::derivative does; the others are multiplied by 1/L.
 template <class Real, int degree>
 JOUNCE_INLINE void enclose_interval(const KnotColumns& t, std::size_t i, std::size_t at, Hulls& out,
                                     Maxima<Real>& max) {
@@ -169,7 +169,7 @@ JOUNCE_INLINE void hulls(const KnotColumns& t, Interpolation rule, std::size_t f
     enclose_all<Real, 5>(t, first, n, out);
 }
 
-/// A chunk with fewer intervals than lanes goes one by one.
+/// A chunk with fewer intervals than lanes is computed one interval at a time.
 template <class Real>
 JOUNCE_INLINE void hulls_in(const KnotColumns& t, Interpolation rule, std::size_t first,
                             std::size_t n, Hulls& out) {

@@ -4,8 +4,8 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/pvt/table.hpp"
 
-// One interval of a table as polynomials in s, ready for many instants, by the same operations in the
-// same order for one double and for a vector of them. With s = (x - x0) / L in [0, 1], h = p1 - p0,
+// One interval of a table as polynomials in s, for many instants. The operations and their order are the same
+// for one double and for a vector of them. With s = (x - x0) / L in [0, 1], h = p1 - p0,
 // m = v L and k = a L^2 (VDI 2143, the general 5th degree; a cubic has c4 = c5 = 0):
 //
 //   (1)  p = c0 + c1 s + ... + cn s^n
@@ -15,9 +15,9 @@
 //   (4)  v = dp/dx has the coefficients i ci / L, a those of v times i / L, the third derivative
 //        those of a; each with its first as the table gives it, where it gives it
 //
-// Nothing here is contracted (the room is compiled with -ffp-contract=off) or divided twice: s is
-// (x - x0) times 1/L, so that it costs a sample no division. Plain arrays and inlined functions
-// alone: kernels for wide vectors include this, and must leave a linker nothing to share.
+// No operation here is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times 1/L, so
+// that a sample costs no division. There are only plain arrays and inlined functions: kernels for wide vectors
+// include this file, and a linker must find no code to share between them.
 namespace jounce::detail {
 
 /// The columns that a kernel reads: size knots; v and a where the rule has them.
@@ -113,7 +113,7 @@ JOUNCE_INLINE Piece<degree> piece(const KnotColumns& t, std::size_t i) {
   return f;
 }
 
-/// s of a place in an interval that ends at x1: held at its ends, which it meets exactly.
+/// s of a place in an interval that ends at x1: held outside, and exact at both ends.
 template <int degree>
 JOUNCE_INLINE double place(const Piece<degree>& f, double x, double x1) {
   if (!(x < x1)) return x >= x1 ? 1 : x;

@@ -4,11 +4,11 @@
 #include "pvt/src/table/piece.hpp"
 
 // Block sampling, segment by segment: the coefficients once an interval, then a loop over the samples
-// in it, in vectors of the width that the including file is compiled for. Every sample is the value of
-// the same operations, whatever the width and whatever lane it falls into.
+// in it, in vectors of the width that the including file is compiled for. Every sample is the result of
+// the same operations, in any lane of any width.
 namespace jounce::detail {
 
-/// Where the samples are: at given instants, or at start + k step, rounded twice.
+/// The places of the samples: given instants, or start + k step, rounded twice.
 struct Listed {
   const double* x;
 
@@ -63,15 +63,15 @@ struct SampleKernels {
                  Samples);
   void (*uniform)(const KnotColumns&, Interpolation, Uniform, std::size_t first, std::size_t last,
                   Samples);
-  bool (*ascends)(const double* x, std::size_t size);  ///< false where one is no number
+  bool (*ascends)(const double* x, std::size_t size);  ///< false where one is NaN
 };
 extern const SampleKernels sample_anywhere, sample_avx2, sample_avx512;
 
 /// The widest that this processor has.
 const SampleKernels& sample_kernels();
 
-/// The first index in [low, high] for which `before`, true for a while and then false, is false; high
-/// where it never is: outwards from a guess in steps that double, then by halves.
+/// The first index in [low, high] for which `before` is false, or high. `before` changes at most once, from true
+/// to false. The search goes outwards from a guess in steps that double, then by halves.
 template <class Before>
 JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std::size_t high,
                                       std::size_t guess) {
@@ -100,7 +100,7 @@ JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std
 }
 
 /// The first sample after k, at most `last`, that is not before `end`; n: samples in the interval
-/// before. Mostly the guess is right within one, whichever way: then without a branch.
+/// before. The guess is usually right within one: then there is no branch.
 template <class Instants>
 JOUNCE_INLINE std::size_t run_end(const Instants& at, std::size_t k, std::size_t last, double end,
                                   std::size_t n) {
@@ -125,9 +125,9 @@ JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, cons
   store(out.a + k, acceleration(f, s));
 }
 
-/// Samples [first, last) of one interval: a vector at each end, and between them those that fill whole
-/// vectors of the first column, whose stores then cross no cache line. Where they overlap, samples
-/// become again what they are.
+/// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that are aligned
+/// in the first column, so that their stores cross no cache line. Samples in two vectors are stored twice, with
+/// the same value.
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
                               std::size_t last, const Samples& out) {
@@ -163,7 +163,7 @@ JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::
   }
 }
 
-/// Every pair of neighbours, without stopping early.
+/// Compares every pair of neighbors, without stopping early.
 template <class Real>
 JOUNCE_INLINE bool all_ascend(const double* x, std::size_t size) {
   Mask<Real> good = Real{} <= Real{};

@@ -31,7 +31,7 @@ std::string entry(Domain axis, std::size_t column, std::size_t knot) {
 }
 
 /// The first i < n that is not good; n if all are. `bad_bits(i)` has its highest bit set where i is
-/// not: gathered without a branch, several at once, and looked at closely only where one is.
+/// not good. Several are gathered without a branch, and examined only where one is bad.
 template <class BadBits>
 std::size_t first_bad(std::size_t n, BadBits bad_bits) {
   const auto is_bad = [](std::uint64_t bits) { return bits >> 63U != 0; };
@@ -43,13 +43,13 @@ std::size_t first_bad(std::size_t n, BadBits bad_bits) {
   return i;
 }
 
-/// A number is finite unless its exponent is all ones, which one more makes overflow.
+/// A number is finite unless its exponent is all ones: adding one to that overflows.
 std::uint64_t not_finite(double value) {
   constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, one = 0x0010'0000'0000'0000;
   return (std::bit_cast<std::uint64_t>(value) & exponent) + one;
 }
 
-/// Of finite numbers, whose difference is exact where it is small: it is no more than either zero.
+/// For finite numbers. Their difference is exact where it is small: here it is negative, or a zero of either sign.
 std::uint64_t not_greater(double value, double than) {
   const auto difference = std::bit_cast<std::uint64_t>(value - than);
   return difference | (difference - 1);
@@ -106,10 +106,10 @@ Segment Table::segment(std::size_t i) const {
   return quintic(length, p[i], v[i], a[i], p[i + 1], v[i + 1], a[i + 1]);
 }
 
-/// Knots beyond which columns no longer lie in a processor's nearer caches.
+/// Above this number of knots the columns do not fit into a processor's nearer caches.
 constexpr std::size_t cached = 16384;
 
-/// Asks memory for the knots beside interval i, all columns at once, while x is still compared.
+/// Prefetches the knots beside interval i from all columns, while x is still compared.
 [[gnu::always_inline]] inline void Table::fetch(std::size_t i) const {
   const Columns& columns = knots_->columns;
   __builtin_prefetch(columns.p.data() + i);

@@ -21,7 +21,7 @@ std::string rounded(double x) {
   return text.data();
 }
 
-/// The slopes at both ends; one that is rounding beside the other is 0.
+/// The slopes at both ends; one that is only rounding beside the other is 0.
 std::array<double, 2> end_slopes(const Segment& f) {
   std::array slopes{evaluate(f, 0)[1], evaluate(f, 1)[1]};
   const double scale = std::max(std::abs(slopes[0]), std::abs(slopes[1]));
@@ -47,7 +47,7 @@ std::string advice_against_overshoot(const Segment& f) {
   return advice;
 }
 
-/// Whichever end of the segment's range lies further beyond its knots.
+/// The end of the segment's range that lies further beyond its knots.
 std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double least) {
   const double first = value(f, 0);
   const double last = value(f, 1);
@@ -98,7 +98,7 @@ Finding end_of(const auto& f, double velocity, double scale) {
   return found;
 }
 
-/// What is looked at segment by segment: a curve, or a table without its curve being made.
+/// The input that is checked segment by segment: a curve, or a table without making its curve.
 template <class Over>
 struct CurveSegments {
   const Curve<Over>& f;
@@ -114,8 +114,8 @@ struct TableSegments {
   [[nodiscard]] Range range(std::size_t i) const {
     return segment_range(f.segment(i), f.breaks()[i], f.breaks()[i + 1], 0);
   }
-  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: what counts as
-  /// beyond; half of it is left for the rounding of the coefficients.
+  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: the smallest excess
+  /// that counts; half of it is left for the rounding of the coefficients.
   [[nodiscard]] bool surely_between_ends(std::size_t i, double least) const {
     const auto& [x, p, v, a] = f.columns();
     const double low = std::min(p[i], p[i + 1]) - least / 2;
@@ -140,7 +140,7 @@ struct TableSegments {
 
 Report overshoots_in(const auto& segments, const Range& travel, double tolerance) {
   const double stroke = travel.max.value - travel.min.value;
-  // Below the rounding of the positions themselves nothing can be called beyond.
+  // An excess below the rounding of the positions cannot be detected.
   const double least = std::max(tolerance * stroke, 1e-14 * std::abs(travel.peak().value));
   Report report;
   for (std::size_t i = 0; i + 1 < segments.f.breaks().size(); ++i) {

@@ -37,7 +37,7 @@ JOUNCE_INLINE void store(double* to, Real x) {
 
 template <class Real>
 JOUNCE_INLINE Real every(double x) {  // in every lane
-  return Real{} + x;
+  return x - Real{};  // not Real{} + x: that would make 0 of -0, and cost an addition
 }
 template <class Real>
 JOUNCE_INLINE Real least(Real a, Real b) {
@@ -76,14 +76,6 @@ JOUNCE_INLINE Real square_root(Real x) {  // 0 for an x that rounding made negat
   return root_of(greatest(x, every<Real>(0)));
 }
 
-/// {a, b}, or {b, a} if they are to be swapped: without a branch, and without memory, from which two
-/// doubles written one by one return late as a vector.
-JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
-  const Vector2 given{a, b};
-  const Vector2 other{b, a};
-  return every<Vector2>(swapped) > 0 ? other : given;
-}
-
 /// The bits of a Real, lane by lane.
 template <class Real>
 struct BitsOf;
@@ -104,8 +96,18 @@ struct BitsOf<Vector8> {
   using Type = std::uint64_t __attribute__((vector_size(64)));
 };
 
+/// {a, b}, or {b, a} if they are to be swapped: without a branch, and without memory, from which two
+/// doubles written one by one return late as a vector.
+JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
+  using Bits = BitsOf<Vector2>::Type;
+  const Bits mask = Bits{} - static_cast<std::uint64_t>(swapped);
+  const Bits given = std::bit_cast<Bits>(Vector2{a, b});
+  const Bits other = std::bit_cast<Bits>(Vector2{b, a});
+  return std::bit_cast<Vector2>((other & mask) | (given & ~mask));
+}
+
 /// The cube root within 4 %, for normal x > 0: a third of the exponent, linear in between. 1/3 is
-/// (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, for want of a vector product of 64 bits.
+/// (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, since a vector has no product of 64 bits.
 template <class Real>
 JOUNCE_INLINE Real rough_cube_root(Real x) {
   using Bits = typename BitsOf<Real>::Type;
@@ -117,15 +119,27 @@ JOUNCE_INLINE Real rough_cube_root(Real x) {
   return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
 }
 
-/// The cube root within two ulps, for normal x > 0 and its inverse: a series in e = 1 - r^3/x about
-/// the rough root r, good to 1e-8, then one of Newton's steps.
+/// The cube root within two ulps from a rough root r and the inverse of x: a series in e = 1 - r^3/x about
+/// r, good to 1e-8, then one of Newton's steps.
 template <class Real>
-JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
-  const Real r = rough_cube_root(x);
+JOUNCE_INLINE Real cube_root_near(Real r, Real per_x) {
   const Real e = 1 - r * r * r * per_x;
   const Real high = 35. / 243 + e * (91. / 729 + e * (728. / 6561));
   const Real y = r + r * e * (1. / 3 + e * (2. / 9 + e * (14. / 81 + e * high)));
   return y + y * (1. / 3) * (1 - y * y * y * per_x);
+}
+
+/// The cube root of a normal x > 0, given its inverse.
+template <class Real>
+JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
+  return cube_root_near(rough_cube_root(x), per_x);
+}
+
+/// The same for one double. The root of 8 x is exactly twice that of x, so that units that differ by powers of two
+/// give the same result.
+JOUNCE_INLINE double cube_root_in_units(double x, double per_x) {
+  const std::uint64_t third = std::bit_cast<std::uint64_t>(x) / 3;
+  return cube_root_near(std::bit_cast<double>(third + 0x2a9f789300000000U), per_x);
 }
 
 }  // namespace jounce::detail
