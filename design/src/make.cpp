@@ -140,7 +140,7 @@ Made make_sync(const Spec& spec) {
 struct Motions {
   std::vector<Trajectory> curves;
   std::vector<std::string> names;
-  detail::PathMotion path = {};  ///< of kind "path": names for each axis, and fits
+  detail::PathMotion path = {};  ///< for the kind "path": names for each axis, and fits
 
   [[nodiscard]] const std::vector<std::string>& names_of(std::size_t axis) const {
     return path.names.empty() ? names : path.names[axis];

@@ -72,7 +72,7 @@ TEST(PathCost, OfAStopIsARampDownAndUp) {
   EXPECT_NEAR(s.cost.of(LossCause::start), 0.1, 1e-12);
   EXPECT_NEAR(s.cost.of(LossCause::end), 0.1, 1e-12);
   EXPECT_NEAR(s.cost.of(LossCause::stop), 0.6, 1e-12);
-  EXPECT_EQ(s.cost.losses[1].line, 18);  // of the command behind the corner
+  EXPECT_EQ(s.cost.losses[1].line, 18);  // the command behind the corner
 }
 
 TEST(PathCost, OfARoundedCornerIsLessThanOfAStop) {

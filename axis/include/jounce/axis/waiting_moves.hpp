@@ -22,7 +22,7 @@ inline BufferMode buffer_of(const BufferedMove& move) {
 ///
 ///     WaitingMoves moves;
 ///     if (!moves.full()) moves.push(command::MoveRelative{.distance = 3});
-///     const BufferedMove next = moves.front();       // of one that is not empty
+///     const BufferedMove next = moves.front();       // if it is not empty
 ///     moves.pop();
 class WaitingMoves {
  public:

@@ -7,7 +7,8 @@
 
 namespace jounce {
 
-/// The values of a line of CSV, between its commas. There is no quoting: our files need none.
+/// The values of a line of CSV, between its commas. There is no quoting: the files of Jounce need
+/// none.
 std::vector<std::string_view> csv_cells(std::string_view line);
 
 /// A value as a finite number; nothing if it is anything else.

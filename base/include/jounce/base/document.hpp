@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// A document that was read, with the place of every key: what turns an InputError of a generator,
+/// A document that was read, with the place of every key. It turns an InputError of a generator,
 /// which has only the key, into one that names file, line and column.
 struct Document {
   struct Place {
@@ -21,13 +21,12 @@ struct Document {
   std::string text;
   Sha256 hash{};  ///< hash of the text
   std::map<std::string, Place> places;
-  std::map<std::string, std::string> units =
-      {};  ///< units of every number read: what a plain one counts
+  std::map<std::string, std::string> units = {};  ///< unit of every plain number read
 
   /// The error with the place of its key, or of the nearest enclosing key that is known.
   [[nodiscard]] InputError located(const InputError& error) const;
-  /// An error about a file that this document names under `key`: with that place where the file cannot be
-  /// read at all, else as it is.
+  /// An error about a file that this document names under `key`: with the place of the key if the
+  /// file cannot be read at all, otherwise unchanged.
   [[nodiscard]] InputError naming(const std::string& key, const std::string& file,
                                   const InputError& error) const;
 };

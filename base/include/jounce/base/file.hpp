@@ -11,8 +11,8 @@ namespace jounce {
 /// file's name as document for a file that cannot be read, for text in UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
-/// Remembers, while it lives, which files read_file() reads; write_files() then refuses to replace one of them: what is
-/// made must not replace what it is made from. One at a time.
+/// Records the files that read_file() reads during its lifetime. write_files() then refuses to
+/// replace one of them: an output must not replace an input. At most one exists at a time.
 class KeptInputs {
  public:
   KeptInputs();
@@ -27,7 +27,7 @@ class KeptInputs {
   friend std::string read_file(const std::string& path);
 };
 
-/// Throws InputError, of this option, for a file that KeptInputs remembers.
+/// Throws InputError with this option as key for a file that KeptInputs has recorded.
 void require_not_read(const std::string& path, const std::string& option);
 
 /// A file to be written.
@@ -36,9 +36,10 @@ struct Output {
   std::string bytes;
 };
 
-/// Writes whole files or nothing: all of them to temporary names in their folders, then renamed.
-/// An existing file that is not regular (a device, a pipe) is written to directly. Throws
-/// std::system_error where the machine refuses (no folder, no space), and what require_not_read() throws.
+/// Writes all files or none: first to temporary names in their folders, which it then renames. An
+/// existing file that is not regular (a device, a pipe) is written to directly. Throws
+/// std::system_error if the system reports an error (no folder, no space), and like
+/// require_not_read().
 void write_files(const std::vector<Output>& files);
 void write_file(const std::string& path, const std::string& bytes);
 

@@ -17,7 +17,7 @@ namespace jounce {
 struct Units {
   std::string x;  ///< unit of the first column: time or master position
   std::string
-      position;  ///< position of the slave position; derivatives are position/x, position/x^2
+      position;  ///< unit of the position; those of the derivatives are position/x, position/x^2
 };
 
 using Sha256 = std::array<std::uint8_t, 32>;
@@ -33,14 +33,14 @@ std::string hex(const Sha256& hash);
 /// do not count: the same table has the same hash as CSV, as JSON and on the wire.
 Sha256 content_hash(const Table& table, const Units& units);
 
-/// The same hash of columns that come piece by piece, each from its beginning: so that a table is
-/// hashed while it arrives, and not after that.
+/// The same hash, of columns that arrive in pieces, each from its beginning. So a receiver can hash
+/// a table while it arrives.
 ///
 ///     ContentHasher hasher;
-///     hasher.add({x, p, v, {}});         // some knots, as often as there are more of them
+///     hasher.add({x, p, v, {}});         // repeat for each block of knots
 ///     Sha256 hash = hasher.result(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold, units, knots);
 ///
-/// Throws std::bad_alloc where the library has no memory.
+/// Throws std::bad_alloc if memory runs out.
 class ContentHasher {
  public:
   ContentHasher();
@@ -48,9 +48,9 @@ class ContentHasher {
   ContentHasher(ContentHasher&&) noexcept;
   ContentHasher& operator=(ContentHasher&&) noexcept;
 
-  /// The next knots of x, p, v and a; empty where the table lacks the column.
+  /// Adds the next knots of x, p, v and a; empty for a column that the table does not have.
   void add(const std::array<std::span<const double>, 4>& columns);
-  /// Once, in the end.
+  /// Returns the hash; call it once, at the end.
   [[nodiscard]] Sha256 result(Domain axis, Interpolation rule, Extrapolation outside,
                               const Units& units, std::size_t knots);
 

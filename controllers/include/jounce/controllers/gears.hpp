@@ -19,7 +19,7 @@ struct GearRatio {
       0;  ///< masterSlope: the master's way through the clutch; not 1, not negative
 };
 
-/// Throws InputError "masterEven", "masterSlope" for what the manual excludes.
+/// Throws InputError "masterEven", "masterSlope" for a value that the manual excludes.
 Gear gear(const GearRatio& ratio);
 
 /// From a ratio (of 0: GT_GearStart) to this one, over masterSlope. The law inside the clutch is not

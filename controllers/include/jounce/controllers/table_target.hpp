@@ -21,21 +21,21 @@ struct ControllerTable {
   const char* name;
   Domain axis;
   Interpolation rule;
-  std::size_t most;  ///< knots, the one that the table begins with included
+  std::size_t most;  ///< knots, including the first one of the table
   const char*
-      step;  ///< the unit whose whole numbers the first column takes; "" where any number does
+      step;  ///< the unit whose whole numbers the first column takes; "" if it takes any number
   bool quadratic = false;  ///< pieces of linear velocity (Target::quadratic)
 };
 
 /// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (NORMAL segments), hmpl_pvt, sew.
 std::span<const ControllerTable> controller_tables();
 
-/// By name; null where there is none.
+/// By name; null if there is none.
 const ControllerTable* controller_table(const std::string& name);
 
-/// Its target in these units. `x_step`, in units.x: how much one of what the controller counts in is,
-/// such as 0.01 deg a pulse. Throws InputError "controller" where the units do not measure what it
-/// counts in and there is no x_step; the rule asks for it by the name `key`.
+/// Its target in these units. `x_step`, in units.x: the size of one unit of the controller, such as
+/// 0.01 deg for a pulse. Throws InputError "controller" if the controller's unit does not convert
+/// into units.x and there is no x_step; the rule asks for it by the name `key`.
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step = {}, const std::string& key = "x_step");
 

@@ -8,7 +8,7 @@
 #include "jounce/pvt/pt.hpp"
 
 /// Limits of the controllers for time tables. Each throws InputError that names the point and the
-/// controller's error where it has one.
+/// controller's error, if it has one.
 
 namespace jounce::googol {
 
@@ -23,8 +23,8 @@ void require_pt(std::span<const PtPoint> points, std::size_t loops = 1);
 inline constexpr std::size_t follow_fifo =
     512;  ///< segments of a follow table, memory 1 (16 with 0)
 
-/// The rule that a master position of a follow table breaks: GT_FollowData (7.6) takes a `long` of whole
-/// pulses. "" where it breaks none.
+/// The rule that a master position of a follow table breaks: GT_FollowData (7.6) takes a `long` of
+/// whole pulses. "" if it breaks none.
 std::string broken_follow_rule(double master);
 
 }  // namespace jounce::googol

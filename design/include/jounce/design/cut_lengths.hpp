@@ -12,15 +12,16 @@
 
 namespace jounce {
 
-/// A spec of cuts over its cut length, with all other values fixed: the fastest line for
-/// each; and the lengths that mean something, master unit.
+/// A spec of cuts over its cut length, with all other values fixed: the fastest line for each; and
+/// the characteristic lengths, master unit.
 ///
-/// A knife's cam has no speed of its own. A shear's run-up and return follow from the line's speed:
-/// it is made anew for every one.
+/// The cam of a knife does not depend on the speed. The run-up and return of a shear follow from
+/// the line speed: its cam is made again for each.
 struct CutLengths {
-  /// The limit is "length" or "reversal", and the speed 0, where no such cut can be made.
+  /// If no such cut is possible, the limit is "length" or "reversal", and the speed 0.
   std::function<CutSpeed(double length, const CutLimits&)> fastest;
-  /// The shortest cut at that speed, where there is one: of a knife, of those up to the synchronous.
+  /// The shortest cut at that speed, if there is one; for a knife, among cuts up to the synchronous
+  /// length.
   std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
   struct Mark {
     double length = 0;
@@ -33,8 +34,8 @@ struct CutLengths {
   double to = 0;
 };
 
-/// Throws InputError, placed in the document, for a kind that has no cut length, and for a shear
-/// whose sync is left to the stroke: at its fastest line nothing would be left of it.
+/// Throws InputError, placed in the document, for a kind without a cut length, and for a shear
+/// whose sync follows from the stroke: at its fastest line speed it would be 0.
 CutLengths cut_lengths(const Spec& spec);
 
 }  // namespace jounce

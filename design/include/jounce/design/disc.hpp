@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The disc of a spec with [disc], in the spec's units. Throws InputError, placed in the document:
-/// also where the spec has no [disc].
+/// The disc of a spec with [disc], in the spec's units. Throws InputError, placed in the document,
+/// also if the spec has no [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
 
 /// check() of it, with the units of its findings.
@@ -23,12 +23,12 @@ bool cannot_be_cut(const Report& report);
 /// Extremes of the pressure angle, deg, and the sharpest radii of the profile, in lines, each with its place.
 std::string extremes_text(const Spec& spec, const Disc& disc);
 
-/// Drawing of a disc, in mm for all units of its spec, as it stands at master 0.
+/// Drawing of a disc, in mm for every unit of its spec, in its position at master 0.
 struct DiscDrawing {
   std::string name;
   Contour profile;
-  Contour pitch;   ///< empty where the roller has no radius
-  Contour cutter;  ///< the way of the cutter's centre; empty without a cutter
+  Contour pitch;   ///< empty if the roller has no radius
+  Contour cutter;  ///< the path of the cutter's centre; empty without a cutter
   double tolerance = 0;
   double base_radius = 0;
   std::optional<double> hub_radius;
@@ -45,8 +45,8 @@ std::string contour_dxf(const DiscDrawing& drawing);
 /// The same as an SVG document that prints 1:1.
 std::string contour_svg(const DiscDrawing& drawing);
 
-/// The profile as points for a controller without arcs: CSV with master position (spec's unit), x, y
-/// (mm); the last is the first again. Straight ways between them keep the spec's tolerance.
+/// The profile as points for a controller without arcs: CSV with master position (spec's unit), x,
+/// y (mm); the last equals the first. Straight lines between them keep the spec's tolerance.
 std::string contour_csv(const Spec& spec, const Disc& disc);
 
 }  // namespace jounce

@@ -18,7 +18,7 @@ struct Input {
   LazyCurve curve;
   TableFile table;
   std::optional<SampleError>
-      error;      ///< error of the table against the curve; none where it is all there is
+      error;      ///< error of the table against the curve; none if there is no other curve
   Limits limits;  ///< limits of the spec; none for a table
   Labels labels;
   std::string name;           ///< the spec's name with the axis', or the file's
@@ -29,18 +29,19 @@ struct Input {
   std::vector<SyncZone> zones = {};
   std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
   std::vector<std::string> unread = {};   ///< other content of its file
-  std::shared_ptr<const Plan> plan = {};  ///< of kind "path", shared by its axes
+  std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
 };
 
-/// Calls `act` with the input's curve, or with its table where there is no other curve: the table
+/// Calls `act` with the input's curve, or with its table if there is no other curve: the table
 /// needs less time and memory.
 template <class Act>
 auto of_motion(const Input& input, const Act& act) {
   return input.error ? std::visit(act, *input.curve) : act(input.table.table);
 }
 
-/// Positions of slave and master at the start of a coupling. By default, the slave rests at the cam's first
-/// value; the master is where the cam begins, at the velocity of [master] (0 without one).
+/// Positions of slave and master at the start of a coupling. By default, the slave rests at the
+/// cam's first value; the master is at the start of the cam, at the velocity of [master] (0 without
+/// one).
 struct EngageState {
   std::optional<double> slave = {};            ///< u
   std::optional<double> master = {};           ///< m
@@ -48,20 +49,20 @@ struct EngageState {
 };
 
 /// Everything that can be checked without integration: limits and joints of the curve, the table's
-/// error, limits that the table alone breaks, what engaging a coupling does in the given state, and a [drive]
-/// whose loop is unstable.
+/// error, limits that the table alone breaks, the effect of engaging a coupling in the given state,
+/// and a [drive] whose loop is unstable.
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// Adds the peak of each derivative that the input does not limit, neither in [limits] nor, over time,
 /// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
 void add_not_limited(Report& report, const Input& input);
 
-/// Greatest permitted error of the table, in the unit of the position: the tolerance asked for;
-/// a millionth of the stroke where a number of intervals was; the error that it has where the number
-/// of its knots was. None where the table is all there is.
+/// Greatest permitted error of the table, in the unit of the position: the requested tolerance; for
+/// a requested number of intervals, a millionth of the stroke; for a requested number of knots, the
+/// actual error. None if there is no curve besides the table.
 std::optional<double> table_tolerance(const Input& input);
 
-/// Content of a table file, or result of a spec: one input for each axis. `path` names it where the
+/// Content of a table file, or result of a spec: one input for each axis. `path` names it if the
 /// spec has no name.
 Input input_of(TableFile file, const std::string& path);
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);

@@ -7,10 +7,10 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/laws/law.hpp"
 
-/// The guide to choosing a law: made of the data of design(), so that both always agree.
+/// The guide to choosing a law: generated from the data of design(), so both always agree.
 namespace jounce {
 
-/// The law's shape that the guide shows: its own, and of `scca` one in the middle of its family.
+/// The shape of the law in the guide: its own, or for `scca` one in the middle of its family.
 LawForm shown_form(Law law);
 
 /// The laws that have characteristic values: a rise of their own from 0 to 1.
@@ -20,7 +20,7 @@ Characteristics characteristics(Law law);
 /// Permitted ends of the law, as text.
 const char* ends_in_words(Ends ends);
 
-/// One line a law: its word, its ends, its characteristic values.
+/// One line for each law: its word, its ends, its characteristic values.
 std::string law_table();
 
 /// One law, in full.

@@ -8,16 +8,16 @@
 
 namespace jounce {
 
-/// A cam of a spec against [limits.slave], what the slave may do over time.
+/// A cam of a spec against [limits.slave], the limits of the slave over time.
 bool has_slave_limits(const Spec& spec);
 
-/// Motion of the master of the spec, besides its speed; at rest if there is none.
+/// Motion of the master of the spec, in addition to its speed; at rest if there is none.
 MasterRates master_rates(const Spec& spec);
 
 /// Unit of the `order`th derivative of the master by time.
 std::string master_rate_unit(const Spec& spec, int order);
 
-/// True if the master's own acceleration breaks a limit of the slave even as it starts: a slower
+/// True if the master's own acceleration breaks a limit of the slave already at its start: a slower
 /// master would not help.
 bool master_accelerates_too_fast(const Cam& cam, const Spec& spec);
 

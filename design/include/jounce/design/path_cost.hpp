@@ -27,7 +27,7 @@ const char* name(LossCause cause);
 /// Time that a plan loses at one place against full speed.
 struct SpeedLoss {
   LossCause cause = LossCause::start;
-  std::int32_t line = 0;                   ///< of the source
+  std::int32_t line = 0;                   ///< line of the source
   double where = 0;                        ///< q of the least speed
   double time = 0;                         ///< s, when
   double velocity = 0;                     ///< the least speed

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// The slave's motion over time in seconds: a trajectory as it is, a cam behind its master.
+/// The slave's motion over time in seconds: the trajectory itself, or a cam behind its master.
 using Reference = std::variant<Trajectory, Followed>;
 
 /// The exact curve.
@@ -21,8 +21,8 @@ Reference table_reference(const Input& input);
 /// The master that a cam follows, over seconds. Throws InputError if its motion is not given.
 Trajectory master_of(const Input& input);
 
-/// The slave's exact motion over the spec's unit of time: a trajectory as it is; of a cam the curve
-/// behind its master, exact or within 1e-9 of the stroke (cf. composed_within).
+/// The slave's exact motion over the spec's unit of time: the trajectory itself; for a cam the
+/// curve behind its master, exact or within 1e-9 of the stroke (cf. composed_within).
 Trajectory motion_over_time(const Input& input);
 
 SignalView view(const Reference& reference);

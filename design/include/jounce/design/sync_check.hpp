@@ -9,11 +9,11 @@
 
 namespace jounce {
 
-/// Findings of a slave in step besides its limits: those of its generator, with
-/// their units. Empty for kinds that have none, and for what is no such spec.
+/// Findings of a synchronous slave besides its limits: those of its generator, with their units.
+/// Empty for all other kinds of spec.
 Report check_sync(const Spec& spec);
 
-/// A number of such a spec worth a line: what it is, its value with the unit, and what that means.
+/// A number of such a spec for a report: its name, its value with the unit, and its meaning.
 struct SyncFigure {
   std::string name;  ///< "longest cut"
   double value = 0;

@@ -22,24 +22,25 @@ namespace jounce {
 ///     (1)  ratio = r0 + (r1 - r0) |u| / d
 ///     (2)  slave = r0 u + (r1 - r0) u |u| / (2 d),    d (r0 + r1) / 2 in all
 ///
-/// in whichever direction the master goes, and r1 from then on, for good. **A master that reverses
-/// inside the clutch** takes the slave back by the same way: the ratio falls, is r0 again where the
-/// clutch began, and rises on the other side. So neither position nor ratio ever steps, and a master
-/// that trembles moves the slave nowhere. A distance of 0 changes the ratio at once: the slave's
-/// velocity steps.
+/// in either direction of the master, and r1 permanently after that. **A master that reverses
+/// inside the clutch** takes the slave back along the same path: the ratio falls, is r0 again at
+/// the start of the clutch, and rises on the other side. So neither position nor ratio ever steps,
+/// and a trembling master does not make the slave creep. A distance of 0 changes the ratio at once:
+/// the slave's velocity steps.
 ///
 /// Exact: no count is lost or gained in any number of cycles; advance() does not allocate. The
-/// constructor and after() name what they round.
+/// comments of the constructor and after() state the rounding.
 class Clutch {
  public:
-  /// Counts are exact where 2 d r q stays below 2^62, q the common denominator of both ratios. `to`
-  /// always is; `from`, which a clutch that takes over from another may have with any denominator,
-  /// is rounded where it must be: to the nearest ratio with counts that are exact, within 2^-20 and
-  /// commonly far closer. That is all that is rounded: the slave's velocity steps by so much of the
-  /// master's, its position by nothing, and (2) holds with the ratio rounded. So clutches may take over
-  /// from each other without end.
+  /// Counts are exact if 2 d r q stays below 2^62, q the common denominator of both ratios. `to` is
+  /// never rounded. `from` may have any denominator if the clutch takes over from another; if
+  /// necessary it is rounded to the nearest ratio with exact counts, within 2^-20 and usually far
+  /// closer. Nothing else is rounded: the slave's velocity steps by that share of the master's, its
+  /// position does not step, and (2) holds with the rounded ratio. So any number of clutches may
+  /// follow each other.
   ///
-  /// Throws InputError "distance" (master counts) where it is negative, or too long even so.
+  /// Throws InputError "distance" (master counts) if it is negative, or too long even with
+  /// rounding.
   Clutch(const Gear& from, const Gear& to, std::int64_t distance);
 
   struct State {
@@ -73,20 +74,20 @@ enum class FollowDirection : std::int8_t { both = 0, positive = 1, negative = -1
 
 /// Behavior of a one-way slave when its master reverses.
 enum class Reversal : std::uint8_t {
-  hold,     ///< it stands, and goes on as soon as the master does: a freewheel
-  recover,  ///< it stands until the master has made its way good
+  hold,     ///< it stands still, and continues as soon as the master does: a freewheel
+  recover,  ///< it stands still until the master has recovered its distance
 };
 
-/// Lets through what a slave follows of its master's increments: in front of a gear or a clutch.
+/// Passes those increments of a master that the slave follows; used in front of a gear or a clutch.
 ///
 ///     DirectionMask mask{FollowDirection::positive};
 ///     slave += gear.advance(state, mask.advance(mask_state, master_increment));
 ///
 /// **hold**, the default, never steps: a master reverses through standstill, and so the slave's
-/// velocity is 0 where it stops and where it goes on. The distance that the master goes back is lost:
-/// a master that oscillates makes the slave creep forward. **recover** keeps the phase (the slave follows the
-/// furthest position its master has reached) and creeps nowhere, but its velocity steps where the
-/// master passes that position at speed.
+/// velocity is 0 when it stops and when it continues. The distance that the master moves back is
+/// lost: a master that oscillates makes the slave creep forward. **recover** keeps the phase (the
+/// slave follows the furthest position of its master) and does not creep, but its velocity steps
+/// when the master passes that position at speed.
 struct DirectionMask {
   FollowDirection direction = FollowDirection::both;
   Reversal reversal = Reversal::hold;

@@ -27,7 +27,8 @@ namespace jounce {
 ///
 /// m: unit of the web; u: of the slave; s: of time.
 
-/// The cam of one cut of that length, one length of the web long; nothing where it cannot be made.
+/// Returns the cam of one cut of that length, over one length of the web; nullopt if it is
+/// impossible.
 using CamOfLength = std::function<std::optional<Cam>(double length)>;
 
 struct CutLimits {
@@ -38,15 +39,15 @@ struct CutLimits {
 /// The greatest line speed at one length.
 struct CutSpeed {
   double length = 0;  ///< m
-  double speed = 0;   ///< m/s; 0 where there is no cam, infinite where nothing limits
-  /// "velocity", "acceleration", "jerk" of the slave; "line"; "length" where there is no cam; "" where
-  /// nothing limits. Kinds with a rule of their own add to these: "reversal", "stroke".
+  double speed = 0;   ///< m/s; 0 without a cam, infinite without a limit
+  /// "velocity", "acceleration", "jerk" of the slave; "line"; "length" without a cam; "" without a
+  /// limit. Some kinds add their own rules: "reversal", "stroke".
   std::string limit = {};
   double where = 0;  ///< m: the place of the cam at which it is met
 };
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
-/// The same where it is known without a cam: of a shear that is made anew for every speed.
+/// The same without a cam, for a shear that is designed for every speed.
 using CutSpeedOfLength = std::function<CutSpeed(double length)>;
 
 /// The same for every length, in their order.
@@ -68,8 +69,9 @@ std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
 std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
                                        const CutLimits& limits);
 
-/// Lmin: the shortest length in [from, to] that can be cut at `speed`, where every longer one in
-/// there can, too (for a knife: to = its synchronous length). Nothing if not even `to` can.
+/// Lmin: the shortest length in [from, to] that can be cut at `speed`, if every longer one in the
+/// interval can be cut, too (for a knife: to = its synchronous length). nullopt if not even `to`
+/// can.
 std::optional<double> shortest_length(const CamOfLength& cams, const CutLimits& limits,
                                       double speed, double from, double to);
 

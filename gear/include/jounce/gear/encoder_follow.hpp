@@ -11,7 +11,7 @@ namespace jounce {
 /// A virtual axis that follows an encoder, such as a handwheel (PMC600 LS_Encoder_SetAxisMove, manual 5.2.4).
 struct EncoderFollowSpec {
   std::int64_t numerator = 1;    ///< Ratio_Num, 1 to 10000
-  std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; error 5000 where it is 0
+  std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; error 5000 if it is 0
   int filter = 2;                ///< FilterPara, 1 to 100 cycles, larger is smoother; error 5002
 };
 
@@ -22,11 +22,12 @@ struct EncoderFollowSpec {
 ///     slave += follow.step(state, encoder_increment);      // deltaPulseUnit
 ///     follow.add(state, 500, 100);                         // PosAdditive: 500 pulses in 100 cycles
 ///
-/// The filter is the moving average over `filter` cycles: it is the smoothest of its delay, (filter - 1) / 2
-/// cycles, and unlike a first order lag it ends. Its sum is kept in whole counts and divided once,
-/// so no count is lost: `filter` - 1 cycles after the encoder stands, the slave has gone exactly floor(encoder *
-/// ratio), and the pulses of add(). The manual leaves the filter open. The caller reports the third error,
-/// 5001 (another function block has the axis).
+/// The filter is the moving average over `filter` cycles: it is the smoothest filter with its
+/// delay, (filter - 1) / 2 cycles, and unlike a first order lag it ends. Its sum is kept in whole
+/// counts and divided once, so no count is lost: `filter` - 1 cycles after the encoder has stopped,
+/// the slave has moved exactly by floor(encoder * ratio) and the pulses of add(). The manual does
+/// not define the filter. The caller reports the third error, 5001 (another function block has the
+/// axis).
 ///
 /// Pure: `State` is a value; step() and add() do not allocate.
 class EncoderFollow {

@@ -22,11 +22,11 @@ struct MasterRange {
 ///     for (const Finding& f : report.findings)
 ///       if (f.broken) ...       // f.quantity "acceleration", f.where 0 m, f.advice "at most 44.7 m/s"
 ///
-/// One finding "feasible/velocity", "feasible/acceleration", "feasible/jerk" for each limit given:
-/// value is the master's greatest velocity, limit the fastest one with which this limit alone is
-/// kept, `where` the master position at which it binds. Exact (jounce/cam/coupling/master_limits.hpp). Each
-/// term grows with the speed of the master, so only the greatest speed counts. Throws InputError for
-/// limits or a range that are out of range.
+/// One finding "feasible/velocity", "feasible/acceleration", "feasible/jerk" for each given limit:
+/// `value` is the master's greatest velocity, `limit` the greatest one that keeps this limit alone,
+/// `where` the master position at which it binds. Exact (jounce/cam/coupling/master_limits.hpp).
+/// Each term grows with the speed of the master, so only the greatest speed counts. Throws
+/// InputError for limits or a range that are out of range.
 Report feasibility(const Cam& cam, const Limits& slave, const MasterRange& master);
 
 }  // namespace jounce

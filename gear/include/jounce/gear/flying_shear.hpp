@@ -25,12 +25,12 @@ namespace jounce {
 /// The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, *wait* (at home, where
 /// `return_length` leaves any). It begins at home at rest, u = 0, and ends there exactly.
 ///
-/// **What is left out is computed.** The run-up and the braking are as short as the limits allow,
-/// times `safety`; the return takes the rest. The default sync is the longest that
-/// the stroke and the return allow.
+/// **Omitted values are computed.** The run-up and the braking are as short as the limits allow,
+/// times `safety`; the return takes the rest. The default sync is the longest that the stroke and
+/// the return allow.
 ///
-/// **Throws** InputError for numbers that make no sense, and where no such motion is within the limits:
-/// it names the binding limit and the least cut length, or the fastest line, that works.
+/// **Throws** InputError for invalid numbers, and if no such motion is within the limits: it names
+/// the binding limit and the least cut length, or the fastest line, that works.
 struct FlyingShear {
   double cut_length = 0;  ///< m > 0: one cycle of the master
   double line_speed = 0;  ///< m/s > 0: at which the limits are to hold
@@ -42,7 +42,7 @@ struct FlyingShear {
 
   /// m of the line while the carriage runs up, brakes, and returns.
   std::optional<double> acceleration_length = {};
-  std::optional<double> deceleration_length = {};  ///< left out: as acceleration_length
+  std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
 
   Limits limits =
@@ -81,19 +81,19 @@ struct ShearBound {
 ShearPlan shear_plan(const FlyingShear& shear);
 SyncCam flying_shear(const FlyingShear& shear);
 
-/// The shear for another cut length, made for the fastest line that this allows, `line_speed` at the
-/// most. Nothing where no speed works. Throws InputError where the
-/// sync is left to the stroke: at the fastest line nothing would be left of it.
+/// The shear for another cut length, made for the fastest line that this length allows, at most
+/// `line_speed`. nullopt if no speed works. Throws InputError if the sync follows from the stroke:
+/// at the fastest line it would shrink to zero.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 
-/// The shortest piece that can be cut at `line_speed`; cut_length is not looked at. Infinite where no
-/// length helps. Where the sync is left to the stroke, only longer pieces can be cut: at the bound
-/// nothing is left of it. Exact: closed form.
+/// The shortest piece that can be cut at `line_speed`; cut_length is ignored. Infinite if no length
+/// works. If the sync follows from the stroke, only longer pieces can be cut: at the bound the sync
+/// is zero. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
-/// The fastest line for which `cut_length` can be made, independent of `line_speed`. Infinite where
-/// nothing limits it; 0 where no speed helps. Bisected to the last digit: every demand grows with the
-/// speed.
+/// The fastest line for which `cut_length` is possible, independent of `line_speed`. Infinite
+/// without a limit; 0 if no speed works. Bisected to the last digit: every requirement grows with
+/// the speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

@@ -34,24 +34,25 @@ struct FollowTable {
 ///     const SyncCam slave = follow(spec);
 ///     const Report report = check(spec);
 ///
-/// **Vocabulary.** A *pass* is one playing of a table. Its *origin* is where master and slave are
-/// when it begins: at the start, at the end of the pass before, at the switch of tables. So the
-/// slave's position is continuous by construction, and every table is relative.
+/// **Vocabulary.** A *pass* is one run through a table. Its *origin* is the position of master and
+/// slave when it begins: at the start, at the end of the pass before, at the switch of tables. So
+/// the slave's position is continuous by construction, and every table is relative.
 ///
 /// **The ratio from pass to pass.** A `continued` first segment begins with the end ratio of the
-/// pass before, be that of another table or of the same one; a `normal` first one begins at 0 in
-/// every pass, so that its ratio steps where the pass before ended at another. The very
-/// first continued segment begins with `start_ratio`.
+/// pass before, of another table or of the same one; a `normal` first one begins at 0 in every
+/// pass, so its ratio steps if the pass before ended at another ratio. The very first continued
+/// segment begins with `start_ratio`.
 ///
-/// **Over the end.** An endless table repeats, and continues from its end (the cam
-/// advances; it wraps where the slave comes back). Where its first pass differs from the later ones,
-/// or tables go before it, the cam is all that differs and one pass more, and refuses queries beyond.
-/// A table that ends at a ratio is a finding: a controller holds the slave there, which stops it dead;
-/// an axis of Jounce brakes. Backwards the slave retraces its path, a function of its master's position.
+/// **Over the end.** An endless table repeats, and continues from its end (the cam advances; it
+/// wraps if the slave comes back). If its first pass differs from the later ones, or other tables
+/// precede it, the cam has all passes that differ and one more, and rejects queries beyond. A table
+/// that ends at a ratio is a finding: a controller holds the slave there, which stops it at once;
+/// an axis of Jounce brakes. Backwards the slave retraces its path as a function of its master's
+/// position.
 ///
-/// Throws InputError as pt() does, with the table's number before the key where there are several;
-/// for no table, an endless table before another one, more than 1e6 segments in all passes.
-/// Source: Googol iDEABOX Pro manual 7.6.
+/// Throws InputError like pt(), with the table's number before the key if there are several; also
+/// for no table, an endless table before another one, more than 1e6 segments in all passes. Source:
+/// Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
   std::vector<FollowTable> tables = {};
   double start_ratio = 0;  ///< start ratio of the slave to its master before: u/m
@@ -69,18 +70,19 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 ///     follow/ratio_step   the ratio steps within a table: an even or stop segment, or at the start
 ///     follow/wrap_step    from the end of a pass to the start of the next
 ///     follow/switch_step  from one table to the next: its first segment is not continued
-///     follow/open_end     the last table ends at a ratio: a controller stops the slave dead
+///     follow/open_end     the last table ends at a ratio: a controller stops the slave at once
 ///     follow/reversal     the slave runs against its own segment; travel that no neighbor has is
 ///                         named, for it may be a misprint. The first place of a chain is reported: what
 ///                         follows in it is its consequence
-///     follow/wrap_ratio   in an endless table, the ratio differs from pass to pass: broken where it
-///                         grows, a warning where it alternates
+///     follow/wrap_ratio   in an endless table, the ratio differs from pass to pass: broken if it grows, a
+///                         warning if it alternates
 ///     follow/end          the table does not end at its nominal end
 ///
-/// `segment` is that of the cam. Throws as follow() does.
+/// `segment` is that of the cam. Throws like follow().
 Report check(const FollowSpec& spec);
 
-/// The master position after which the slave does the same again; nothing where it ends, or refuses.
+/// The master position after which the slave repeats its motion; nullopt if the motion ends, or
+/// rejects queries beyond.
 std::optional<double> master_period(const FollowSpec& spec);
 
 }  // namespace jounce

@@ -24,7 +24,7 @@ struct FollowBanks {
   std::int64_t loops = 1;  ///< below 1: endless
 };
 
-/// Throws InputError as follow() does, and "loops" where a bank would have more than `most` rows.
+/// Throws InputError like follow(), and "loops" if a bank would have more than `most` rows.
 FollowBanks follow_banks(const FollowSpec& spec, std::size_t most);
 
 }  // namespace jounce

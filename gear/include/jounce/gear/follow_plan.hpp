@@ -48,15 +48,15 @@ enum class FollowForm { smooth, table };
 /// slopes least (follow_plan.cpp (3)). If the slave would run backwards in between, it slows down,
 /// stands still and speeds up instead, as gently as possible.
 ///
-/// Throws InputError "point[1].master", "zone[2].from", ... where master positions do not ascend, a
+/// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend, a
 /// zone overlaps another, a point within a zone contradicts it, the end's ratio differs from the
-/// start's in a periodic plan, or a zone's position cannot be determined.
-/// Source: Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
+/// start's in a periodic plan, or a zone's position cannot be determined. Source: Googol iDEABOX
+/// Pro manual 7.6.2 (sync points and zones; ratios are computed).
 struct FollowPlan {
   std::vector<FollowPoint> points = {};
   std::vector<FollowZone> zones = {};
   bool periodic = false;
-  std::optional<double> start_ratio = {};  ///< left out: that of a zone at 0, or else 0
+  std::optional<double> start_ratio = {};  ///< default: that of a zone at 0, or else 0
   FollowForm form = FollowForm::smooth;
   Law law = Law::quintic;  ///< law of the smooth form
   bool whole_master =
@@ -72,9 +72,9 @@ FollowTable follow_table(const FollowPlan& plan);
 /// The cam of the form chosen, its zones by name.
 SyncCam follow(const FollowPlan& plan);
 
-/// "follow/backwards" for each gap in which the slave runs opposite to its ratios at both ends:
-/// the place, the speed, and the travel that would be enough. For a table also what check(FollowSpec) finds, and
-/// "follow/whole_master" where a point could not be put on a whole unit.
+/// "follow/backwards" for each gap in which the slave runs opposite to its ratios at both ends: the
+/// place, the speed, and a sufficient travel. For a table also the findings of check(FollowSpec),
+/// and "follow/whole_master" if a point could not be placed on a whole unit.
 Report check(const FollowPlan& plan);
 
 /// The master position after which a periodic plan repeats.

@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// Player of follow tables with a live master: its start, direction and progress.
-/// A value; the rows are in SegmentFifos, over the master's travel from where following began.
+/// Player of follow tables with a live master: its start, direction and progress. A value; the rows
+/// are in SegmentFifos, over the master's travel since following began.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};
 ///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);
@@ -16,13 +16,13 @@ namespace jounce {
 /// Source: Googol iDEABOX Pro manual 7.6 (GT_SetFollowEvent, GT_PrfFollow).
 struct FollowRun {
   FollowStart event = {};
-  /// 0: both directions of the master; 1, -1: that one alone: while the master runs against it, and
-  /// until it is back, the slave stands.
+  /// 0: both directions of the master; 1, -1: only that one. While the master runs against it, and
+  /// until it is back, the slave stands still.
   int dir = 0;
 
   bool waiting = false;  ///< for its event
-  double slave = 0;      ///< u, where it stands while it waits
-  double origin = 0;     ///< m, the master where following began
+  double slave = 0;      ///< u, its position while it waits
+  double origin = 0;     ///< m, the master's position when following began
   double furthest = 0;   ///< m, travel reached in the one direction
 };
 
@@ -30,9 +30,9 @@ struct FollowRun {
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
 /// The slave's position and its derivatives by the master, for the master's samples of two cycles.
-/// Before the event, after the end, and while the master runs against the one direction: where it
-/// stands, with derivatives of 0. A master that is not finite is lost (SegmentFifos::State). Does not
-/// allocate.
+/// Before the event, after the end, and while the master runs against the only direction: its
+/// standing position, with derivatives of 0. A master that is not finite is lost
+/// (SegmentFifos::State). Does not allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
 
 }  // namespace jounce

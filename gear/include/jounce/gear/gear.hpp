@@ -19,8 +19,8 @@ namespace jounce {
 /// defined (asserted in debug builds).
 class Gear {
  public:
-  /// Throws InputError where the denominator is 0 or less (PMC600 error 675). A numerator of 0
-  /// holds the slave still.
+  /// Throws InputError if the denominator is 0 or less (PMC600 error 675). A numerator of 0 holds
+  /// the slave still.
   static Gear ratio(std::int64_t numerator, std::int64_t denominator);
 
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }
@@ -28,7 +28,7 @@ class Gear {
 
   [[nodiscard]] std::int64_t slave(std::int64_t master) const;
 
-  /// Slave increment for a master increment; `state` carries what the division left.
+  /// Slave increment for a master increment; `state` carries the remainder of the division.
   struct State {
     std::int64_t remainder =
         0;  ///< in 1/denominator of a slave count, 0 <= remainder < denominator

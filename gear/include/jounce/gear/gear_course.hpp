@@ -11,7 +11,7 @@ namespace jounce {
 /// The ratio becomes another one over a distance of the master: a clutch. u/m, m.
 struct RatioChange {
   double at = 0;        ///< m, where it begins
-  double ratio = 1;     ///< u/m, afterwards; of either sign, 0 lets the slave stand
+  double ratio = 1;     ///< u/m, afterwards; either sign, 0 stops the slave
   double distance = 0;  ///< m, >= 0; 0: at once, the slave's velocity steps
   Law law = Law::line;  ///< by which the ratio goes: a line, or any law from rest to rest
 };
@@ -36,20 +36,20 @@ struct PhaseShift {
 ///
 /// so that the slave covers d (r0 + r1) / 2 with every law that is symmetric, as the line is.
 struct GearCourse {
-  double master_start = 0;                ///< m
-  double master_end = 0;                  ///< m, > master_start: as far as the cam goes
-  double slave_start = 0;                 ///< u, at master_start
-  double ratio = 0;                       ///< u/m, before the first change; 0: the slave stands
-  std::vector<RatioChange> changes = {};  ///< each begins where the one before has ended, or later
+  double master_start = 0;  ///< m
+  double master_end = 0;    ///< m, > master_start: as far as the cam goes
+  double slave_start = 0;   ///< u, at master_start
+  double ratio = 0;         ///< u/m, before the first change; 0: the slave stands still
+  std::vector<RatioChange> changes = {};  ///< each begins at the end of the one before, or later
   std::vector<PhaseShift> shifts = {};    ///< may lie anywhere, also over each other and a clutch
 };
 
-/// The slave's cam, exactly; one that ends at rest holds outside, any other refuses. Segments: "hold"
-/// (ratio 0), "gear" (a constant one, in step), "clutch", and "phase" where a shift is made.
+/// The slave's cam, exactly; a cam that ends at rest holds outside, any other refuses. Segments:
+/// "hold" (ratio 0), "gear" (a constant ratio, in step), "clutch", and "phase" for a shift.
 ///
-/// Throws InputError "master_end", "change[i].at", "change[i].distance", "shift[i]...." (counted from
-/// 1) for what overlaps, leaves the course, or is out of range; and "...law" for a law that has no
-/// shape of its own or needs velocities (R-U laws).
+/// Throws InputError "master_end", "change[i].at", "change[i].distance", "shift[i]...." (counted
+/// from 1) for stretches that overlap, leave the course, or are out of range; and "...law" for a
+/// law that has no shape of its own or needs velocities (R-U laws).
 SyncCam gear_course(const GearCourse& course);
 
 }  // namespace jounce

@@ -23,17 +23,17 @@ namespace jounce {
 ///     GearInPosState state;                                      // or cycle by cycle:
 ///     const GearInPosStep now = step(gear, state, master);       // now.slave, now.in_sync
 ///
-/// From master S - D to S (S the sync position, D the start distance) the slave goes from where it
-/// stands, y0, to its sync position ys, at rest and without acceleration where it begins, with the
-/// gear's ratio k and without acceleration where it is in sync: nothing jumps or jerks at either end.
-/// Then it is geared:
+/// From master S - D to S (S the sync position, D the start distance) the slave moves from its
+/// present position y0 to its sync position ys. It begins at rest without acceleration, and arrives
+/// with the gear's ratio k and without acceleration: nothing steps at either end. Then it is
+/// geared:
 ///
 ///     (1)  slave = ys + k (master - S)
 ///
-/// for good, also where the master comes back past S. With h = ys - y0 the curve depends on rho =
-/// k D / h alone: the quintic (the default) does not turn back if and only if 0 <= rho <= 5/2, and does not
-/// go faster than the gear if and only if rho >= 5/3 (example 6.2: rho = 1, peak slope 0.756
-/// instead of 0.5). engage_window() returns the start distances that do both.
+/// This holds permanently, also if the master comes back past S. With h = ys - y0 the curve depends
+/// only on rho = k D / h: the quintic (the default) does not reverse if and only if 0 <= rho <=
+/// 5/2, and is not faster than the gear if and only if rho >= 5/3 (example 6.2: rho = 1, peak slope
+/// 0.756 instead of 0.5). engage_window() returns the start distances that satisfy both.
 ///
 /// u is the slave's unit, m the master's. Nothing here is over time: the curve stands still when the
 /// master does.
@@ -44,13 +44,14 @@ struct GearInPosSpec {
   double slave_sync_position = 0;   ///< ys, u
   /// D, m, not 0: > 0 for a master that comes forwards, < 0 for one that comes backwards.
   double master_start_distance = 0;
-  double slave_start = 0;  ///< y0, u: where the slave stands
-  /// The slave must not turn back. On a modulo slave it goes up to five turns further instead.
+  double slave_start = 0;  ///< y0, u: present position of the slave
+  /// The slave must not reverse. A modulo slave moves up to five turns further instead.
   bool avoid_reversal = false;
-  std::optional<double> slave_period = {};  ///< u, > 0, of a modulo slave; left out: linear
-  /// m, where the master is now: one that has passed the start is found out; left out: not yet there.
+  std::optional<double> slave_period = {};  ///< u, > 0, for a modulo slave; omitted: linear
+  /// m, present position of the master, to detect a master that has passed the start; omitted: not
+  /// yet there.
   std::optional<double> master_position = {};
-  /// m, > 0, of a modulo master, which then takes the next turn; left out: linear.
+  /// m, > 0, for a modulo master, which then takes the next turn; omitted: linear.
   std::optional<double> master_period = {};
   Law law = Law::quintic;  ///< any that takes a velocity at its end: docs/laws.md, "G or R"
 };
@@ -60,7 +61,7 @@ enum class GearInPosStatus : std::uint16_t {
   ok = 0,
   master_reversed = 775,          ///< it changed direction while connecting
   reversal_unavoidable = 776,     ///< for a modulo slave, within five more turns
-  reversal_on_linear_axis = 777,  ///< AvoidReversal asked for, and a linear slave would turn back
+  reversal_on_linear_axis = 777,  ///< AvoidReversal is set, and a linear slave would reverse
   start_passed = 1000,            ///< ours: a linear master has passed the start; the slave waits
 };
 const char* explain(GearInPosStatus status);
@@ -81,10 +82,10 @@ struct GearInPos {
 /// "master_start_distance" 0, a period that is not > 0, a law that does not take a velocity at its end.
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
-/// rho of the engagement, and the start distances, in the direction of the one given, for which a
-/// quintic neither turns back nor goes faster than the gear: 5/3 h/k to 5/2 h/k.
+/// rho of the engagement, and the start distances, in the direction of the given one, for which a
+/// quintic neither reverses nor exceeds the speed of the gear: 5/3 h/k to 5/2 h/k.
 struct EngageWindow {
-  double rho = 0;                  ///< k D / h; infinite where h is 0
+  double rho = 0;                  ///< k D / h; infinite if h is 0
   bool exists = false;             ///< rho > 0: with a start distance alone it can be had
   double least = 0, greatest = 0;  ///< m, magnitudes
   std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
@@ -114,15 +115,17 @@ struct GearInPosStep {
       GearInPosStatus::ok;  ///< status of this cycle: master_reversed, start_passed
 };
 
-/// One cycle of an engagement that is ok, for a master that moves as [x, x', x'', x''']. Pure, does not allocate.
+/// One cycle of a valid engagement, for a master that moves as [x, x', x'', x''']. Pure, does not
+/// allocate.
 ///
-/// The slave waits where it stands until the master passes the start in the engaging direction. A
-/// master that turns back while connecting is reported in each cycle in which it goes back (775). The
-/// slave stays on its curve, back to where it stood, and engages when the master comes again: without
-/// a step, and without an action of the caller in that cycle. Once in sync, (1) holds for any motion of the master.
+/// The slave stands still until the master passes the start in the engaging direction. A master
+/// that reverses while connecting is reported in each cycle in which it moves back (775). The slave
+/// stays on its curve, back to its start, and engages when the master comes again: without a step,
+/// and without an action of the caller in that cycle. Once in sync, (1) holds for any motion of the
+/// master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
-/// The slave's motion where the master's is known: a Signal, exact.
+/// The slave's exact motion behind a known master: a Signal.
 ///
 ///     const GearedInPos slave(gear, master);     // master: a Trajectory
 ///     Motion now = slave.at(0.5);

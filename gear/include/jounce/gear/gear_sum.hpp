@@ -23,15 +23,15 @@ namespace jounce {
 /// outside). Nothing allocates after of().
 class GearSum {
  public:
-  /// Throws InputError "gears" where there is none, or where the ratios have no common denominator
-  /// D with D and the sum of |ratio| * D below 2^63.
+  /// Throws InputError "gears" if there is none, or if the ratios have no common denominator D with
+  /// D and the sum of |ratio| * D below 2^63.
   static GearSum of(std::span<const Gear> gears);
 
   /// One count for each master, in the order of the gears.
   [[nodiscard]] std::int64_t slave(std::span<const std::int64_t> masters) const;
 
-  /// Slave increment for one increment of each master; `state` carries what the division left, in
-  /// 1/denominator() of a slave count.
+  /// Slave increment for one increment of each master; `state` carries the remainder of the
+  /// division, in 1/denominator() of a slave count.
   std::int64_t advance(Gear::State& state, std::span<const std::int64_t> increments) const;
 
   [[nodiscard]] std::size_t masters() const { return numerators_.size(); }

@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// An indexer: a turntable or a feed that goes on by the same distance again and again, and stands in
-/// between.
+/// An indexer: a turntable or a feed that moves by the same distance again and again, and stands
+/// still in between.
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
 ///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless

@@ -7,10 +7,10 @@
 
 namespace jounce {
 
-/// A slave that goes with its master on one line: slave = from + (to - from) (x - x0) / (x1 - x0),
-/// x0 and x1 the master's positions where its motion begins and ends. So both start and stop
-/// together, and the slave's whole motion is the master's, scaled by the ratio of their ways. Throws
-/// InputError "master" where the master ends where it began.
+/// A slave that moves with its master on one line: slave = from + (to - from) (x - x0) / (x1 - x0),
+/// x0 and x1 the master's positions at the begin and end of its motion. So both start and stop
+/// together, and the slave's whole motion is the master's, scaled by the ratio of their distances.
+/// Throws InputError "master" if the master ends at its start.
 Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {
@@ -36,7 +36,7 @@ struct LineFollowed {
 };
 
 /// Throws InputError for a value that is 0 or negative (16#FFFFFFE) or not finite, and "end_master"
-/// where the master has no way to go.
+/// if the master has no distance to move.
 LineFollowed line_follow(const LineFollow& spec);
 
 }  // namespace pmc600

@@ -20,15 +20,15 @@ namespace jounce {
 ///     Cam all = registered(cam, mark, errors);                   // errors.size() products
 ///
 /// **Vocabulary.** The correction c(x) is superposed: constant outside the window, so that it
-/// disturbs no sync zone, and a law from rest to rest inside. Its unit is the slave's where it is
-/// added to the slave, the master's where it is added to the master (a phase). An error is the move
-/// that is wanted: positive makes the slave (the master's phase) go further.
+/// disturbs no sync zone, and a law from rest to rest inside. Its unit is the slave's if it is
+/// added to the slave, the master's if it is added to the master (a phase). An error is the
+/// required move: a positive one moves the slave (the master's phase) further.
 ///
-/// What `most` does not allow in one product is carried to the next. The sum of what was applied
-/// and what is outstanding is the sum of the errors: nothing creeps.
+/// The part of an error beyond `most` is carried to the next product. The sum of the applied and
+/// the outstanding correction is the sum of the errors: nothing creeps.
 ///
-/// **Throws** InputError where the window is not in the period or not finite, `most` is not
-/// positive, the law does not go from rest to rest, an error is not finite, or the cam does not repeat.
+/// **Throws** InputError if the window is not in the period or not finite, `most` is not positive,
+/// the law does not go from rest to rest, an error is not finite, or the cam does not repeat.
 struct Registration {
   double window_from = 0;    ///< m from the cam's start, >= 0
   double window_length = 0;  ///< m > 0
@@ -58,27 +58,29 @@ Registered corrected(const Registration& registration, const RegistrationState& 
 std::vector<Segment> correction(const Registration& registration, double period, double from,
                                 double step);
 
-/// The slave over one product per error: cam(x) + c(x), exactly, beginning in `state`. Errors that
-/// are 0 leave the cam's segments untouched to the bit. For slaves that go round (a sealing roll, a
-/// knife, an indexer). The result refuses what lies outside.
+/// The slave over one product per error: cam(x) + c(x), exactly, beginning in `state`. Errors of 0
+/// leave the cam's segments unchanged to the bit. For rotating slaves (a sealing roll, a knife, an
+/// indexer). The result rejects positions outside.
 Cam registered(const Cam& cam, const Registration& registration, std::span<const double> errors,
                RegistrationState state = {});
 
 /// The same with the correction added to the master: cam(x + c(x)), for slaves that come home: a
 /// flying shear begins its next run earlier (c > 0) or later. In step the ratio is untouched: the
-/// window is one of the phase x + c(x), of which each product is a period, so that it stays between the
-/// cut and the next sync zone however much has been applied. A product then takes its step less of the
-/// master: the result goes from the cam's start - state.applied on, over n periods less all steps.
-/// `most` must be less than the window is long. A quintic behind a quintic fits no segment: within
-/// `tolerance` (u) with a certified error; exact where the cam is a line or stands.
+/// window is one of the phase x + c(x), of which each product is a period, so that it stays between
+/// the cut and the next sync zone for every applied correction. A product then takes less of the
+/// master, by its step: the result begins at the cam's start - state.applied, and covers n periods
+/// less all steps. `most` must be less than the length of the window. A quintic behind a quintic
+/// fits no segment: the result is within `tolerance` (u), with a certified error; it is exact if
+/// the cam is a line or stands still.
 Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registration,
                                     std::span<const double> errors, double tolerance,
                                     RegistrationState state = {});
 
-/// For corrections that are added to the slave, as registered() does: the largest `most` (<=
-/// registration.most) with which no single step, either way, breaks the slave's limits over time at a
-/// constant line speed. 0 where the cam alone breaks them. Exact extrema, bisected to 1e-9 of `most`.
-/// It does not apply to a correction of the phase: check() what registered_phase() makes.
+/// For corrections that are added to the slave (registered()): the largest `most` (<=
+/// registration.most) with which no single step, in either direction, breaks the slave's limits
+/// over time at a constant line speed. 0 if the cam alone breaks them. Exact extrema, bisected to
+/// 1e-9 of `most`. It does not apply to a correction of the phase: apply check() to the result of
+/// registered_phase().
 double greatest_correction(const Cam& cam, const Registration& registration, const Limits& slave,
                            double line_speed);
 

@@ -18,8 +18,9 @@ namespace jounce {
 ///     time [ms],position [pulse],type
 ///     16,0.6,normal
 ///
-/// Numbers count from the first knot, which is no point. Straight lines are `even`; quadratic pieces
-/// (reduce.hpp) are `normal`, the first one over a master `continue` where it begins at a ratio.
+/// Numbers are relative to the first knot, which is not a point. Straight lines are `even`;
+/// quadratic pieces (reduce.hpp) are `normal`, the first one over a master is `continue` if it
+/// begins at a ratio.
 ///
 /// Throws InputError for pieces that are neither, and over time for a table that begins at a velocity.
 std::vector<PtPoint> points_of(const Table& table);

@@ -12,12 +12,12 @@ namespace jounce {
 
 /// The jerk at the ends of a run.
 enum class EndJerk {
-  as_given,  ///< that of the given cam, where it does not step there: its law decides
+  as_given,  ///< that of the given cam, unless it has a step there: its law decides
   free,      ///< it may step there
   zero,
 };
 
-/// A segment of a cam whose law is only where the search begins: any shape may take its place.
+/// A segment of a cam whose law is only the start of the search: any shape may replace it.
 struct FreeShape {
   std::size_t segment = 0;   ///< counted from 0
   std::size_t pieces = 100;  ///< polynomials
@@ -37,11 +37,12 @@ struct FreeShape {
 /// *run*: one function, as smooth at the knots between them as inside. Runs are optimized one
 /// after another; a figure is that of one run.
 ///
-/// **Knots.** At the two ends of a run slave, geo_velocity and geo_acceleration stay as the given cam
-/// has them, and so does geo_jerk where the given cam has none of its steps there, unless the shape's
-/// end_jerk differs; `active` of the run then lists it as "kept/geo_jerk". The values in `knots`
-/// are free within their bounds, which may be infinite: at knots inside a run, and where a cam that is not
-/// periodic begins or ends. Masters are never free. Everything else of the cam stays as it is, exactly.
+/// **Knots.** At the two ends of a run, slave, geo_velocity and geo_acceleration stay as in the
+/// given cam. So does geo_jerk if the given cam has no step of it there, unless the shape's
+/// end_jerk requires otherwise; `active` of the run then lists it as "kept/geo_jerk". The values in
+/// `knots` are free within their bounds, which may be infinite: at knots inside a run, and at the
+/// start and the end of a cam that is not periodic. Masters are never free. Everything else of the
+/// cam stays as it is, exactly.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum; where there are several, each is one figure
 /// alone, and none that was minimized before may get worse by more than `concession` (relative).
@@ -79,7 +80,7 @@ struct CamShapeOutcome : Outcome<CamSpec> {
   std::vector<CamRunOutcome> runs = {};
 };
 
-/// Throws InputError as require_valid() does.
+/// Throws InputError like require_valid().
 CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
                                     const KeepGoing& keep_going = {});
 

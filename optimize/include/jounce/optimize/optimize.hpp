@@ -8,8 +8,8 @@ namespace jounce {
 
 /// Minimizes the objectives in order under the limits (method: docs/optimize.md). Exact: limits are
 /// checked and objectives reported by isolated extrema, not samples. If the given cam keeps the
-/// limits, the first objective never gets worse than its. Deterministic. Throws InputError as
-/// require_valid(CamProblem) does, and nothing else of its own.
+/// limits, the first objective is never worse than that of the given cam. Deterministic. Throws
+/// InputError like require_valid(CamProblem).
 ///
 /// **Outcome.** `limits` is check(best, limits) with those of CamProblem::ramped; segments count from 0 in the
 /// spec. `value` and `bound` are those of the last objective.

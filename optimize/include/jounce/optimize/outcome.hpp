@@ -10,11 +10,11 @@
 
 #include "jounce/profiles/limits/limits.hpp"
 
-/// The nouns that all optimizers share. Each of them is one function
+/// The types that all optimizers share. Each optimizer is one function
 ///
 ///     Outcome<T> outcome = optimize(problem, keep_going);
 ///
-/// of a problem with `options`, and of a function that receives the progress and may stop the run:
+/// of a problem with `options` and a function that receives the progress and may stop the run:
 ///
 /// | function | problem | T |
 /// |---|---|---|
@@ -26,7 +26,7 @@
 /// | search() | any function of numbers | std::vector<double> |
 namespace jounce {
 
-/// Effort that ends a run. A run that ends so is `stalled`, with its best result so far.
+/// Effort after which a run ends. It is then `stalled`, with its best result so far.
 struct Budget {
   std::optional<int> evaluations = {};  ///< >= 1; none: the optimizer's own number
   std::optional<double> seconds =
@@ -61,7 +61,7 @@ struct OptimizeProgress {
 /// best so far.
 using KeepGoing = std::function<bool(const OptimizeProgress&)>;
 
-/// From the best end to the worst.
+/// The end of a run, from the best to the worst.
 enum class OptimizeStatus {
   optimal,     ///< every objective is within tolerance of its proven bound
   converged,   ///< no step and no start improves any more; the gaps bound the remaining gain

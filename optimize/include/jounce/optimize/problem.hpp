@@ -17,7 +17,7 @@ struct Bound {
   double upper = 0;
 };
 
-/// The quantities of one knot that may be changed; what is left out stays as the cam gives it.
+/// The quantities of one knot that may be changed; an omitted one stays as in the cam.
 struct FreeKnot {
   std::size_t knot = 0;  ///< 0: the start of the cam; i: the end of its i-th segment
   std::optional<Bound> master;
@@ -45,13 +45,14 @@ double value_of(Objective objective, const Cam& cam);
 ///
 ///     |f''| + ramp |f'| <= limits.acceleration,   |f'''| + 3 ramp |f''| <= limits.jerk
 ///
-/// hold over the whole cam, as greatest_master_velocity() has them (jounce/cam/coupling/master_limits.hpp).
+/// hold over the whole cam, as in greatest_master_velocity()
+/// (jounce/cam/coupling/master_limits.hpp).
 struct RampedLimits {
   double ramp = 0;     ///< 1/m, >= 0; 0: no limits of this kind
   Limits limits = {};  ///< per master unit: acceleration and jerk alone are used
 };
 
-/// A cam with some freedom left, and what to use it for.
+/// A cam with free quantities, and the objectives for them.
 ///
 ///     CamProblem problem{.cam = cam};
 ///     problem.free = {{.knot = 3, .master = Bound{205, 355}, .geo_velocity = Bound{-3, 3}}};

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// A number that may be chosen, lower <= start <= upper; lower == upper: it stays.
+/// A number that may be chosen, lower <= start <= upper; lower == upper: it is fixed.
 struct SearchVariable {
   std::string name = {};
   double lower = 0;
@@ -19,8 +19,8 @@ struct SearchVariable {
   double start = 0;
 };
 
-/// Result of one choice of the numbers. An impossible choice (a rejected spec) is reported
-/// so, not hidden in a number; an answer with a NaN or an infinity counts as one.
+/// Result of one choice of the numbers. An impossible choice (a rejected spec) is reported as such,
+/// not hidden in a number; an answer with a NaN or an infinity counts as impossible.
 struct SearchAnswer {
   double objective = 0;                  ///< to minimize
   std::vector<double> constraints = {};  ///< each must be <= 0; always as many, if possible
@@ -35,10 +35,9 @@ using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>
 /// constraint, `active` those that are met to 1e-4 of their usual size, and "bound/NAME" of the variables at
 /// a bound.
 struct SearchOutcome : Outcome<std::vector<double>> {
-  SearchAnswer answer = {};  ///< answer of the function at `best`
-  std::vector<std::size_t> at_bound =
-      {};                             ///< variables that are at a bound, except those that stay
-  std::vector<std::size_t> met = {};  ///< constraints met to 1e-4 of their usual size
+  SearchAnswer answer = {};                ///< answer of the function at `best`
+  std::vector<std::size_t> at_bound = {};  ///< variables at a bound, except fixed ones
+  std::vector<std::size_t> met = {};       ///< constraints met to 1e-4 of their usual size
   std::string beyond = {};  ///< why choices within 1e-3 of the ranges from `best` are not possible
 };
 
@@ -51,26 +50,29 @@ struct SearchOutcome : Outcome<std::vector<double>> {
 ///     SearchOutcome best = search({{"a", 0.1, 10, 5}, {"b", 0.1, 10, 5}}, f);
 ///     if (best.usable()) ...                                   // {1, 1}
 ///
-/// **Global phase.** Local searches from the best of random places that are far from where others
-/// went, until no more basins are to be expected (Boender and Rinnooy Kan) or half of the
-/// evaluations are used. Then, and without it, the best is polished until nothing gains more than the
-/// tolerance: no probe in any direction, and no step of the linearized problem. The methods,
-/// and the measurements behind their choice: docs/optimize/parameters.md.
+/// **Global phase.** Local searches start from the best random places that are far from the paths
+/// of the others, until no more basins are expected (Boender and Rinnooy Kan) or half of the
+/// evaluations are used. Then (or at once, without this phase) the best is polished until nothing
+/// gains more than the tolerance: no probe in any direction, and no step of the linearized problem.
+/// The methods, and the measurements behind their choice: docs/optimize/parameters.md.
 ///
-/// **One variable** is looked at in up to 257 equally spaced places; each edge of a feasible
-/// range is bisected to 1e-3 of the tolerance, each dip narrowed down to the tolerance. The search needs
-/// neither monotonicity nor convexity; it can miss an island narrower than a 256th of the range.
+/// **One variable** is evaluated at up to 257 equally spaced places; each edge of a feasible range
+/// is bisected to 1e-3 of the tolerance, and each minimum is narrowed down to the tolerance. The
+/// search needs neither monotonicity nor convexity; it can miss an island narrower than a 256th of
+/// the range.
 ///
-/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the objective and
-/// of each range; `starts`: the most local searches of the global phase, and 1 leaves that phase out.
+/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the
+/// objective and of each range; `starts`: the greatest number of local searches in the global
+/// phase; 1 omits that phase.
 ///
-/// **Several variables** with a bound that is feasible only within a hair's breadth, or a best in a
-/// narrow curved valley, may end early: the status is `stalled` if that was detected.
+/// **Several variables**: the search may end early if a constraint leaves only a very narrow
+/// feasible set, or if the best is in a narrow curved valley. The status is `stalled` if that was
+/// detected.
 ///
-/// Deterministic for a seed and a number of evaluations, unless `seconds` or keep_going end it. f is
-/// called from this thread only, with numbers within their bounds. An exception thrown by f comes out
-/// as it is. keep_going is called after each evaluation.
-/// Throws InputError (keys `variable[1].lower`, `seconds`, ...) for variables or options out of range.
+/// Deterministic for a seed and a number of evaluations, unless `seconds` or keep_going end it. f
+/// is called from this thread only, with numbers within their bounds. Exceptions of f are passed on
+/// unchanged. keep_going is called after each evaluation. Throws InputError (keys
+/// `variable[1].lower`, `seconds`, ...) for variables or options out of range.
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
                      const OptimizeOptions& options = {}, const KeepGoing& keep_going = {});
 

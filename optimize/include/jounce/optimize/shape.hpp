@@ -15,9 +15,9 @@
 
 namespace jounce {
 
-/// q = by[0] f + by[1] f' + ... + by[5] f^(5) + constant: what depends on a shape f at one place alone,
-/// linearly. The torque of a load J a + B v + K s + F behind a master that turns
-/// at w is {"torque", {K, B w, J w^2}, F}.
+/// q = by[0] f + by[1] f' + ... + by[5] f^(5) + constant: a linear function of a shape f and its
+/// derivatives at one place. The torque of a load J a + B v + K s + F behind a master that turns at
+/// w is {"torque", {K, B w, J w^2}, F}.
 struct LinearQuantity {
   std::string name;  ///< in the user's words: "geo_acceleration", "torque"
   std::array<double, 6> by{};
@@ -55,12 +55,12 @@ struct PowerOf {
   LinearQuantity velocity;
 };
 
-/// The torque of a load that the shape moves, where it is not linear in the shape f:
+/// The torque of a load that the shape moves, if it is not linear in the shape f:
 ///
 ///     (1)  T = linear + d/dx (J(x) f') + coulomb sign(f') + gravity sin(angle + turn f)
 ///
-/// Units as `linear` has them: T in N m if coulomb and gravity are. An inertia kg m^2 behind a master of
-/// w (unit of x)/s enters J with the factor w^2.
+/// Units are those of `linear`: T in N m if coulomb and gravity are in N m. An inertia kg m^2
+/// behind a master of w (unit of x)/s enters J with the factor w^2.
 struct LoadTorque {
   std::string name = "torque";
   LinearQuantity linear = {};         ///< J f'' + B f' + K f + F
@@ -71,26 +71,26 @@ struct LoadTorque {
   double angle = 0;                   ///< rad, at f = 0; 0: hanging down
 };
 
-/// max |T|, at every place; where f' is about to change its sign, on both sides of it.
+/// max |T| at every place; at a change of sign of f', on both sides of it.
 struct TorqueOf {
   LoadTorque load;
 };
 
-/// sqrt(integral of T^2 / length): what heats the motor.
+/// sqrt(integral of T^2 / length): it determines the heat in the motor.
 struct RmsTorqueOf {
   LoadTorque load;
 };
 
-/// The integral over x of what is put in, T f' > 0, less the share of what comes back that is
-/// recovered: 0 a braking resistor, 1 a drive without losses.
+/// The integral over x of the input power, T f' > 0, minus the recovered share of the returned
+/// power: 0 for a braking resistor, 1 for a drive without losses.
 struct EnergyOf {
   LoadTorque load;
   double recovered = 0;  ///< 0...1
 };
 
-/// max |y|, where y is a list of numbers that depend on the shape linearly (affinely) in any way: the
-/// torque of a drive at every millisecond. Sampled: only at the places of the list. Throws for a
-/// response that is not affine, not finite, or of varying size.
+/// max |y| of a list of numbers y that is any affine function of the shape, such as the torque of a
+/// drive at every millisecond. Sampled: only at the places of the list. Throws for a response that
+/// is not affine, not finite, or of varying size.
 struct ResponseOf {
   std::string name;
   std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
@@ -147,7 +147,7 @@ struct WeightedFigure {
   double weight = 1;  ///< weight of figure / (its value for the given shape), > 0
 };
 
-/// A function left open between two ends: its shape is wanted.
+/// A free function between two ends, and the objectives for its shape.
 ///
 ///     ShapeProblem problem;                                       // rest to rest, 0..1
 ///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
@@ -156,7 +156,7 @@ struct WeightedFigure {
 ///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
 ///
 /// The shape is a spline: `pieces` polynomials of `degree`, joined with degree - 1 continuous
-/// derivatives. Its knots are equal to begin with; `refine` adds more where the optimum switches.
+/// derivatives. Its knots are equidistant at first; `refine` adds more where the optimum switches.
 struct ShapeProblem {
   double begin = 0;
   double end = 1;
@@ -167,7 +167,7 @@ struct ShapeProblem {
   std::size_t pieces = 100;
   bool refine = false;
   std::vector<Segment> given =
-      {};  ///< to start from and compare with; left out: the smoothest polynomial
+      {};  ///< to start from and compare with; omitted: the smoothest polynomial
   std::vector<WeightedFigure> minimize = {};
   std::vector<Corridor> corridors = {};
   std::vector<Ceiling> ceilings = {};
@@ -177,17 +177,18 @@ struct ShapeProblem {
 
 /// Result of optimize_shape(): `best` is the shape, from `begin` on.
 ///
-/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its places
-/// (ResponseOf). `value` is the weighted sum. `bound` follows by weak duality, for convex problems: no spline
-/// over these knots, of up to 1000 times the size of this one in every derivative, has a weighted sum below.
-/// (One beyond, k times as far, could be better by k times what `value` is above the bound, and no more.)
+/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its
+/// places (ResponseOf). `value` is the weighted sum. `bound` follows by weak duality, for convex
+/// problems: no spline over these knots, of up to 1000 times the size of this one in every
+/// derivative, has a lower weighted sum. (A spline k times beyond that size could be better by at
+/// most k times the distance from the bound to `value`.)
 ///
-/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also "fixed/..."
-/// and "joint/..." where it misses what is fixed at an end, or a joint.
+/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also
+/// "fixed/..." and "joint/..." if it misses a fixed value at an end, or a joint.
 using ShapeOutcome = Outcome<std::vector<Segment>>;
 
-/// Throws InputError as require_valid() does. The progress comes between two rounds and, with the same
-/// number, many times within one.
+/// Throws InputError like require_valid(). keep_going is called between two rounds and, with the
+/// same number, many times within one.
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going = {});
 
 void require_valid(const ShapeProblem& problem);

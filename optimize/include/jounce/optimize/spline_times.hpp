@@ -25,20 +25,22 @@ enum class TimeObjective {
 ///     const SplineTimes best = spline_times(spec).best;
 ///     Trajectory joint1 = best.joints[0];                                // best.duration seconds
 ///
-/// **Vocabulary.** Each joint is a C2 cubic spline over the same knots: the points, and two *virtual*
-/// knots, the second and the last but one, whose positions are what makes velocity and acceleration
-/// zero at both ends (Lin, Chang and Luh, IEEE TAC 28, 1983). The *intervals* between the knots are
-/// what is chosen: one more than there are points.
+/// **Vocabulary.** Each joint is a C2 cubic spline over the same knots: the points, and two
+/// *virtual* knots, the second and the last but one, whose positions make velocity and acceleration
+/// zero at both ends (Lin, Chang and Luh, IEEE TAC 28, 1983). The free quantities are the
+/// *intervals* between the knots, one more than there are points.
 ///
 /// **Units.** u and s; limits u/s, u/s^2, u/s^3. Position limits are checked, not planned for.
 ///
-/// **Throws** InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for fewer than
-/// two points or more than 60, points of different size, numbers that are not finite, joints that all
-/// stand still, an invalid limit, a joint without a limit of jerk (shortest: its first and last interval
-/// would shrink to nothing), a duration given to `shortest` or not given to the others.
+/// **Throws** InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for fewer
+/// than two points or more than 60, points of different size, numbers that are not finite, joints
+/// that all stand still, an invalid limit, a joint without a jerk limit (shortest: its first and
+/// last interval would shrink to 0), a duration given to `shortest` or not given to the others.
 struct SplineTimesSpec {
-  std::vector<std::vector<double>> points;  ///< u; at least two, one position a joint each
-  std::vector<Limits> limits = {};          ///< one a joint; for `shortest`, and checked for all
+  std::vector<std::vector<double>>
+      points;  ///< u; at least two, each with one position for each joint
+  std::vector<Limits> limits =
+      {};  ///< one for each joint; for `shortest`, and checked for all objectives
   TimeObjective objective = TimeObjective::shortest;
   double duration = 0;           ///< s: of the other two objectives
   OptimizeOptions options = {};  ///< 24 starts unless stated; no budget
@@ -51,9 +53,10 @@ struct SplineTimes {
   std::vector<Trajectory> joints;  ///< exact; each holds outside
 };
 
-/// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves nothing: it is
-/// `converged` where several starts agree on the best to 1e-6, and `stalled` where one start alone reached
-/// it. `limits` checks all joints by exact extrema. `active`: limits met to 1e-6 and peaks of the objective.
+/// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves
+/// nothing: it is `converged` if several starts agree on the best to 1e-6, and `stalled` if only
+/// one start reached it. `limits` checks all joints by exact extrema. `active`: limits met to 1e-6
+/// and peaks of the objective.
 struct SplineTimesOutcome : Outcome<SplineTimes> {
   double spread = 0;  ///< relative difference of the best two starts
 };
@@ -63,8 +66,8 @@ struct SplineTimesOutcome : Outcome<SplineTimes> {
 /// keep_going is called after each start.
 SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going = {});
 
-/// The joints as C2 cubic splines with the given intervals (points + 1 of them, > 0 s): what
-/// spline_times() varies.
+/// The joints as C2 cubic splines with the given intervals (points + 1 of them, > 0 s);
+/// spline_times() varies these.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

@@ -9,25 +9,25 @@ namespace jounce {
 
 enum class Style {
   line,   ///< the curve itself
-  under,  ///< a wide pale line beneath the others: what was before, what is compared with
+  under,  ///< a wide pale line beneath the others: the previous version, or a reference
   dots,   ///< the points alone: knots, measured values
 };
 
 /// One line of a plot. x and y are of equal size; a jump is two points at one x, and a point that
 /// is not finite leaves a gap.
 struct Series {
-  std::string label{};  ///< for the legend, which appears where a figure has several labels
+  std::string label{};  ///< for the legend, which appears if a figure has several labels
   std::vector<double> x{};
   std::vector<double> y{};
   Style style = Style::line;
 };
 
-/// A point that is worth a number beside it.
+/// A point with a number beside it.
 struct Marker {
   double x = 0;
   double y = 0;
   std::string text{};   ///< shown beside it if there is enough space
-  std::string hint{};   ///< shown where a pointer rests on it; may be empty
+  std::string hint{};   ///< shown when a pointer rests on it; may be empty
   bool broken = false;  ///< beyond a limit
 };
 
@@ -55,18 +55,18 @@ struct Shade {
 ///     std::string file = svg(figure);
 ///
 /// Labels may hold any text; "^2" in them is shown as "²". A shade is named, and a knot numbered,
-/// if there is space; a pointer shows every name. A limit that is held by far is not drawn
-/// but noted above its panel.
+/// if there is space; a pointer shows every name. A limit with a large margin is not drawn but
+/// noted above its panel.
 struct Figure {
   std::string title{};
   std::string x_label{};
   std::vector<Panel> panels{};
   std::vector<Shade> shades{};
-  /// Rows of names above the plots: segments, their laws. Those of the first row are cut to their
-  /// stretch, the others stand where they fit. A row of which nothing fits is left out; where there
-  /// is a row, shades are not named a second time.
+  /// Rows of names above the plots: segments, their laws. Those of the first row are cut to the
+  /// width of their stretch, the others are shown if they fit. A row without a name that fits is
+  /// omitted; if there is a row, shades are not named a second time.
   std::vector<std::vector<Shade>> strips{};
-  std::vector<double> knots{};  ///< thin vertical lines; left out, and so noted, where too dense
+  std::vector<double> knots{};  ///< thin vertical lines; if too dense, omitted with a note
   bool degrees = false;         ///< x is an angle: ticks at 30, 45, 60, 90 deg, ...
   bool decades =
       false;  ///< x is a decimal logarithm: ticks at 1, 2, 5, 10, ... as the number itself
@@ -78,8 +78,8 @@ struct SvgOptions {
   bool inlined = false;       ///< for html(), which has the style sheet and sets the size
 };
 
-/// The figure as an SVG document of its own: plain text labels, no script, nothing loaded, light or
-/// dark as its viewer prefers (light where it has no preference). Equal figures give equal bytes.
+/// The figure as a separate SVG document: plain text labels, no script, nothing loaded, light or
+/// dark as the viewer prefers (light without a preference). Equal figures give equal bytes.
 std::string svg(const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce

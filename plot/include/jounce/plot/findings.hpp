@@ -10,7 +10,7 @@
 namespace jounce {
 
 /// Findings of a check, for a page: one row for each, in the report's order, the broken ones
-/// marked. Columns that are empty throughout (of, segment, unit, what to change) are left out.
+/// marked. Columns that are empty throughout (of, segment, unit, what to change) are omitted.
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 
 /// "All 4 limits hold.", "2 of 5 findings are broken.", ...

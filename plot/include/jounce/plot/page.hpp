@@ -16,16 +16,15 @@ struct Prose {
   std::string text{};
 };
 
-/// Names and what they are: "stroke", "232.362 pulse".
+/// Names with their values: "stroke", "232.362 pulse".
 struct Facts {
   std::vector<std::pair<std::string, std::string>> rows{};
 };
 
-/// A table. Columns that hold numbers only are set to the right; a broken row is tinted and carries
-/// a cross.
+/// A table. Columns with numbers only are aligned right; a broken row is tinted and has a cross.
 struct DataTable {
   struct Row {
-    std::vector<std::string> cells;  ///< one a column; missing ones are empty
+    std::vector<std::string> cells;  ///< one for each column; missing ones are empty
     bool broken = false;
   };
 
@@ -67,7 +66,7 @@ struct Page {
 /// drawn a second time for narrow windows), printed on white. Equal pages give equal bytes.
 std::string html(const Page& page);
 
-/// The CSS of that page, for others that shall look the same: colours as variables (--paper, --ink,
+/// The CSS of that page, for other pages with the same look: colours as variables (--paper, --ink,
 /// --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader prefers; its text
 /// and tables.
 std::string page_style();

@@ -6,16 +6,16 @@
 
 namespace jounce {
 
-/// A complete sweep as a picture, which depends on what was asked:
+/// A complete sweep as a picture, which depends on the request:
 ///
-/// - two objectives or more: the first one along x, the others stacked; every possible case a dot, the
-///   Pareto front joined, the spec as given marked;
+/// - two objectives or more: the first one along x, the others stacked; every possible case is a
+///   dot, the Pareto front a line, and the spec as given is marked;
 /// - otherwise, with random parameters: each figure by the share of cases that are not above it (the
 ///   distribution function, turned), with its limit; one line for each of up to four combinations of
 ///   the listed values;
 /// - otherwise the figures over the first parameter.
 ///
-/// Figures that are the same in all cases are left out, and those beyond the first eight.
+/// Figures that are the same in all cases are omitted, and those beyond the first eight.
 Figure sweep_figure(const SweepSpec& spec, const SweepResult& result, const SweepSummary& summary);
 
 }  // namespace jounce

@@ -14,7 +14,7 @@ namespace jounce {
 //     Report report = check(table, {.velocity = 2, .acceleration = 50});
 //     Ranges all = extrema(table);          // position to third derivative: least, greatest, where
 //
-// Throws InputError for limits as check() of a curve does, and, as Table::curve(), where a derivative
+// Throws InputError for limits like check() of a curve, and, like Table::curve(), if a derivative
 // is too large for a double.
 
 /// The exact range of the position and its three derivatives.

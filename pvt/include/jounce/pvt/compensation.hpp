@@ -35,7 +35,7 @@ struct CompensationSpec {
   double most = std::numeric_limits<double>::infinity();  ///< greatest |value|; HIMC: 1 mm (0x0802)
 };
 
-/// A correction of a position by where one to three axes are: y_out = y + c(x1, x2, x3).
+/// A correction of a position by the positions of one to three axes: y_out = y + c(x1, x2, x3).
 ///
 ///     const Compensation screw({.axes = {{-100, 200, 5}}, .values = {-0.2, 0.1, -0.3, 0.4, -0.1}});
 ///     double c = screw.at(std::array{450.0});                          // 0.225
@@ -65,7 +65,7 @@ class Compensation {
   /// The greatest |value| of the grid.
   [[nodiscard]] double peak() const;
 
-  /// The correction where the references are; as many as references().
+  /// The correction at the positions of the references; as many as references().
   [[nodiscard]] double at(std::span<const double> references) const;
 
   /// One cell of the grid: c = sum of k[i] s1^a s2^b s3^c with s = (x - start) / interval in [0, 1],
@@ -88,13 +88,13 @@ class Compensation {
   std::array<std::vector<double>, 3> slopes_;  ///< cubic: by s1, by s2, by both
 };
 
-/// The motion as commanded: motion + c(references), all over the same interval; a reference
-/// may be the motion itself. None may advance from period to period (Extrapolation::advance): the correction of
-/// the next one is another. Exact where the product of degrees fits a segment (a linear table of one
-/// reference, up to degree 11; of two or three, the sum of their degrees), else within `tolerance` > 0
-/// with a certified error, as in fitted.hpp. Policy outside: the motion's. Throws InputError where
-/// intervals differ by more than rounding, a number of references is wrong, and as
-/// composed_within().
+/// The motion as commanded: motion + c(references), all over the same interval; a reference may be
+/// the motion itself. None may advance from period to period (Extrapolation::advance): the
+/// correction of the next one would differ. Exact if the product of degrees fits a segment (a
+/// linear table of one reference, up to degree 11; of two or three, the sum of their degrees), else
+/// within `tolerance` > 0 with a certified error, as in fitted.hpp. Policy outside: the motion's.
+/// Throws InputError if intervals differ by more than rounding, a number of references is wrong,
+/// and as composed_within().
 Fitted<OverTime> compensated(const Trajectory& motion, const Compensation& compensation,
                              std::span<const Trajectory> references, double tolerance);
 

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// A place in a table, for queries that mostly stay in one interval: what a cycle of 1 ms asks of a
-/// table whose knots are 10 ms apart.
+/// A place in a table, for queries that mostly stay in one interval, for example of a cycle of 1 ms
+/// in a table with knots 10 ms apart.
 ///
 ///     Cursor cursor(table);
 ///     for (double t = 0; t < table.end(); t += 0.001) {

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// A curve that is given, or that of a table, made when it is first asked for: a curve takes 200 bytes
-/// a knot, its table 40.
+/// A given curve, or that of a table, made at its first use: a curve takes 200 bytes for each knot,
+/// its table 40.
 ///
 ///     const LazyCurve curve(table);
 ///     std::get<Trajectory>(*curve).at(0.5);      // now there is a curve
@@ -24,7 +24,7 @@ class LazyCurve {
   template <class Over>
   LazyCurve(Curve<Over> curve)  // NOLINT(google-explicit-constructor): a curve is one
       : LazyCurve(Any(std::move(curve))) {}
-  /// Throws InputError as table.curve() does, so that asking for the curve does not throw.
+  /// Throws InputError like table.curve(), so that the first use of the curve does not throw.
   explicit LazyCurve(Table table);
 
   [[nodiscard]] const Any& operator*() const;

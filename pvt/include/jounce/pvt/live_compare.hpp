@@ -25,25 +25,26 @@ struct CompareStep {
   [[nodiscard]] std::span<const OutputEdge> edges() const { return {edge.data(), count}; }
 };
 
-/// The position compare of an axis, stepped by its cycle: what position_compare.hpp does along a
-/// known motion, tick by tick.
+/// The position compare of an axis, stepped by its cycle: position_compare.hpp tick by tick instead
+/// of along a known motion.
 ///
 ///     LiveCompare camera({.mode = CompareMode::linear, .points = evenly(10, 1, 11), .pulse = 2e-5});
 ///     camera.arm();                                        // a motion begins: from the first point
 ///     for (const OutputEdge& edge : camera.step(position, velocity, 1e-3).edges()) ...
 ///
 /// **Within a cycle** the axis moves by cycle_motion(); crossings are its roots, not samples: as
-/// exact as that motion is, 1e-12 s at a constant jerk. Times in s, positions in u.
+/// exact as that motion, 1e-12 s at a constant jerk. Times in s, positions in u.
 ///
-/// **Armed** its list begins anew, with the output off, where the axis was in the step before: what a
-/// start that comes late, or within a cycle, has passed by the next step fires in that. Until then, and
-/// after the last point, nothing fires. A point at which the axis stands when it is armed fires in that step.
+/// **Arming** restarts the list, with the output off, from the position in the step before. If a
+/// start comes late, or within a cycle, the points passed by the next step fire in that step.
+/// Before that, and after the last point, nothing fires. A point at the position of the axis when
+/// it is armed fires in that step.
 ///
 /// step() neither allocates, locks nor throws. A position that is not finite is none: time passes, and
 /// pulses end. A velocity that is not finite is taken from the positions.
 class LiveCompare {
  public:
-  /// Throws InputError as compared() does.
+  /// Throws InputError like compared().
   explicit LiveCompare(const PositionCompare& compare);
 
   void arm();

@@ -22,10 +22,10 @@ enum class CompareMode : std::uint8_t {
 
 struct ComparePoint {
   double position = 0;  ///< u
-  bool level = true;    ///< fifo_level: what the output becomes
+  bool level = true;    ///< fifo_level: new level of the output
 };
 
-/// Position compare of one axis: a camera, a laser or a valve that is fired where the axis is.
+/// Position compare of one axis: fires a camera, a laser or a valve at positions of the axis.
 ///
 ///     PositionCompare camera{.mode = CompareMode::linear,
 ///                            .points = evenly(2000, 2000, 5),   // 2000, 4000 ... 10000
@@ -33,18 +33,19 @@ struct ComparePoint {
 ///     Compared shots = compared(camera, move);                  // exact instants
 ///     Report report = check(camera, move, {.sampling_frequency = 16e3});
 ///
-/// **Order.** The points of a list fire strictly in their order: each arms the next, and one that the
-/// axis does not pass blocks those after it (PMC600 manual 9.3). A point fires when the axis reaches
-/// or touches it, in either direction, to rounding; where the axis is at it already, at once. Pulses
-/// that overlap merge into one. Positions u are those of the command.
+/// **Order.** The points of a list fire strictly in their order: each arms the next, and a point
+/// that the axis does not pass blocks those after it (PMC600 manual 9.3). A point fires when the
+/// axis reaches or touches it, in either direction, to rounding; if the axis is already there, at
+/// once. Pulses that overlap merge into one. Positions u are those of the command.
 struct PositionCompare {
   CompareMode mode = CompareMode::fifo_time;
   std::vector<ComparePoint> points = {};  ///< equal, less, greater: one
   double pulse = 0;                       ///< s, > 0: fifo_time and linear
 };
 
-/// Throws InputError, counting from 1 ("points[3].position"), for no points or several where one is
-/// meant, a number that is not finite, and a pulse that is missing or goes with a mode that has none.
+/// Throws InputError, counting from 1 ("points[3].position"), for no points, or several in a mode
+/// with one point, a number that is not finite, and a missing pulse or one in a mode without
+/// pulses.
 void require_valid(const PositionCompare& compare);
 
 /// `count` >= 1 positions from `start` on (PMC600 SetLinearPara; 0 counts as 1 there and here).
@@ -81,10 +82,11 @@ struct CompareDevice {
   double latency = 0;             ///< s, >= 0: from the crossing to the output
 };
 
-/// Reports places where it would not work. Broken: "compare/speed": between two points the axis may cover no
-/// more than their distance in a sample, speed < distance * sampling_frequency (HMPL manual 12.1), or
-/// the device misses one; "compare/missed": points that never fire. Warned of: "compare/merged":
-/// pulses that overlap. Reported: "compare/latency": distance of the axis within sample and latency.
+/// Reports places at which it would not work. Broken: "compare/speed": between two points the axis
+/// may cover no more than their distance in a sample, speed < distance * sampling_frequency (HMPL
+/// manual 12.1), or the device misses one; "compare/missed": points that never fire. Warning:
+/// "compare/merged": pulses that overlap. Note: "compare/latency": distance of the axis within
+/// sample and latency.
 Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device);
 
 /// Compare in a plane: a point fires when both axes are within a band of it (PMC600 manual 9.4).
@@ -108,8 +110,8 @@ std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory
 /// HIWIN HIMC position trigger, in the words of HMPL (manual 12.1).
 namespace himc {
 
-/// Even spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. Start above end: descending. Both ends
-/// fire where they are whole intervals apart (to 1e-9 of one). Pulse width in ns, 20 to 80000 in
+/// Even spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. Start above end: descending. Both
+/// ends fire if they are whole intervals apart (to 1e-9 of one). Pulse width in ns, 20 to 80000 in
 /// steps of 20. Throws InputError with those keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 

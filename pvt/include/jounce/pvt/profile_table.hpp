@@ -24,13 +24,14 @@
 ///     MC_VelocityProfile     velocity linear          velocity        the axis' velocity
 ///     MC_AccelerationProfile acceleration linear      acceleration    the axis' acceleration
 ///
-/// as REXYGEN's blocks of the same names interpolate. Every stage lasts its point's delta_time; the first
-/// leads from the axis' state to point 1. A knot's value is scale * value + offset; not absolute, what
-/// the axis has at Execute + offset + scale * (sum of the values so far): the offset is one shift of the
-/// whole curve, taken up in the first stage, not one a point.
+/// like REXYGEN's blocks of the same names. Every stage lasts its point's delta_time; the first
+/// leads from the axis' state to point 1. Absolute: a knot's value is scale * value + offset.
+/// Relative: it is the axis' value at Execute + offset + scale * (sum of the values so far). So the
+/// offset shifts the whole curve once, in the first stage, not at every point.
 ///
-/// **Outside** it holds: the axis stands at the end position. Where the table ends moving, CODESYS puts
-/// the axis into errorstop unless another block takes over; velocity_steps (warnings.hpp) names it.
+/// **Outside** it holds: the axis stands at the end position. If the table ends moving, CODESYS
+/// puts the axis into errorstop unless another block takes over; velocity_steps (warnings.hpp)
+/// names it.
 ///
 /// **Throws** InputError, naming the controller's error: 325, 350, 375 for the number of points; 326,
 /// 351, 376 for a stage of no time.
@@ -60,9 +61,9 @@ struct ProfileTable {
 
 /// Interpretation of a position table.
 enum class PositionRule {
-  /// Velocity continuous, from from_velocity to rest, and no overshoot except for a from_velocity of more
-  /// than 3 times the first stage's mean: the harmonic mean of Fritsch and Butland (SIAM J. Sci. Stat.
-  /// Comput. 5, 1984), 0 where the direction turns.
+  /// Velocity continuous, from from_velocity to rest, and no overshoot except for a from_velocity
+  /// of more than 3 times the first stage's mean: the harmonic mean of Fritsch and Butland (SIAM J.
+  /// Sci. Stat. Comput. 5, 1984), 0 at a reversal.
   cubic,
   /// The literal one: constant velocity in every stage, which steps at every point.
   linear,

@@ -22,10 +22,10 @@ namespace jounce {
 ///                motion before where it is the first
 ///
 /// Sources: Googol iDEABOX Pro manual 7.4 (PT) and 7.6 (follow, which alone has CONTINUE). The
-/// start of `stop` is what its end and its area leave.
+/// start of `stop` follows from its end and its area.
 enum class PtType : std::uint8_t { normal = 0, even = 1, stop = 2, continued = 3 };
 
-/// The end of a segment: both numbers count from the table's origin (0, 0), which is no point.
+/// The end of a segment: both numbers count from the table's origin (0, 0), which is not a point.
 struct PtPoint {
   double x = 0;         ///< time, or master position: ascending, the first above 0
   double position = 0;  ///< u
@@ -44,21 +44,21 @@ struct PtRate {
 ///     const Trajectory move = pt<OverTime>(points);           // manual, example 7-3
 ///     const auto rates = pt_rates<OverTime>(points);          // ends at 2, 2 and 0
 ///     const Report report = check_pt<OverTime>(points);       // steps and oscillation by name
-///     const Trajectory five = pt_loops<OverTime>(points, 5);  // each pass goes on from the last
+///     const Trajectory five = pt_loops<OverTime>(points, 5);  // each pass continues from the last
 ///
 /// Position is continuous by construction, the rate except where an `even` or a `stop` begins (or a
 /// `normal` that is first in a moving chain); the acceleration steps at every point. Every point is
 /// met exactly to the rounding of its own position; lengths are differences of the x given, so a
 /// table whose x has grown to 1e12 keeps the resolution that its numbers have.
 ///
-/// **Outside** [0, last x]: hold stands still at the end position, for every end rate; wrap
-/// repeats the positions; advance goes on from where the pass before ended, and every pass begins as
-/// the first one did (`normal`: at rest, for it is first again; manual 7.4: "0 for the first").
+/// **Outside** [0, last x]: hold stands still at the end position, for every end rate; wrap repeats
+/// the positions; advance continues from the end of the pass before, and every pass begins like the
+/// first one (`normal`: at rest, because it is first again; manual 7.4: "0 for the first").
 ///
-/// **Throws** InputError that names the point (counted from 1) where there is none, a number is not
+/// **Throws** InputError that names the point (counted from 1) if there is none, a number is not
 /// finite, x does not ascend, or `start_rate` is not finite.
 ///
-/// start_rate: what a `continued` first segment begins with; other types do not read it.
+/// start_rate: initial rate of a `continued` first segment; other types ignore it.
 template <class Over>
 Curve<Over> pt(std::span<const PtPoint> points, double start_rate = 0,
                Extrapolation outside = Extrapolation::refuse);
@@ -67,21 +67,21 @@ Curve<Over> pt(std::span<const PtPoint> points, double start_rate = 0,
 template <class Over>
 std::vector<PtRate> pt_rates(std::span<const PtPoint> points, double start_rate = 0);
 
-/// `loops` >= 1 passes one after another, in x and in position each going on from the one before. A
-/// `continued` first segment takes over the end rate of the pass before; any other begins anew.
+/// `loops` >= 1 successive passes, each continuing from the one before in x and in position. A
+/// `continued` first segment takes over the end rate of the pass before; any other begins again.
 template <class Over>
 Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_rate = 0,
                      Extrapolation outside = Extrapolation::refuse);
 
-/// Warnings of what a controller would play without a word, at the place and with the size:
-/// velocity_steps (warnings.hpp: "pt/velocity_step", "pt/end_velocity", "pt/wrap"), with advice by the
-/// type of the segment, and
+/// Warnings about features that a controller would play without a message, with place and size:
+/// velocity_steps (warnings.hpp: "pt/velocity_step", "pt/end_velocity", "pt/wrap"), with advice by
+/// the type of the segment, and
 ///
 ///     pt/oscillation   four or more normal segments that speed up and slow down in turn: an error
-///                      of an increment is handed on with its sign reversed. value: the greatest
+///                      of an increment is passed on with its sign reversed. value: the greatest
 ///                      change of the rate within a segment; where: the end of that segment
 ///
-/// Rates below `tolerance` of the greatest are rounding. None is broken. Throws as pt does.
+/// Rates below `tolerance` of the greatest are rounding. None is broken. Throws like pt().
 template <class Over>
 Report check_pt(std::span<const PtPoint> points, double start_rate = 0,
                 Extrapolation outside = Extrapolation::refuse, double tolerance = 1e-9);

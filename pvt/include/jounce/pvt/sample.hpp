@@ -20,7 +20,7 @@ enum class Binding {
   none,                ///< two knots do
   tolerance,           ///< tolerance of the position
   velocity_tolerance,  ///< tolerance of the velocity
-  most,                ///< its error is what so many knots can have
+  most,                ///< the number of knots determines the error
 };
 
 /// "none", "tolerance", "velocity_tolerance", "most".
@@ -38,8 +38,8 @@ struct Sampled {
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots);
 
-/// The table of these columns, which span the curve, and its error. Where the curve repeats, a column
-/// that ends on what it begins with except for rounding ends on exactly that.
+/// The table of these columns, which span the curve, and its error. For a curve that repeats, a
+/// column whose end equals its begin to rounding gets exactly that value at its end.
 template <class Over>
 Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 
@@ -49,13 +49,13 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
 /// Each segment of the curve in as few equal intervals as keep the position error within
 /// `tolerance` > 0 (unit of the position). A segment that the rule holds exactly gets one. Breaks
-/// of the curve are knots. Throws InputError where more than `most` knots would be needed.
+/// of the curve are knots. Throws InputError if more than `most` knots would be needed.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       std::size_t most = 1'000'000);
 
-/// Throws InputError, under `key`, for a tolerance below what doubles can certify of this curve:
-/// 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms where that is more.
+/// Throws InputError, under `key`, for a tolerance that doubles cannot certify for this curve:
+/// below 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms if that is more.
 template <class Over>
 void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
 

@@ -24,34 +24,34 @@ namespace jounce {
 ///     fifos.start(0, 0, 0);                                         // the player's
 ///     const Jet now = fifos.at(t);   // every cycle; t does not fall
 ///
-/// **Two threads**: one *producer* fills, clears, queues switches; one *player* takes, starts, plays.
-/// Neither ever waits, and no row is read while it is written: the player reads what a FIFO's size
-/// covers, and empties a FIFO only when the producer has left it (a stream has moved on to the other
-/// one; a table whose switch is queued takes no more rows). Both may ask how things stand.
+/// **Two threads**: one *producer* fills, clears, queues switches; one *player* takes, starts,
+/// plays. Neither ever waits, and no row is read while it is written: the player reads only rows
+/// within a FIFO's size, and empties a FIFO only when the producer has left it (a stream has moved
+/// on to the other one; a table whose switch is queued takes no more rows). Both may query the
+/// state.
 ///
-/// **Vocabulary.** A *pass* plays one FIFO from its first row to its last. Its *origin* is where
-/// x and position are when it begins: at the start, at the end of the pass before, at the switch. So
-/// the position is continuous for all rows, and the rows of every FIFO count from (0, 0), those
-/// of a stream from the layout's base.
+/// **Vocabulary.** A *pass* plays one FIFO from its first row to its last. Its *origin* is x and
+/// position at its begin: at the start, at the end of the pass before, at the switch. So the
+/// position is continuous for all rows, and the rows of every FIFO count from (0, 0), those of a
+/// stream from the layout's base.
 ///
-/// As *tables* (Googol: static) each FIFO is one: played `loops` times, kept, and played
-/// again when started again. A queued switch waits for the end of the pass; then the other FIFO takes
-/// over and the old one is emptied.
-/// As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied and the other goes on, with
-/// the rate it was left with. So space comes back in blocks of a FIFO. The FIFO that a call names
-/// has no effect. A stream that has ended is cleared before the next one is pushed.
-/// An *open* stream ends with its `last` row alone: where it runs out of rows before, it waits at
-/// the end of the rows pushed so far, still moving, and continues when more rows are pushed.
+/// As *tables* (Googol: static) each FIFO is one: played `loops` times, kept, and played again when
+/// started again. A queued switch waits for the end of the pass; then the other FIFO takes over and
+/// the old one is emptied. As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied
+/// and the other continues at its last rate. So space comes back in blocks of a FIFO. The FIFO that
+/// a call names has no effect. A stream that has ended is cleared before the next one is pushed. An
+/// *open* stream ends only with its `last` row: if it runs out of rows before, it waits at the end
+/// of the rows pushed so far, still moving, and continues when more rows are pushed.
 ///
 /// **Numbers.** The producer can number its actions (stamp(), ascending); see() makes those up to a
 /// number visible to the player. The motion then depends on that number alone, and not on the timing of
 /// the threads. Without numbers every action is visible at once. A clear() has no number.
 ///
-/// **Rates** are as in SegmentRow: one left open goes on at the end rate of the row before, that of
-/// the pass before for the first of a pass (0 in the first one).
+/// **Rates** are as in SegmentRow: an open rate takes the end rate of the row before; in the first
+/// row of a pass, that of the pass before (0 in the first pass).
 ///
-/// **Backwards** x is followed to the beginning of the pass (of the FIFO, in a stream), and not
-/// further: there the axis stands until x comes back.
+/// **Backwards** x is followed to the beginning of the pass (of the FIFO, in a stream), and no
+/// further: there the axis stands still until x comes back.
 class SegmentFifos {
  public:
   /// Allocates for FIFOs of at most `most` rows.
@@ -62,7 +62,7 @@ class SegmentFifos {
     std::size_t total = 0;  ///< both together
     bool stream = false;
     bool open = false;      ///< open of a stream
-    RowStart base = {};     ///< base of a stream: where its first row begins
+    RowStart base = {};     ///< base of a stream: start of its first row
     RowLimits limits = {};  ///< limits of rows
   };
   /// Empties both and takes another layout. Only while no thread plays, by a single thread.
@@ -75,7 +75,7 @@ class SegmentFifos {
     ended,    ///< it has played its last row, which came to rest
     cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
     left,     ///< its player has left before its end
-    lost,     ///< x was not finite, or 2^53 passes off: it stands where it was, until started again
+    lost,  ///< x was not finite, or 2^53 passes off: the axis keeps its position until started again
   };
   [[nodiscard]] State state() const { return state_.load(); }
   [[nodiscard]] bool moving() const { return state() == State::moving; }
@@ -95,7 +95,7 @@ class SegmentFifos {
   /// Rows of the stream so far that have been played to their end.
   [[nodiscard]] std::uint64_t rows_played() const { return played_.load(); }
   /// The greatest rate, second and third derivative, and step of the rate, of all rows pushed since
-  /// the last reset, as far as they are known (what follows an open rate of a table is not).
+  /// the last reset, as far as they are known (rows after an open rate of a table are not).
   [[nodiscard]] RowPeaks peaks() const;
 
   /// Position within a pass.
@@ -103,55 +103,55 @@ class SegmentFifos {
     double lowest = 0;
     double highest = 0;
   };
-  /// For the pass under way, in the player's thread; infinite where rates are open. Of tables.
+  /// For the pass under way, in the player's thread; infinite if rates are open. For tables.
   [[nodiscard]] Reach reach() const;
-  /// For the pass that follows as things stand; nothing where none does.
+  /// For the pass that follows in the present state; nullopt if there is none.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
   // ---- producer ----------------------------------------------------------------------------------
 
-  /// The number of what follows.
+  /// The number of the following actions.
   void stamp(std::uint64_t number) { stamp_ = number; }
   /// Takes a row, or returns its error; limits are checked exactly, by (1) to (3) of
   /// segment_row.cpp. A `last` row means nothing to a table.
   RowRule push(int fifo, const SegmentRow& row);
   /// Result that push() would return.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
-  /// Ends an open stream with the rows pushed so far, as if its last row were marked `last`. False where
-  /// the stream is not open, has no rows, or does not end at rest.
+  /// Ends an open stream with the rows pushed so far, as if its last row were marked `last`. False
+  /// if the stream is not open, has no rows, or does not end at rest.
   bool complete();
-  /// Empties a FIFO, or the whole stream; false, and nothing, where it is in use.
+  /// Empties a FIFO, or the whole stream; returns false, without an effect, if it is in use.
   bool clear(int fifo);
   /// Passes that a table is played; below 1: endless. Counts at the end of a pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
-  /// At the end of the pass the other FIFO takes over. False where tables have ended, or it has no
+  /// At the end of the pass the other FIFO takes over. False if tables have ended, or it has no
   /// rows. Before the start it is queued for the end of the first pass.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------
 
-  /// From now on what has a greater number is not there yet.
+  /// From now on, actions with a greater number are not yet visible.
   void see(std::uint64_t number) { sight_ = number; }
   /// Rows of a FIFO that are.
   [[nodiscard]] std::size_t visible(int fifo) const;
   /// The sign of the first displacement of a FIFO's first 64 rows; 0: none of them moves.
   [[nodiscard]] int direction(int fifo) const;
-  /// Chooses what will be started: false where it is empty, in use, being cleared, or a stream that
-  /// has ended. give_back() takes the choice back, or a start after which nothing was played.
+  /// Selects the FIFO to start: false if it is empty, in use, being cleared, or a stream that has
+  /// ended. give_back() cancels the selection, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
-  /// Plays what was taken (a stream: from its base) from x and position on.
+  /// Plays the selected FIFO (a stream: from its base) from x and position on.
   void start(double x, double position);
   /// Both.
   bool start(int fifo, double x, double position);
 
-  /// The player has left: it stands where it is. Tables are kept, a stream is to be cleared.
+  /// The player has left: the axis keeps its position. Tables are kept, a stream must be cleared.
   void leave();
 
   /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
-  /// passes of a table are taken at once, so that the time a call takes depends on the rows alone.
-  /// Where it is not moving: the position where it ended, at rest.
+  /// passes of a table are processed at once, so the time of a call depends only on the rows.
+  /// Without motion: the end position, at rest.
   Jet at(double x);
 
   /// End of the rows, and the rate there: once they are `ended` or `cut_off`.

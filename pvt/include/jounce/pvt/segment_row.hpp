@@ -11,8 +11,8 @@
 
 namespace jounce {
 
-/// One segment of a path that is handed over row by row (a rolling stream, a controller's FIFO): the
-/// end of it, and what its polynomial needs. x is time or master position.
+/// One segment of a path that is passed row by row (a rolling stream, a controller's FIFO): its
+/// end, and the data of its polynomial. x is time or master position.
 ///
 ///     const SegmentRow row{.x_end = 1024, .p_end = 1024, .v_start = 0, .degree = 2};
 ///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: manual, example 7-3
@@ -27,10 +27,10 @@ namespace jounce {
 ///     3   p and both rates: a cubic Hermite table (PVT)
 ///     5   p, both rates and both second derivatives: a quintic one (PVA)
 ///
-/// Numbers are cumulative, from where the path begins. **To the last bit** rows of degree 3 and 5 are
-/// the Table they come from, rows of degree 1 and 2 pt() of the same points (where x adds up exactly,
-/// else to rounding); of a linear Table to one rounding of its position (Table multiplies by
-/// 1/length, pt() divides).
+/// Numbers are cumulative, from the start of the path. **To the last bit** rows of degree 3 and 5
+/// equal the Table from which they come, and rows of degree 1 and 2 pt() of the same points (if x
+/// adds up exactly, else to rounding); rows of a linear Table equal it to one rounding of its
+/// position (Table multiplies by 1/length, pt() divides).
 struct SegmentRow {
   static constexpr double open = std::numeric_limits<double>::quiet_NaN();
 
@@ -81,7 +81,7 @@ struct RowLimits {
   double position_max = none;
 };
 
-/// The greatest magnitudes within a row, and the step of the rate where it begins.
+/// The greatest magnitudes within a row, and the step of the rate at its begin.
 struct RowPeaks {
   double velocity = 0, acceleration = 0, jerk = 0, velocity_step = 0;
   double position_min = 0, position_max = 0;
@@ -96,13 +96,13 @@ Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 /// Exact extrema of the row's polynomials.
 RowPeaks peaks(const SegmentRow& row, const RowStart& from, double rate);
 
-/// True if its numbers make sense after `from`: what is wrong first.
+/// Checks that its numbers are valid after `from`; returns the first violated rule.
 RowRule check(const SegmentRow& row, const RowStart& from);
 /// True if it keeps the limits (a rounding of 1e-9 is forgiven).
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
 
-/// A row as eight numbers, in the order of the members, for messages and files; degree and last as numbers.
-/// A degree that is no whole number becomes 0, which check() refuses.
+/// A row as eight numbers, in the order of the members, for messages and files; degree and last as
+/// numbers. A degree that is not a whole number becomes 0, which check() rejects.
 std::array<double, 8> columns_of(const SegmentRow& row);
 SegmentRow row_of(const std::array<double, 8>& columns);
 

@@ -27,7 +27,7 @@ struct Grid {
   double step = 1;  ///< > 0
 };
 
-/// The columns of a table; each has one entry a knot, v and a only where the rule needs them.
+/// The columns of a table; each has one entry for each knot, v and a only if the rule needs them.
 struct Columns {
   std::vector<double> x;  ///< time or master position, strictly ascending
   std::vector<double> p;  ///< position
@@ -35,7 +35,7 @@ struct Columns {
   std::vector<double> a;  ///< d2p/dx2
 };
 
-/// Knots in columns plus the rule between them: what a controller holds and what the executor
+/// Knots in columns plus the rule between them: the form that a controller holds and the executor
 /// plays. It is a Signal, and evaluates without allocating.
 ///
 ///     Table table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap, columns);
@@ -70,8 +70,8 @@ class Table {
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
   /// Position and two derivatives at every x, each in a column of its own: jet() to the bit, on
-  /// every processor, and many times as fast where x ascends. Spans of equal size (asserted).
-  /// Does not allocate, does not throw.
+  /// every processor, and many times as fast if x ascends. Spans of equal size (asserted). Does not
+  /// allocate, does not throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
   /// The same at the instants of a grid, as many as the columns hold: a cycle's positions, the rows
@@ -107,7 +107,7 @@ class Table {
   std::shared_ptr<const Knots> knots_;
 };
 
-/// Throws what table.curve() would throw, without making the curve.
+/// Throws like table.curve(), without making the curve.
 void require_curve(const Table& table);
 
 /// The same table with its first column in another unit: x times `factor` > 0, the derivatives

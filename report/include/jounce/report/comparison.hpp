@@ -20,15 +20,15 @@ struct Version {
   std::variant<Cam, Trajectory> curve;
   Labels labels;
   std::vector<double> knots = {};            ///< places on the axis; empty: the breaks of the curve
-  std::vector<std::string> knot_names = {};  ///< one each, "end of 2 in step"; may be empty
-  std::optional<Limits> limits = {};         ///< none: it is of a kind without limits, as a table
+  std::vector<std::string> knot_names = {};  ///< one for each, "end of 2 in step"; may be empty
+  std::optional<Limits> limits = {};         ///< none: a kind without limits, such as a table
 };
 
 /// Tolerances for equal versions.
 ///
-/// Left as it is: by rounding alone. A share is of the range of each quantity. A quantity with a
-/// number of its own, in its unit, may differ by that; once there is one, quantities without a
-/// number and without a share are shown but not judged.
+/// By default only rounding. A share refers to the range of each quantity. A quantity with its own
+/// number, in its unit, may differ by that. If there is such a number, quantities without a number
+/// and without a share are shown but not judged.
 struct Tolerance {
   std::optional<double> share = {};
   std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
@@ -58,19 +58,18 @@ struct Comparison {
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares the curves exactly (see difference.hpp), and their properties: the interval, the
-/// policy outside, units, and limits where both have some. `before` is converted into the units of
-/// `after`, unless one has none. Throws InputError where one runs over time and the other over a
-/// master, where units do not measure the same thing, or where there is no stretch in common.
+/// Compares the curves exactly (see difference.hpp), and their properties: the interval, the policy
+/// outside, units, and limits if both have some. `before` is converted into the units of `after`,
+/// unless one has none. Throws InputError if one runs over time and the other over a master, if
+/// units do not convert, or if there is no common stretch.
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
 
-/// The version with its axis and its position counted in other units: curve, knots and limits. Units
-/// that are not known on either side stay. Throws InputError (key "unit") where two do not measure
-/// the same thing.
+/// The version converted to other units of its axis and its position: curve, knots and limits.
+/// Units unknown on either side stay. Throws InputError (key "unit") if two units do not convert.
 Version in_units(Version version, const Units& units);
 
-/// For people: one line a quantity with its peaks and the largest difference, then knots and
-/// remarks, more than `most` knots counted only.
+/// For people: one line for each quantity with its peaks and the largest difference, then knots and
+/// remarks. Knots beyond `most` are only counted.
 std::string to_text(const Comparison& comparison, std::size_t most = 10);
 
 /// {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, every number in full.

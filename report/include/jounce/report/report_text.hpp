@@ -20,19 +20,18 @@ struct Labels {
   bool over_master = false;
   std::vector<std::string> segments;  ///< "2 sync", one per segment of the curve; may be empty
 
-  /// Unit of "position", "geo_velocity", "acceleration", ...; "" for a quantity that is none of
-  /// ours.
+  /// Unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown quantity.
   [[nodiscard]] std::string unit_of(const std::string& quantity) const;
-  /// Unit of a finding's value, and the name of its segment: "" where there is none.
+  /// Unit of a finding's value, and the name of its segment: "" if there is none.
   [[nodiscard]] std::string unit_of(const Finding& finding) const;
   [[nodiscard]] std::string segment_of(const Finding& finding) const;
-  /// The number, from 1, of the segment that a piece of the curve (from 0) belongs to: pieces in a row
-  /// that share a label are one segment.
+  /// The number, from 1, of the segment of a piece of the curve (from 0): adjacent pieces with the
+  /// same label are one segment.
   [[nodiscard]] std::size_t number_of_segment(std::size_t piece) const;
 };
 
-/// The segments of a curve that share a label: the pieces of one law. More than `most` of them are
-/// taken together, "1 to 5000", as evenly as can be.
+/// The segments of a curve that share a label: the pieces of one law. If there are more than
+/// `most`, they are combined as evenly as possible: "1 to 5000".
 struct SegmentGroup {
   std::string label;
   std::size_t first = 0;
@@ -52,19 +51,21 @@ std::string one_line(const Report& report, const Labels& labels);
 /// True if it is the peak of a derivative that has no limit: see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
-/// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" where
-/// no finding is_unlimited().
+/// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" if no
+/// finding is_unlimited().
 std::string not_limited_text(const Report& report, const Labels& labels);
 
 /// One finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
 /// return) exceeds the limit -3 by 13.1 %".
 std::string sentence(const Finding& finding, const Labels& labels);
 
-/// A line a finding, broken ones marked and with advice, more than `most` of them counted only.
+/// One line for each finding, broken ones marked and with advice. Findings beyond `most` are only
+/// counted.
 std::string full_text(const Report& report, const Labels& labels, std::size_t most = 10);
 
-/// {"ok": ..., "findings": [...]}, every number in full. A finding's `segment` counts the entries of
-/// extrema_json() from 1, `piece` those of the curve; `limit` and `margin` are null where it has no limit.
+/// {"ok": ..., "findings": [...]}, every number in full. A finding's `segment` counts the entries
+/// of extrema_json() from 1, `piece` those of the curve; `limit` and `margin` are null if it has no
+/// limit.
 std::string to_json(const Report& report, const Labels& labels);
 
 /// The exact extrema of every segment as a table for people (at most rows_for_people), and as a

@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// Whom an axis follows: [follow] of a spec of kind "axis".
+/// The leader of an axis: [follow] of a spec of kind "axis".
 struct FollowWhom {
   std::string axis = {};    ///< another axis of the same machine
   bool actual = false;      ///< actual position of its drive instead of its setpoint
@@ -39,8 +39,8 @@ struct MachineSpec {
   std::optional<double> watchdog = {};  ///< s; 0: never
 };
 
-/// Nothing where the file is a spec of another kind, or none. Throws InputError, placed, as
-/// read_spec() does: a key that is unknown, an axis without a spec, one that is there twice.
+/// Nothing if the file is a spec of another kind, or not a spec. Throws InputError, placed, like
+/// read_spec(), for an unknown key, an axis without a spec, and an axis that occurs twice.
 std::optional<MachineSpec> read_machine(const std::string& path);
 std::optional<MachineSpec> parse_machine(std::string text, std::string name);
 

@@ -22,11 +22,11 @@
 #include "jounce/profiles/vibration/shaper.hpp"
 #include "jounce/pvt/compensation.hpp"
 
-/// Specs of motions over time: one struct a `profile`, each with what its generator in
-/// `profiles/` takes. Numbers are in the spec's units, unless a controller's own are named.
+/// Specs of motions over time: one struct for each `profile`, with the parameters of its generator
+/// in `profiles/`. Numbers are in the spec's units, unless a controller's own are named.
 namespace jounce {
 
-/// profile = "point_to_point": move_to, on a modulo axis where there is a period.
+/// profile = "point_to_point": move_to, on a modulo axis if there is a period.
 struct PointToPointSpec {
   MotionState from, to;
   Bounds bounds;
@@ -122,14 +122,14 @@ using MoveSpec =
 /// kind = "axes": several axes in one motion, from one state to another, or through points.
 struct AxesSpec {
   Sync sync = Sync::time;
-  double duration = 0;                      ///< the least; 0: as short as it can be
+  double duration = 0;                      ///< minimum; 0: as short as possible
   std::vector<AxisMove> axes;               ///< for points, only the bounds count
   std::vector<std::vector<double>> points;  ///< through these; then without `sync`
   ViaSpec via = {};                         ///< further options of a motion through points
   bool shortest_times = false;  ///< a spline through them with the best times, not via()
 };
 
-// ---- [[then]]: what is done to a motion, one after another -----------------------------------
+// ---- [[then]]: operators on a motion, one after another -----------------------------------
 
 struct MovingAverageSpec {
   double window = 0;
@@ -148,12 +148,13 @@ struct ChangeSpec {
   std::optional<double> abort = {};  ///< abort of superimposed
 };
 
-/// A correction of one axis by where axes are; those of several are named.
+/// A correction of one axis from the positions of axes; several axes are named.
 struct CompensateSpec {
   CompensationSpec table;
-  std::string axis = {};                     ///< that is corrected; "": the only one
-  std::vector<std::string> references = {};  ///< one a grid axis; "": the corrected one itself
-  std::optional<double> tolerance = {};      ///< if no segment can be exact
+  std::string axis = {};  ///< the corrected axis; "": the only one
+  std::vector<std::string> references =
+      {};                                ///< one for each grid axis; "": the corrected one itself
+  std::optional<double> tolerance = {};  ///< if no segment can be exact
 };
 
 /// ShaperSpec and NotchSpec use Hz, independent of the unit of time of the spec.

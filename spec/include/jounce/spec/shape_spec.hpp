@@ -16,9 +16,9 @@ struct LoadLimits {
   std::optional<double> rms_torque = {};  ///< N m, over the cam
 };
 
-/// Load of the motor of the slave, [load]: seen at the motor's shaft, turned by theta = 2 pi f /
-/// position_per_rev while the slave is at f. With r the slave's metres (rotary: radians) a radian of the
-/// motor and w the master's speed,
+/// Load of the slave's motor, [load], at the motor's shaft, whose angle is theta = 2 pi f /
+/// position_per_rev at the slave position f. With r the metres (rotary: radians) of the slave for a
+/// radian of the motor, and w the master's speed,
 ///
 ///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
 ///                   + r (stiffness f + preload + force + mass gravity)
@@ -29,18 +29,18 @@ struct LoadLimits {
 ///
 /// Its first two lines are linear in f, f', f''.
 struct LoadSpec {
-  double position_per_rev = 0;  ///< slave's unit a turn of the motor; its sign is the motor's
+  double position_per_rev = 0;  ///< slave's unit for a turn of the motor; its sign is the motor's
   double inertia = 0;           ///< kg m^2, at the motor
   double damping = 0;           ///< N m s/rad, at the motor
   double torque = 0;            ///< N m, at the motor: constant
   double mass = 0;              ///< kg, of a slave that moves straight
   double gravity = 0;           ///< m/s^2 along the slave, against its positive direction
   double stiffness = 0;         ///< stiffness of a return spring: N/m, of a rotary slave N m/rad
-  double preload = 0;           ///< its force where the slave is at 0: N, or N m
+  double preload = 0;           ///< its force at slave position 0: N, or N m
   double force = 0;             ///< constant, against the positive direction: N, or N m
   double coulomb = 0;           ///< N m, at the motor: dry friction, >= 0
   double lever = 0;             ///< N m, at a rotary slave: weight times length of its arm
-  double lever_angle = 0;       ///< rad, of the arm from hanging down where the slave is at 0
+  double lever_angle = 0;       ///< rad, of the arm from hanging down, at slave position 0
   double recovered = 0;         ///< 0 a braking resistor ... 1 a drive without losses
   std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
   LoadLimits limits = {};
@@ -61,7 +61,7 @@ LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string&
 /// (4): J, of a shape over the master.
 EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
-/// A figure of [optimize] with what is needed to print it.
+/// A figure of [optimize] with the data to print it.
 struct ShapeFigureSpec {
   std::string name;    ///< name in the spec: "motor heating"
   std::string unit;    ///< unit of the number that is printed
@@ -75,7 +75,7 @@ struct ShapeFigureSpec {
 double shown(const ShapeFigureSpec& figure, double value, double length);
 double computed(const ShapeFigureSpec& figure, double shown);
 
-/// The shapes that a cam spec leaves open, and what is wanted of them.
+/// The free shapes of a cam spec, and the objectives for them.
 struct ShapeSpec {
   std::vector<FreeShape> shapes = {};
   std::optional<LoadSpec> load = {};

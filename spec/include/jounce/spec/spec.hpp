@@ -32,12 +32,12 @@ namespace jounce {
 
 /// Conversion of a curve to a table: the rule, and either a tolerance or a number of equal intervals.
 struct TableOptions {
-  /// Left out: quintic_hermite, but cubic_hermite for a motion whose acceleration steps, and for a
+  /// Omitted: quintic_hermite, but cubic_hermite for a motion whose acceleration steps, and for a
   /// spec of knots.
   std::optional<Interpolation> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
   std::optional<std::size_t> intervals;  ///< equal ones, instead of a tolerance
-  /// knots = "fewest": what else is asked of them; rule and tolerance are those above.
+  /// knots = "fewest": further requirements; rule and tolerance are those above.
   std::optional<Target> target = {};
 };
 
@@ -45,12 +45,12 @@ struct TableOptions {
 struct MasterSpec {
   double velocity = 0;                 ///< master unit / time unit
   double distance = 0;                 ///< master unit
-  std::optional<double> acceleration;  ///< left out: the (virtual) master starts at full speed
+  std::optional<double> acceleration;  ///< omitted: the (virtual) master starts at full speed
 };
 
-/// Rule for derivatives that the knots of a cam leave out.
+/// Rule for derivatives that the knots of a cam omit.
 enum class Boundaries {
-  rest,                       ///< zero, where nothing beside them demands otherwise
+  rest,                       ///< zero, unless a neighbour requires another value
   minimum_jerk,               ///< least rms geo_jerk: jounce/cam/design/boundaries.hpp
   minimum_peak_acceleration,  ///< least peak geo_acceleration: jounce/optimize/least_peak.hpp
 };
@@ -99,7 +99,8 @@ struct DiscPart {
 
 /// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
 struct AxisSpec {
-  /// [homing], as jounce/axis/axis_config.hpp: u and the spec's time; velocities and acceleration 0: left out.
+  /// [homing], as jounce/axis/axis_config.hpp: u and the spec's time; velocities and acceleration
+  /// 0: omitted.
   struct Homing {
     int method = 37;
     double search_velocity = 0;
@@ -129,10 +130,10 @@ struct AxisSpec {
   std::optional<FollowWhom> follow = {};  ///< its live master
 };
 
-/// A drive alone: for `jounce identify`, and what a cam is optimised against.
+/// A drive alone: for `jounce identify`, and as the drive for optimising a cam.
 struct DriveAlone {};
 
-/// One axis of a spec: what belongs to it alone. A spec of one axis has one, without a name.
+/// One axis of a spec: the data of this axis. A spec of one axis has one, without a name.
 struct AxisPart {
   std::string name;
   Units units;
@@ -149,7 +150,7 @@ struct CompareSpec {
   CompareDevice device;  ///< in the spec's unit of time
 };
 
-/// A whole spec file: what to make, for which axis, within which limits.
+/// A complete spec file: the motion, its axes and its limits.
 struct Spec {
   static constexpr int version = 1;  ///< the `jounce = 1` of the file
 
@@ -161,7 +162,7 @@ struct Spec {
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
                AxisSpec, DriveAlone>
       subject;
-  std::vector<Operator> then;  ///< done to the motion, one after another
+  std::vector<Operator> then;  ///< operators on the motion, one after another
   std::vector<AxisPart> axes;  ///< axes of kinds "axes" and "path"; empty for the others
   Boundaries boundaries = Boundaries::rest;  ///< boundaries of a cam
   TableOptions table;
@@ -171,7 +172,7 @@ struct Spec {
   std::optional<CouplingSpec>
       coupling;  ///< coupling of a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;
-  std::optional<ParametersSpec> parameters;  ///< that `jounce optimize` chooses
+  std::optional<ParametersSpec> parameters;  ///< chosen by `jounce optimize`
   std::optional<DriveSpec> drive;
   std::optional<DiscPart> disc;  ///< disc of a cam
   std::optional<Mode>
@@ -180,7 +181,7 @@ struct Spec {
   AxisSwitches switches;                      ///< switches of kinds "axis" and "cam"
   std::optional<CompareSpec> compare;         ///< compare of a motion over time
   bool himc = false;                          ///< himc of kind "pvt": for HIMC's MovePVT
-  Report fill;  ///< fill of kind "pvt": what filling in its velocities could not do
+  Report fill;  ///< fill of kind "pvt": the findings of filling in its velocities
 
   // Defined in spec.cpp: inline, they take seconds to compile in each file that copies a spec.
   Spec();
@@ -193,7 +194,7 @@ struct Spec {
   /// The axes: those of kinds "axes" and "path", or the one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  /// True if it makes a cam, designed by its knots or for a slave in step, rather than a motion.
+  /// True if it describes a cam, given by knots or by a synchronous slave, rather than a motion.
   [[nodiscard]] bool over_master() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
   }
@@ -203,10 +204,10 @@ struct Spec {
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
 /// rule: syntax, unknown keys (with the nearest known one), a missing key, a wrong type, unit or
-/// version, a number that is not finite, a choice that does not exist.
+/// version, a number that is not finite, an unknown choice.
 Spec read_spec(const std::string& path);
 
-/// The same from text; `name` stands for the file in messages.
+/// The same from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
 
 }  // namespace jounce

@@ -14,34 +14,34 @@
 #include "jounce/gear/rotary_knife.hpp"
 #include "jounce/gear/sync_cam.hpp"
 
-/// Specs of slaves that work with their master: one struct a kind, each with what its
-/// generator in `gear/` takes. Numbers are in the spec's units.
+/// Specs of synchronous slaves: one struct for each kind, with the parameters of its generator in
+/// `gear/`. Numbers are in the spec's units.
 namespace jounce {
 
 /// kind = "gear": slave = master * numerator / denominator, without drift.
 struct GearSpec {
   std::int64_t numerator = 1;
   std::int64_t denominator = 1;
-  double master_period = 1;  ///< m: of the table, which goes on from where it ends
+  double master_period = 1;  ///< m: period of the table, which continues from its end
 };
 
 /// kind = "gear", engage = "position": MC_GearInPos. With engage = "distance" it is a GearCourse.
 struct GearInPosPart {
   GearInPosSpec gear;
-  double master_start = 0, master_end = 0;  ///< m: as far as the cam goes
+  double master_start = 0, master_end = 0;  ///< m: extent of the cam
 };
 
-/// kind = "follow": tables as a controller takes them, or what they are to do.
+/// kind = "follow": tables as a controller takes them, or their intended motion.
 struct FollowPart {
   std::variant<FollowSpec, FollowPlan> slave;
   FollowStart start = {};
 };
 
-/// Kinds "knife", "shear" and "indexer" are what their generators take.
+/// Kinds "knife", "shear" and "indexer" are the parameters of their generators.
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
                               FlyingShear, Indexer>;
 
-/// m after which it repeats; nothing where it runs once.
+/// m after which it repeats; nothing if it runs once.
 std::optional<double> master_period(const SyncSpec& spec);
 
 }  // namespace jounce

@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// Random numbers without a state: a number depends only on its address, not on those drawn
-/// before and by whom.
+/// Random numbers without a state: a number depends only on its address, not on earlier numbers or
+/// on the caller.
 ///
 ///     const Draw d{.seed = 1, .stream = stream_of("drive.load_inertia"), .sample = 17};
 ///     uniform(d);                                                      // (0, 1)
@@ -22,7 +22,7 @@ struct Draw {
   std::uint64_t sample = 0;
 };
 
-/// One stream a name: a further parameter does not change what the others draw.
+/// One stream for each name: an additional parameter does not change the numbers of the others.
 std::uint64_t stream_of(std::string_view name);
 
 /// In (0, 1), ends excluded.

@@ -12,15 +12,16 @@ namespace jounce {
 ///     for (const std::string& line : journal.lines()) ...      // of a run before, if any
 ///     journal.append("17 0 3.5");
 ///
-/// The first line of the file is its heading. Each line goes to the system in one piece, so
-/// that a killed process loses none that append() returned from; a machine without power may lose the
-/// last ones. Lines that do not match their checksum are left out, a torn last one is cut off.
+/// The first line of the file is its heading. Each line goes to the system in one piece, so a
+/// killed process loses no line for which append() has returned; a power failure may lose the last
+/// ones. Lines that do not match their checksum are skipped, an incomplete last line is removed.
 ///
-/// Throws InputError (the file as document) for a file that is no journal or one of something else,
-/// and where another process has it open; std::system_error where the machine refuses.
+/// Throws InputError (the file as document) for a file that is not a journal, or a journal with
+/// another identity, and if another process has it open; std::system_error if the system reports an
+/// error.
 class Journal {
  public:
-  /// Opens or makes the file. `identity`: one word; a journal of another is refused.
+  /// Opens or creates the file. `identity`: one word; a journal with another one is refused.
   Journal(const std::string& path, const std::string& identity);
   ~Journal();
   Journal(const Journal&) = delete;

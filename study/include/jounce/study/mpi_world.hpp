@@ -11,22 +11,22 @@ struct MpiCalls;
 
 namespace jounce {
 
-/// True if mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and as
-/// which of how many: from the environment, without MPI.
+/// True if mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and the
+/// rank and the number of processes: from the environment, without MPI.
 struct MpiPlace {
   bool started = false;
   int rank = 0;
 };
 MpiPlace mpi_place();
 
-/// The processes that mpirun has started, while it lives.
+/// The processes that mpirun has started, during the lifetime of this object.
 ///
 ///     MpiWorld world;
 ///     SweepResult result = run_sweep(spec, {.farm = world.farm(hex(spec.identity()))});
 ///     if (world.rank() != 0) return;               // only the first has all rows
 ///
-/// MPI is loaded from the module jounce_mpi.so, which stands beside the program, or in
-/// ../lib/jounce beside its folder. Throws InputError where there is none: a build without MPI.
+/// MPI is loaded from the module jounce_mpi.so, which is beside the program, or in ../lib/jounce
+/// beside its folder. Throws InputError if there is none: a build without MPI.
 class MpiWorld {
  public:
   MpiWorld();
@@ -37,10 +37,10 @@ class MpiWorld {
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// Rank 0 distributes cases, more at once the cheaper they are (at most 20 ms of work), and collects the
-  /// lines; one thread of it makes cases, too. The other ranks only make cases. Rank 0 throws InputError
-  /// if the `identity` of a rank differs from its own: that rank reads other files. A world of one works on
-  /// its own threads.
+  /// Rank 0 distributes cases in batches of at most 20 ms of work, and collects the lines; one of
+  /// its threads makes cases, too. The other ranks only make cases. Rank 0 throws InputError if the
+  /// `identity` of a rank differs from its own: that rank reads other files. A world of one process
+  /// works on its own threads.
   [[nodiscard]] Farm farm(std::string identity) const;
 
   /// Ends all processes at once.

@@ -11,8 +11,8 @@
 
 namespace jounce {
 
-/// A spec whose numbers can be changed by the name of their place, in its text: comments, order and
-/// layout stay, so that what was chosen can be written back and shows as a small diff.
+/// A spec whose numbers can be changed by key, in its text: comments, order and layout stay, so the
+/// chosen numbers can be written back and give a small diff.
 ///
 ///     const SpecNumbers cam(read_spec("cam.toml").document);
 ///     cam.value("segment[2].end.master");                                  // 120
@@ -20,18 +20,18 @@ namespace jounce {
 ///     const Spec other = cam.spec(later);
 ///
 /// Keys are those of the file, entries of arrays counted from 1, as in error messages:
-/// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". A number that the file
-/// leaves out, and a value that is not a number, cannot be changed: InputError with key and rule.
-/// Nothing is changed after construction: any number of threads may ask at once.
+/// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". A number that the
+/// file omits, and a value that is not a number, cannot be changed: InputError with key and rule.
+/// The object does not change after construction: any number of threads may use it at once.
 class SpecNumbers {
  public:
-  /// For the document name and text count. Throws InputError where that is not TOML; whether it is a
-  /// spec shows when one is made of it.
+  /// Uses only the name and the text of the document. Throws InputError if that is not TOML; spec()
+  /// checks that it is a spec.
   explicit SpecNumbers(Document document);
 
   struct Change {
     std::string key;
-    double value = 0;  ///< finite, counted in what the file counts it in there ("12.5 mm/s": mm/s)
+    double value = 0;  ///< finite, in the unit of the file at that place ("12.5 mm/s": mm/s)
   };
 
   [[nodiscard]] double value(const std::string& key) const;

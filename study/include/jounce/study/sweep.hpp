@@ -14,23 +14,22 @@ namespace jounce {
 /// Result of a case.
 enum class Verdict {
   within,      ///< all limits of the spec and of the sweep
-  broken,      ///< a limit; the figures are there
+  broken,      ///< a limit is broken; the figures exist
   impossible,  ///< nothing can be made of these numbers; no figures
 };
 
 struct SweepRow {
   std::size_t number = 0;       ///< number of the case, from 0
-  std::vector<double> figures;  ///< in the order of SweepSpec::given; NaN where impossible
+  std::vector<double> figures;  ///< in the order of SweepSpec::given; NaN if impossible
   Verdict verdict = Verdict::impossible;
-  std::string why = {};  ///< unless within: the worst limit, or why nothing could be made
+  std::string why = {};  ///< unless within: the worst limit, or why the case is impossible
 };
 
-/// Makes one case and looks at it. Invalid numbers are a result, not an exception.
-/// Threads may call it at once.
+/// Makes and assesses one case. Invalid numbers are a result, not an exception. Thread-safe.
 SweepRow evaluated(const SweepSpec& spec, std::size_t number);
 
-/// A row as one line of text and back, every number in full: what journals and messages are made of.
-/// Nothing for a text that is no row of this sweep.
+/// A row as one line of text and back, every number in full, for journals and messages. Nothing for
+/// a text that is not a row of this sweep.
 std::string line_of(const SweepRow& row);
 std::optional<SweepRow> row_of(const std::string& line, const SweepSpec& spec);
 
@@ -50,14 +49,14 @@ Farm on_threads(unsigned jobs = 0);
 
 struct SweepOptions {
   Farm farm = on_threads();
-  std::string journal = {};  ///< a file to go on from, and to keep for that; "": none
-  /// After each case: how many are done, of all; false stops. May be left out.
+  std::string journal = {};  ///< the file to resume from and to keep up to date; "": none
+  /// Called after each case with the number done and the total; false stops. Optional.
   std::function<bool(std::size_t done, std::size_t cases)> keep_going = {};
 };
 
 struct SweepResult {
   std::vector<SweepRow> rows;  ///< by number; all of them unless stopped
-  std::size_t resumed = 0;     ///< that the journal had
+  std::size_t resumed = 0;     ///< number of rows from the journal
   std::size_t evaluated = 0;
   bool complete = false;
 };
@@ -66,11 +65,11 @@ struct SweepResult {
 ///
 ///     const SweepSpec spec = read_sweep("sweep.toml");
 ///     const SweepResult result = run_sweep(spec, {.journal = "results.csv.journal"});
-///     if (!result.complete) ...                                // stopped: the same call goes on
+///     if (!result.complete) ...                                // stopped: the same call resumes
 ///
-/// **The journal** has a line for each case as soon as it is made, so that a killed run goes on where
-/// it was: what is in it is not made again. A last line that was torn is made again. Throws InputError
-/// for a journal of another sweep, spec or program, and while another process works on it.
+/// **The journal** gets a line for each case as soon as it is made, so a killed run resumes: the
+/// cases in it are not made again. The case of an incomplete last line is. Throws InputError for a
+/// journal of another sweep, spec or program, and while another process works on it.
 SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options = {});
 
 }  // namespace jounce

@@ -8,13 +8,14 @@
 namespace jounce {
 
 /// A complete sweep as CSV: a head of comments (# key: value), a line of column names with their
-/// units, then a row per case: its number from 1, the parameters, the figures, the verdict and why.
-/// Figures of an impossible case are empty. Text in the last column is quoted where it needs to be.
+/// units, then a row for each case: its number from 1, the parameters, the figures, the verdict and
+/// its reason. Figures of an impossible case are empty. Text in the last column is quoted if
+/// necessary.
 std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 
-/// The same as a NumPy file (format 1.0, 2.0 or 3.0): one structured array, a field a column, by the
-/// names without units: numpy.load(file)["peak torque"]. "case" and "verdict" (0 within the limits,
-/// 1 broken, 2 impossible) are little-endian int64, all others float64; NaN where impossible.
+/// The same as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a field for each
+/// column, named without units: numpy.load(file)["peak torque"]. "case" and "verdict" (0 within the
+/// limits, 1 broken, 2 impossible) are little-endian int64, all others float64; NaN if impossible.
 std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 
 }  // namespace jounce

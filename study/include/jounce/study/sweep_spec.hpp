@@ -14,7 +14,7 @@
 
 namespace jounce {
 
-/// Every one of these: a list, or a grid of equal steps.
+/// All of these values: a list, or a grid of equal steps.
 struct Values {
   std::vector<double> all;
 };
@@ -29,7 +29,7 @@ struct NormalSpread {
   double sigma = 0;
 };
 
-/// A number of the spec that takes several values, counted in what the spec counts it in there.
+/// A number of the spec that takes several values, in the unit of the spec at that place.
 struct SweepParameter {
   std::string key;   ///< key in SpecNumbers
   std::string unit;  ///< unit in the spec; "" if there is none
@@ -49,13 +49,13 @@ struct SweepLimit {
   double at_most = 0;
 };
 
-/// A sweep file: which numbers of which spec take which values, and what is looked at.
+/// A sweep file: the numbers of a spec that vary, their values, and the figures of interest.
 ///
 ///     jounce = 1
 ///     kind = "sweep"
 ///     spec = "cam.toml"                       # beside this file
-///     figures = ["peak torque", "residual"]   # left out: all that the spec has
-///     optima = true                           # each case is what `jounce optimize` makes of it
+///     figures = ["peak torque", "residual"]   # omitted: all that the spec has
+///     optima = true                           # each case is optimised first, as by `jounce optimize`
 ///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]
 ///     [[parameter]]
 ///     key = "segment[1].end.master"
@@ -65,14 +65,15 @@ struct SweepLimit {
 ///     tolerance = "10 %"                      # or uniform = { from, to }, normal = { mean, sigma }
 ///     [monte_carlo]
 ///     samples = 1000
-///     design = "sobol"                        # or "latin_hypercube"; left out: "random"
+///     design = "sobol"                        # or "latin_hypercube"; omitted: "random"
 ///     [limits]
-///     "peak torque" = 2.5                     # beside those of the spec
+///     "peak torque" = 2.5                     # in addition to those of the spec
 ///
-/// **Cases**: every combination of the listed values, each with all samples; numbered from 0, the last
-/// listed parameter runs fastest except for the samples, which run faster still. The numbers of a case
-/// depend on the seed, the key and the number of the sample alone: each combination meets the same
-/// samples, so that they can be compared. `tolerance` is uniform about the number in the spec, a share of it.
+/// **Cases**: every combination of the listed values, each with all samples, numbered from 0. The
+/// samples change fastest, then the last listed parameter. The numbers of a case depend only on the
+/// seed, the key and the number of the sample: each combination gets the same samples, so
+/// combinations can be compared. `tolerance` is a share of the number in the spec: uniform about
+/// it.
 struct SweepSpec {
   static constexpr std::size_t most_cases = 10'000'000;
 
@@ -80,13 +81,13 @@ struct SweepSpec {
   std::string name;
   SpecNumbers base;  ///< the spec as given
   std::vector<SweepParameter> parameters;
-  std::size_t samples = 1;  ///< 1 where nothing is random
+  std::size_t samples = 1;  ///< 1 if nothing is random
   std::uint64_t seed = 1;
   SampleDesign design = {};
   bool optima =
       false;  ///< each case is optimized by the [optimize] of the spec, before its figures are computed
   std::size_t chosen =
-      0;  ///< count of the last figures in `given` that each case chooses itself, with `optima`
+      0;  ///< number of figures with `optima`, last in `given`, that each case chooses itself
   std::vector<KeyFigure> given;  ///< the figures of interest, of the spec as given
   bool given_ok = false;         ///< true if it is within all limits
   std::vector<SweepObjective> objectives;
@@ -98,17 +99,18 @@ struct SweepSpec {
   [[nodiscard]] std::size_t cases() const;
   /// The numbers of a case, in the order of the parameters.
   [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
-  /// SHA-256 of all that the results depend on: both texts, what the spec as given makes (so also of
-  /// files that it names), and this program.
+  /// SHA-256 of everything on which the results depend: both texts, the result of the spec as given
+  /// (so also the files that it names), and this program.
   [[nodiscard]] Sha256 identity() const;
 
  private:
-  /// Value of a random parameter in a sample, the `which`-th of these.
+  /// Value of the random parameter number `which` in a sample.
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 
-/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws InputError as
-/// read_spec() does, for a spec that makes nothing, and for a key, figure or unit that it does not have.
+/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws
+/// InputError like read_spec(), for a spec that is impossible, and for a key, figure or unit that
+/// it does not have.
 SweepSpec read_sweep(const std::string& path);
 
 }  // namespace jounce

@@ -40,7 +40,8 @@ struct SweepSummary {
   std::size_t broken = 0;
   std::size_t impossible = 0;
   std::vector<FigureSpread> figures;  ///< empty if no case is possible
-  std::optional<Share> yield = {};    ///< yield of all samples within limits, where they are random
+  std::optional<Share> yield =
+      {};  ///< yield: share of the samples within limits, if they are random
   std::optional<std::size_t> worst = {};  ///< index of the possible row with the smallest margin
   std::vector<std::size_t> front;         ///< Pareto, among rows within limits: indices, along the
                                           ///< first objective; empty without objectives
@@ -48,7 +49,7 @@ struct SweepSummary {
 
 SweepSummary summary_of(const SweepSpec& spec, const SweepResult& result);
 
-/// For people, and in full for machines.
+/// Text for people; the JSON is complete, for programs.
 std::string summary_text(const SweepSpec& spec, const SweepResult& result,
                          const SweepSummary& summary);
 std::string summary_json(const SweepSpec& spec, const SweepResult& result,
@@ -56,7 +57,7 @@ std::string summary_json(const SweepSpec& spec, const SweepResult& result,
 
 /// "drive.load_inertia = 1e-05 kg m^2, master.velocity = 200"
 std::string numbers_text(const SweepSpec& spec, std::size_t number);
-/// The listed values alone: what the samples of a combination have in common.
+/// Only the listed values, which the samples of a combination have in common.
 std::string listed_text(const SweepSpec& spec, std::size_t number);
 
 /// The column of a figure, by name; the objectives and limits of a sweep are all among them.

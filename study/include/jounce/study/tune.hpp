@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// A number that was chosen, counted as the file counts it.
+/// A number that was chosen, in the unit of the file.
 struct TunedNumber {
   std::string key;
   std::string unit;  ///< "1" for a pure number
@@ -23,7 +23,7 @@ struct TunedNumber {
 struct TunedFigure {
   std::string name;
   std::string unit;
-  std::optional<double> given = {};  ///< none: the spec as given cannot be made
+  std::optional<double> given = {};  ///< none: the spec as given is impossible
   double reached = 0;
   std::optional<double> at_least = {};
   std::optional<double> at_most = {};
@@ -33,10 +33,10 @@ struct TuneOutcome {
   SearchOutcome search;
   std::vector<TunedNumber> numbers;  ///< in the order of the spec
   std::vector<TunedFigure>
-      figures;  ///< the objective, then what is required; empty: nothing can be made
+      figures;  ///< the objective, then the required figures; empty: no choice is possible
   std::vector<std::string> active;  ///< active limits, or missed ones: sentences
   Report report;                    ///< report of the best: every limit that the spec states
-  std::string text;                 ///< the spec with the numbers of the best, nothing else touched
+  std::string text;                 ///< the spec with the numbers of the best, otherwise unchanged
 
   [[nodiscard]] bool usable() const { return search.usable(); }
 };
@@ -48,13 +48,14 @@ struct TuneOutcome {
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
 ///     if (best.usable()) write("faster.toml", best.text);
 ///
-/// **Rounding.** A few digits are enough for a machine: the numbers of the best are rounded as far as
-/// everything still holds and the figure loses no more than half the tolerance.
+/// **Rounding.** A few digits are enough for a machine: the numbers of the best are rounded as far
+/// as all limits still hold and the figure gets worse by no more than half the tolerance.
 ///
-/// Each rule of the report is a constraint of its own, a limit of a curve one for each bound and segment.
-/// Where the generator refuses a choice, its reason is kept: it limits the best choice beside it. Throws
-/// InputError, placed in the document, where the spec has no [[optimize.parameter]], for a figure that it
-/// does not have, for a bound that is no quantity of the figure's unit, for a number outside its range.
+/// Each rule of the report is a separate constraint; a limit of a curve is one for each bound and
+/// segment. If the generator refuses a choice, its reason is kept: it limits the best choice near
+/// it. Throws InputError, placed in the document, if the spec has no [[optimize.parameter]], for a
+/// figure that it does not have, for a bound without the figure's unit, and for a number outside
+/// its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -31,7 +31,7 @@ struct Motor {
   double torque_limit = 0;     ///< peak, N m, > 0
   double rated_torque = 0;     ///< * N m, continuous torque
   double rated_velocity = 0;   ///< * rad/s, up to which it has its peak torque
-  double max_velocity = 0;     ///< * rad/s, where none of it is left: a straight line between
+  double max_velocity = 0;     ///< * rad/s, at which the torque is 0: a straight line between
   double torque_constant = 0;  ///< * N m/A
   double resistance = 0;       ///< * ohm: copper loss = resistance times current squared
   double thermal_time = 0;     ///< * s, of the winding: I2t
@@ -77,10 +77,10 @@ struct Controller {
   double encoder_counts = 0;         ///< per revolution of the motor, >= 0; 0: exact
 };
 
-/// A servo axis: a motor, the masses that it drives one behind another, and the controller.
-/// **Everything is seen at the motor's shaft**: what stands behind a gear of ratio i counts its
-/// inertia, stiffness and damping divided by i^2, its torques by i. The equations stand in
-/// docs/validate/drive.md and at the head of drive_model.cpp.
+/// A servo axis: a motor, a chain of masses that it drives, and the controller. **Every value
+/// refers to the motor's shaft**: behind a gear of ratio i, divide inertia, stiffness and damping
+/// by i^2 and torques by i. The equations are in docs/validate/drive.md and at the head of
+/// drive_model.cpp.
 struct Drive {
   Motor motor = {};
   std::vector<Mass> train = {};  ///< empty: a rigid axis
@@ -96,7 +96,7 @@ enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
 struct DriveNumber {
   std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
   std::string unit;         ///< "kg m^2", "1": a pure number, "u/rev"
-  double* value = nullptr;  ///< within the drive asked, which must outlive this
+  double* value = nullptr;  ///< points into the drive, which must outlive this
   NumberRule rule = NumberRule::any;
 };
 
@@ -164,11 +164,10 @@ struct Peak {
 
 /// The torque stood at its limit over an interval of time, entered and left at these instants.
 struct Saturation {
-  double from = 0;  ///< s
-  double to = 0;    ///< s
-  int sign = 0;     ///< 1: at the upper limit, -1: at the lower
-  bool envelope =
-      false;  ///< the motor's speed left less than the peak torque, where it was entered
+  double from = 0;        ///< s
+  double to = 0;          ///< s
+  int sign = 0;           ///< 1: at the upper limit, -1: at the lower
+  bool envelope = false;  ///< at its start, the motor's speed permitted less than the peak torque
 };
 
 struct DriveSample {
@@ -185,14 +184,14 @@ struct DriveSample {
 struct DriveEnergy {
   double driving = 0;      ///< mechanical, out of the motor, >= 0
   double regenerated = 0;  ///< mechanical, back into the motor, >= 0
-  double copper = 0;       ///< lost in the winding, where its resistance is given
+  double copper = 0;       ///< lost in the winding, if its resistance is given
 };
 
 struct DriveResult {
   Integration integration;
   Peak torque;                     ///< N m
   double rms_torque = 0;           ///< N m, over the reference's duration (the standstill excluded)
-  Peak current;                    ///< A, where a torque_constant is given
+  Peak current;                    ///< A, if a torque_constant is given
   double rms_current = 0;          ///< A
   Peak velocity;                   ///< rad/s, of the motor
   Peak following_error;            ///< u, reference - motor
@@ -211,13 +210,14 @@ struct DriveResult {
   long impacts = 0;  ///< number of impacts on a flank of a joint with backlash
   std::vector<Saturation> saturation;
   std::vector<DriveSample> samples;
-  /// "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity", "drive/following_error",
-  /// "drive/end_following_error", "drive/sync_following_error", "drive/residual",
-  /// "drive/settling_time" against the limits given; "drive/i2t", "drive/rated_torque" (rms) and
-  /// "drive/max_velocity" where the motor has these; always "drive/saturation", broken where the
-  /// torque limit was reached at all; "drive/stability", broken, where the loop is unstable (loop.hpp);
-  /// "drive/exact" where there are samples and exact_opinion() returns a finding; and "drive/integration"
-  /// where the integration failed: then limits that were not exceeded by its end are no findings.
+  /// "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity",
+  /// "drive/following_error", "drive/end_following_error", "drive/sync_following_error",
+  /// "drive/residual", "drive/settling_time" against the limits given; "drive/i2t",
+  /// "drive/rated_torque" (rms) and "drive/max_velocity" if the motor has these; always
+  /// "drive/saturation", broken if the torque limit was reached at all; "drive/stability", broken,
+  /// if the loop is unstable (loop.hpp); "drive/exact" if there are samples and exact_opinion()
+  /// returns a finding; and "drive/integration" if the integration failed: limits not exceeded up
+  /// to then have no finding.
   Report report;
 };
 
@@ -228,34 +228,35 @@ struct DriveResult {
 ///     const DriveResult run = drive_through(table, drive, {.limits = {.following_error = 0.5}});
 ///     if (!run.report.ok()) ...
 ///
-/// The reference is what the executor will interpolate: a Table over time, a Trajectory, a Followed
-/// made from a table's curve. It begins with the axis at rest at the reference's first position, in
-/// equilibrium: shafts twisted by the loads that stand on them, their torque held by the integral
-/// part (without one by a position error), no load in the middle of a gap. A reference that starts
-/// or ends moving is met as the step of velocity that it is.
+/// The reference is the signal that the executor will interpolate: a Table over time, a Trajectory,
+/// a Followed made from a table's curve. The axis begins at rest at the reference's first position,
+/// in equilibrium: the constant loads twist the shafts, the integral part (without one, a position
+/// error) holds their torque, and no load is in the middle of a gap. A reference that starts or
+/// ends moving acts as a step of velocity.
 ///
 /// Saturation, backlash, dry friction and the power's direction through a gear are modes, switched
-/// by root finding; the run begins anew at each. The thermal share follows from the integral of T^2
-/// step by step, exact except for changes of T within a step much shorter than thermal_time.
+/// by root finding; the integration restarts at each switch. The thermal share follows from the
+/// integral of T^2 step by step, exact except for changes of T within a step much shorter than
+/// thermal_time.
 ///
 /// **Accuracy**: motor and load within 1e-9 of the stroke of the exact solution (pinned by tests
-/// against matrix exponentials; 2e-11 is usual, 1e-8 where a move is over before the loop can
-/// follow), rms torque within 1e-6 of itself. Peaks are taken
-/// from parabolas through the solver's own steps: within 1e-4 of themselves. Frequency: from the
-/// zeros of the load's velocity, as long as they stand out by 1 % of its peak.
+/// against matrix exponentials; 2e-11 is usual, 1e-8 if a move ends before the loop can follow),
+/// rms torque within 1e-6 of its value. Peaks come from parabolas through the solver's own steps,
+/// within 1e-4 of their value. The frequency comes from the zeros of the load's velocity, as long
+/// as it swings by at least 1 % of its peak.
 ///
-/// `periodic`: from the exact steady state on (exact_period()), a period is integrated all the same; the finding
-/// "drive/periodic" has the distance of its end from its start, as a share of stroke or peak torque, and is broken
-/// beyond a hundred tolerances. Where the torque meets its limit that is so: the state began from is that of a
-/// stronger motor.
+/// `periodic`: one period is integrated from the exact steady state (exact_period()); the finding
+/// "drive/periodic" has the distance of its end from its start, as a share of stroke or peak
+/// torque, and is broken beyond a hundred tolerances. It is broken if the torque reaches its limit,
+/// because the initial state is that of a stronger motor.
 ///
-/// Throws InputError for a drive, option or limit out of range, for a Table over master
-/// position, and, if periodic, as exact_period() does and for a signal without segments. An integration
-/// that fails is an outcome: see DriveResult::integration.
+/// Throws InputError for a drive, option or limit out of range, for a Table over master position,
+/// and, if periodic, for a signal without segments and like exact_period(). A failed integration is
+/// no exception: see DriveResult::integration.
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 
-/// A Cam is no motion over time: follow it with a master first (Followed).
+/// A Cam is not a motion over time: give it a master first (Followed).
 DriveResult drive_through(const Cam& reference, const Drive& drive,
                           const DriveOptions& options = {}) = delete;
 

@@ -9,42 +9,43 @@
 
 namespace jounce {
 
-/// A linear drive stepped in time with an axis's cycle: the result of drive_through() for
-/// a setpoint at a time, for an executor without the motion in advance.
+/// A linear drive stepped in time with an axis's cycle: the result of drive_through() for one
+/// setpoint at a time, for an executor that receives the motion step by step.
 ///
 ///     DriveStepper drive(servo_400w(), 0.001);
 ///     drive.rest(0);                                       // u, where it stands
 ///     const DriveSample now = drive.step({10e-6, 0.03, 60, 0});
 ///     now.motor;                                           // u, at the end of that period
 ///
-/// Between two setpoints the reference is the quintic that meets position, velocity and acceleration of
-/// both; a straight line where these do not go together, as at a corner. So after step(r(t_k)) the sample
-/// is the drive's state at t_k. For a motion with a continuous acceleration it agrees with drive_through()
-/// within 1e-7 of the stroke at a thousand setpoints (pinned by tests). Each step of the acceleration
-/// between two setpoints adds an error of the size of that step times period^2, which decays with the
-/// drive's own time constants.
+/// Between two setpoints the reference is the quintic with position, velocity and acceleration of
+/// both, or a straight line if these contradict each other, as at a corner. So after step(r(t_k))
+/// the sample is the drive's state at t_k. For a motion with a continuous acceleration it agrees
+/// with drive_through() within 1e-7 of the stroke at a thousand setpoints (pinned by tests). Each
+/// step of the acceleration between two setpoints adds an error of the size of that step times
+/// period^2, which decays with the drive's own time constants.
 ///
-/// The drive itself is solved by exponentials made by the constructor, exact except for rounding; where its torque
-/// meets the motor's limit, the instant is found within 1/256 of a period. A controller with a cycle is read, limited,
-/// rounded and delayed as it is in drive_through(); its cycle must divide the period. A controller without
-/// one and a delay: Pade's approximant, as there.
+/// The drive itself is solved by matrix exponentials from the constructor, exact except for
+/// rounding. The instant at which its torque reaches the motor's limit is found within 1/256 of a
+/// period. A controller with a cycle reads, limits, rounds and delays as in drive_through(); its
+/// cycle must divide the period. The delay of a controller without a cycle is a Pade approximant,
+/// as there.
 ///
 /// step() and rest() neither allocate nor throw. A step of servo_400w() takes about half a microsecond.
 class DriveStepper {
  public:
-  /// `period` > 0, s. Throws InputError as require_valid() does, for a drive that is not linear
-  /// (nonlinearity(); encoder counts and the motor's limits may be), and for a cycle that does not divide
-  /// the period.
+  /// `period` > 0, s. Throws InputError like require_valid(), for a drive that is not linear
+  /// (nonlinearity(); encoder counts and the motor's limits may be), and for a cycle that does not
+  /// divide the period.
   DriveStepper(const Drive& drive, double period);
   ~DriveStepper();
   DriveStepper(DriveStepper&&) noexcept;
   DriveStepper& operator=(DriveStepper&&) noexcept;
 
-  /// It stands at `position`, u, in equilibrium with what its controller makes of that.
+  /// Puts the drive at rest at `position`, u, in equilibrium with the output of its controller.
   void rest(double position) noexcept;
   /// The same place under another name: `by` u more than before.
   void rename(double by) noexcept;
-  /// The reference goes on to `to` (u, u/s, u/s^2) within so many periods, 1 to 1000.
+  /// The reference moves to `to` (u, u/s, u/s^2) within this number of periods, 1 to 1000.
   const DriveSample& step(const Jet& to, int periods = 1) noexcept;
 
   /// The last sample. Its time counts the periods since rest().

@@ -12,20 +12,21 @@
 
 namespace jounce {
 
-/// A cam follower that a spring holds down: the polydyne model. One mass stands for all that moves;
-/// between it and the cam lie the linkage's stiffness and damping, behind it the return spring.
+/// A cam follower that a spring holds down: the polydyne model. One mass represents all moving
+/// parts. Between it and the cam are the stiffness and the damping of the linkage, behind it the
+/// return spring.
 ///
 ///     cam y --> [linkage k_l, c_l] --> mass m, x <-- [return spring k_s, c_s, preload F_0]
 ///
-/// The linkage pushes and does not pull: where its force would be negative the follower leaves the cam
-/// and flies, until the tip meets the cam again. Equations at the head of follower.cpp.
+/// The linkage pushes and does not pull: when its force would be negative, the follower leaves the
+/// cam and flies until the tip meets the cam again. Equations: at the head of follower.cpp.
 struct SpringFollower {
   double mass = 0;               ///< kg, > 0, at the cam
   double linkage_stiffness = 0;  ///< k_l, N/m, > 0
   double linkage_damping = 0;    ///< c_l, N s/m, >= 0
   double spring_stiffness = 0;   ///< k_s, N/m, >= 0
   double spring_damping = 0;     ///< c_s, N s/m, >= 0: of the spring and of the guide, viscous
-  double preload = 0;            ///< F_0, N, >= 0, of the spring where the signal is 0
+  double preload = 0;            ///< F_0, N, >= 0, of the spring at signal 0
   double metres_per_unit = 1;    ///< > 0: of the signal's position unit
 };
 
@@ -35,7 +36,7 @@ void require_valid(const SpringFollower& follower);
 
 /// Limits of the follower; an omitted value is not limited.
 struct FollowerLimits {
-  std::optional<double> least_force = {};     ///< N, >= 0, of the contact; left out: 0
+  std::optional<double> least_force = {};     ///< N, >= 0, of the contact; omitted: 0
   std::optional<double> greatest_force = {};  ///< N, > 0, of the contact
   std::optional<double> impact_speed = {};    ///< m/s, > 0, when it lands
   std::optional<double> residual = {};        ///< u, > 0
@@ -72,9 +73,9 @@ struct FollowerResult {
   Peak residual;        ///< u, of the mass about its place of rest, after the signal's end
   std::vector<Flight> flights;
   std::vector<FollowerSample> samples;
-  /// Always "follower/contact", the least force against its limit, broken where contact was lost;
+  /// Always "follower/contact", the least force against its limit, broken if contact was lost;
   /// "follower/force", "follower/impact", "follower/residual" against the limits given; and
-  /// "follower/integration" where the integration did not end well.
+  /// "follower/integration" if the integration failed.
   Report report;
 };
 
@@ -97,7 +98,7 @@ struct FollowerResult {
 FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {});
 
-/// A Cam is no motion over time: follow it with a master first (Followed).
+/// A Cam is not a motion over time: give it a master first (Followed).
 FollowerResult follow(const Cam& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {}) = delete;
 

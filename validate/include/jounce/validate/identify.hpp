@@ -114,9 +114,9 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 ///     Identification found = identify(run, commanded_motion(run), {servo_400w(), {"mass[1].inertia"}});
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
-/// **The controller stays as it was.** Numbers of the machine change, what the controller puts out
-/// does not: where inertia is fitted, torque_feed_forward of the result is such that the torque fed
-/// forward is that of the start. A friction_feed_forward is refused beside fitted friction.
+/// **The controller stays as it was.** The numbers of the machine change, the output of the
+/// controller does not: if inertia is fitted, torque_feed_forward of the result gives the same
+/// feed-forward torque as the start. A friction_feed_forward is refused beside fitted friction.
 ///
 /// **Positive numbers.** Fitted is the logarithm, so that none can change its sign: the start must be
 /// greater than 0 (NumberRule::any: not 0), of the right order of magnitude.
@@ -124,9 +124,9 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// **Weights.** Each quantity counts by the standard deviation of its own noise, estimated from its
 /// residuals and improved until it does not change.
 ///
-/// The axis is at rest at the start of `reference`, which is over the same time as the recording.
-/// Throws InputError for an unknown key (with those there are), a number that cannot be fitted, a
-/// recording out of shape, and as require_valid(Drive) does.
+/// The axis is at rest at the start of `reference`, which has the time axis of the recording.
+/// Throws InputError for an unknown key (the message lists the valid ones), a number that cannot be
+/// fitted, a malformed recording, and like require_valid(Drive).
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going = {});
 

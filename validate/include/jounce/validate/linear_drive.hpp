@@ -19,40 +19,40 @@ namespace jounce {
 /// as if it had none, which holds as long as its torque stays within them.
 std::optional<std::string> nonlinearity(const Drive& drive);
 
-/// One way in which an axis swings, or creeps, by itself, its loops closed.
+/// A mode of the closed loop: one way in which the axis swings or creeps freely.
 struct DriveMode {
   double frequency = 0;  ///< Hz, as counted (damped); 0: it creeps
-  double damping = 0;    ///< ratio to the critical one; 1 where it creeps; negative: it grows
+  double damping = 0;    ///< ratio to the critical one; 1 if it creeps; negative: it grows
   double rate = 0;       ///< 1/s, of the decay
   /// Amplitude about its position at the end of the reference, in u at the load: the envelope at
-  /// that instant. NaN where two modes are too similar to be separated.
+  /// that instant. NaN if two modes are too similar to be separated.
   double residual = 0;
 };
 
 /// Exact response of a linear drive to a reference.
 struct ExactRun {
-  std::vector<DriveSample> samples;  ///< at the times asked for
+  std::vector<DriveSample> samples;  ///< at the requested times
   double rms_torque = 0;             ///< N m, over the reference's duration
   double end_following_error = 0;    ///< u, at the reference's end
 };
 
-/// Solves a linear drive along a reference, from rest at its start, as drive_through() does, but
+/// Solves a linear drive along a reference, from rest at its start, like drive_through() but
 /// without an integrator:
 ///
 ///     const std::vector<double> times = every_millisecond(table);
 ///     const ExactRun run = exact_run(table, servo_400w(), times);
 ///     run.samples[250].torque;                                     // N m, at times[250]
 ///
-/// Segments of a curve, polynomials and sines, are outputs of linear systems themselves; the drive and
-/// its reference together are z' = M z, solved by exponentials of M (equations at the head of
-/// ladder.cpp). A controller with a cycle is solved cycle by cycle, its delay whole or not.
-/// No step, no tolerance: the error is rounding, within 1e-11 of the stroke and of the peak torque,
+/// Segments of a curve, polynomials and sines, are outputs of linear systems themselves; the drive
+/// and its reference together are z' = M z, solved by exponentials of M (equations at the head of
+/// ladder.cpp). A controller with a cycle is solved cycle by cycle, its delay whole or not. No
+/// step, no tolerance: the error is rounding, within 1e-11 of the stroke and of the peak torque,
 /// 1e-10 with a cycle, as the controller differentiates the angle's last digit (pinned by tests
-/// against 30 digits). A second of motion with a thousand outputs takes some 40 us.
+/// against 30 digits). One second of motion with a thousand outputs takes about 40 us.
 ///
 /// Times ascend, in s on the reference's axis, none before its start; after its end the reference
-/// holds. Throws InputError where require_valid() does, for a drive that is not linear, for times that
-/// do not ascend or begin too early, and for a Table over master position.
+/// holds. Throws InputError like require_valid(), for a drive that is not linear, for times that do
+/// not ascend or begin too early, and for a Table over master position.
 ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times);
 ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times);
 
@@ -62,30 +62,34 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 ///
 ///     const ExactRun turn = exact_period(period, drive, times);    // times within the period
 ///
-/// Exact as exact_run() is: the start is solved for, x(0) = (I - exp(A T))^-1 c, not waited for (periodic.cpp).
-/// The sample at the period's end is the limit from within. Throws InputError as exact_run(), for a
-/// controller with a cycle, for times after the period's end, and for loops that do not decay.
+/// Exact as exact_run() is: the start is solved for, x(0) = (I - exp(A T))^-1 c, not waited for
+/// (periodic.cpp). The sample at the period's end is the limit from within. Throws InputError like
+/// exact_run(), for a controller with a cycle, for times after the period's end, and for loops that
+/// do not decay.
 ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times);
 
-/// The run of drive_through() without an integrator, some ten times as fast: what a thousand cases of a
-/// linear drive are made of. Nothing where there is no such solution: for a drive that is not linear, a
-/// controller with a cycle, and where the torque asked for passes the motor's limit at any instant.
+/// The run of drive_through() without an integrator, about ten times as fast: used for the many
+/// cases of tolerances and sweeps. Returns nothing if there is no such solution: for a drive that
+/// is not linear, for a controller with a cycle, and if the requested torque exceeds the motor's
+/// limit at any instant.
 ///
 ///     if (const auto run = exact_through(move, drive, {.limits = limits})) use(run->torque);
 ///
-/// Everything in the result but `samples` is of the whole motion, not of instants: peaks, the zeros that settling
-/// time and frequency are made of, and where a limit is passed are isolated by bounds that hold everywhere
-/// (enclosure.cpp), peaks within 1e-11 of themselves; work and squared torque are integrals in closed form. Only
-/// `i2t` is as in drive_through(): of the mean of T^2 over a step. No step is chosen, so `tolerance` matters for
-/// the frequency alone, and `integration` counts intervals looked at. Agrees with drive_through() within 1e-8 of
-/// the figures that are no parabolas there (pinned by tests).
+/// Everything in the result except `samples` refers to the whole motion, not to instants. Peaks,
+/// the zeros for settling time and frequency, and crossings of a limit are isolated by bounds that
+/// hold everywhere (enclosure.cpp), peaks within 1e-11 of their value; work and squared torque are
+/// integrals in closed form. Only `i2t` is as in drive_through(): from the mean of T^2 over a step.
+/// There is no step size, so `tolerance` affects only the frequency, and `integration` counts the
+/// intervals examined. Agrees with drive_through() within 1e-8 in the figures that do not come from
+/// parabolas there (pinned by tests).
 ///
-/// Throws InputError where drive_through() does.
+/// Throws InputError like drive_through().
 std::optional<DriveResult> exact_through(const Trajectory& reference, const Drive& drive,
                                          const DriveOptions& options = {});
 
-/// All modes of a linear drive whose controller is continuous, fastest last, and what the reference
-/// leaves of each. Throws InputError as exact_run(), and for a controller with a cycle.
+/// All modes of a linear drive whose controller is continuous, fastest last, and the amplitude that
+/// the reference leaves in each. Throws InputError like exact_run(), and for a controller with a
+/// cycle.
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive);
 
 /// The modes alone, nothing left in them.

@@ -11,7 +11,7 @@ struct MachineSwitch {
   double position = 0;                                     ///< u, of the machine
   double width = std::numeric_limits<double>::infinity();  ///< u, > 0; infinite: to the end
   bool inverted = false;                                   ///< off there, and on everywhere else
-  double bounce = 0;  ///< s for which its contact bounces after each edge
+  double bounce = 0;  ///< s, time for which its contact bounces after each edge
 };
 
 /// The index of a simulated encoder: one pulse at `offset` and every `period` from there.
@@ -22,7 +22,7 @@ struct MachineIndex {
 
 /// The sensors of a simulated machine.
 struct MachineSensorsSpec {
-  double encoder_offset = 0;  ///< u: where the machine stands when its encoder counts 0
+  double encoder_offset = 0;  ///< u: position of the machine at encoder count 0
   std::optional<MachineSwitch> home = {};
   std::optional<MachineSwitch> negative = {};  ///< limit switches
   std::optional<MachineSwitch> positive = {};

@@ -20,8 +20,8 @@ std::optional<Trajectory> steady(const Followed& slave);
 
 }  // namespace detail
 
-/// Any signal seen through one type, so that what integrates it is compiled once. Made implicitly
-/// where a signal is passed; it refers to the signal and must not outlive it.
+/// A view of any signal through one type, so that the integrators are compiled once. A signal
+/// converts to it implicitly; it refers to the signal and must not outlive it.
 class SignalView {
  public:
   template <class S>

@@ -44,7 +44,7 @@ struct ToleranceSpec {
   std::uint64_t seed = 1;
 };
 
-/// One combination of the numbers and what a figure is there.
+/// One combination of the numbers, and the value of a figure for it.
 struct ToleranceCase {
   double value = 0;
   std::vector<std::pair<std::string, double>> numbers;
@@ -52,18 +52,18 @@ struct ToleranceCase {
 
 /// A figure of the run over all cases, as a magnitude.
 struct ToleranceSpread {
-  /// "torque", "rms_torque", "following_error", "residual"; "settling_time" where a settling_band is given
-  /// (what does not settle counts as the whole standstill, and as beyond the limit), "i2t" where the motor
-  /// has a thermal_time, "driving_energy".
+  /// "torque", "rms_torque", "following_error", "residual"; "settling_time" if a settling_band is
+  /// given (a case that does not settle counts as the whole standstill, and as over the limit),
+  /// "i2t" if the motor has a thermal_time, "driving_energy".
   std::string figure;
   std::string unit;    ///< "N m", "u": the reference's unit of position, "s", "1"
   double nominal = 0;  ///< value with the nominal numbers; NaN if that run failed
   double least = 0;
   double mean = 0;
-  double deviation = 0;    ///< standard, of the sample; of corners it is no statistic of machines
+  double deviation = 0;  ///< standard, of the sample; for corners it is not a statistic of machines
   double most_of_all = 0;  ///< the 99 % quantile of the cases
   ToleranceCase worst;     ///< the greatest
-  std::size_t beyond = 0;  ///< cases over the limit, where there is one
+  std::size_t beyond = 0;  ///< cases over the limit, if there is one
 };
 
 struct ToleranceResult {
@@ -73,9 +73,10 @@ struct ToleranceResult {
   std::size_t failed = 0;     ///< cases whose integration did not end well
   std::size_t unstable = 0;   ///< cases whose loop is unstable (loop.hpp)
   std::vector<ToleranceSpread> figures;
-  /// Findings in the unit of position leave theirs empty. "tolerance/torque", "tolerance/following_error",
-  /// ...: the worst case against the limits given; "tolerance/integration" where a case failed,
-  /// "tolerance/stability" where a case has an unstable loop.
+  /// Findings in the unit of position leave theirs empty. "tolerance/torque",
+  /// "tolerance/following_error", ...: the worst case against the limits given;
+  /// "tolerance/integration" if a case failed, "tolerance/stability" if a case has an unstable
+  /// loop.
   Report report;
 };
 
@@ -83,14 +84,15 @@ struct ToleranceResult {
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
-/// The run of drive_through() over all cases: what a machine does that is not quite the one on paper.
+/// The run of drive_through() over all cases: the behaviour of machines that differ from the
+/// nominal one.
 ///
-/// The result does not depend on `for_each` (left out: one after another), since every case has its
-/// place. Corners find the worst where a figure grows or falls with each number over its tolerance,
-/// which it usually does; a resonance met between the ends is Monte Carlo's to find.
+/// The result does not depend on `for_each` (omitted: one after another), because every case has
+/// its place. Corners find the worst case if a figure rises or falls monotonically with each
+/// number, as it usually does; Monte Carlo can find a resonance between the ends.
 ///
-/// Throws InputError as drive_through() does, for a key that numbers() does not have or that comes
-/// twice, and where a number at an end of its tolerance is one that the drive must not have.
+/// Throws InputError like drive_through(), for a key that is unknown to numbers() or occurs twice,
+/// and if a number at an end of its tolerance is not valid for the drive.
 ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,
                                 const ForEach& for_each = {});

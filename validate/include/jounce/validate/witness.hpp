@@ -9,9 +9,8 @@ namespace jounce {
 
 struct WitnessOptions {
   double limit = 1e-10;  ///< greatest relative disagreement, > 0
-  /// Take a step of velocity at a break as declared (a linear table, two lines that meet).
-  /// Otherwise it is what it is to a machine, an infinite acceleration, and breaks
-  /// witness/velocity.
+  /// Accept a step of velocity at a break as declared (a linear table, two lines that meet).
+  /// Otherwise it counts as an infinite acceleration, and witness/velocity is broken.
   bool velocity_steps = false;
   double tolerance =
       1e-15;  ///< tolerance of the integration of one interval, relative, in [1e-15, 1e-3]
@@ -33,8 +32,8 @@ struct Witness {
   Disagreement position;
   Disagreement velocity;
   Disagreement acceleration;
-  /// "witness/position", "witness/velocity", "witness/acceleration", and "witness/integration"
-  /// where the integration did not end well.
+  /// "witness/position", "witness/velocity", "witness/acceleration", and "witness/integration" if
+  /// the integration failed.
   Report report;
 };
 
@@ -44,18 +43,18 @@ struct Witness {
 ///     const Witness proof = witness(cam);      // a Trajectory, a Cam, a Followed, a Table, ...
 ///     if (!proof.report.ok()) ...
 ///
-/// Position, velocity and acceleration start from the signal's and are carried through the whole
-/// interval, never reset: what is wrong anywhere grows until the end. At a break the acceleration
-/// takes the step that the signal declares there, nothing else does. Compared are the left limits
-/// at every break and four places between two breaks.
+/// Position, velocity and acceleration start from those of the signal and are integrated through
+/// the whole interval without a reset: any error grows until the end. At a break only the
+/// acceleration takes the step that the signal declares. The comparison covers the left limits at
+/// every break and four places between two breaks.
 ///
 /// **What it proves**: that the four columns of the signal are derivatives of each other,
 /// everywhere and not only at knots. **It does not prove** that they are the intended motion.
 ///
 /// **Accuracy**: laws, S-curves and cams agree within 1e-12, a followed cam within 2e-11 (pinned by
-/// tests). The limit is raised to the rounding of the signal's own values and breaks where that has
-/// grown larger: over n cycles by about (2 pi n)^2 of a rounding. Cost: 20 to 100 steps an interval
-/// between breaks, some 2 us each.
+/// tests). The limit is raised to the rounding of the signal's own values and breaks if that is
+/// larger: over n cycles by about (2 pi n)^2 of a rounding. Cost: 20 to 100 steps for each interval
+/// between breaks, about 2 us each.
 ///
 /// Throws InputError for an option out of range. Does not throw for a signal that is not finite or
 /// an integration that fails: see Witness::integration.

@@ -37,7 +37,7 @@ struct Target {
 /// The time in which the acceleration builds up: 2^jerk samples, s; 0 for exponent 0.
 double jerk_time(int jerk);
 
-/// The position a Begin at `position` leads to.
+/// The target of a Begin at `position`.
 double resolved(const Target& target, double position);
 
 /// The same in common terms. A speed of 0 is refused: nothing would move.
@@ -54,8 +54,8 @@ Trajectory begin(const Trajectory& running, double t, const Target& target,
 /// Begin in MotionMode 0 (jog): to Speed, with its sign, and on.
 Profile jog(const MotionState& from, const Settings& settings);
 
-/// Stop: to rest with Decel. Speed is not used; an acceleration in force falls with the jerk of Accel,
-/// or, where that is 0, of Decel.
+/// Stop: to rest with Decel. Speed is not used; a present acceleration falls with the jerk of
+/// Accel, or of Decel if that is 0.
 Trajectory stop(const Trajectory& running, double t, const Settings& settings);
 
 /// MotionMode 2 (repetitive PTP): `strokes` >= 1 of them, between the start and the target, with
@@ -72,11 +72,11 @@ Settings quasi_sine(double amplitude, double frequency);
 struct SpeedChange {
   double position = 0;   ///< SpeedChgPos, user units
   double new_speed = 0;  ///< SpeedChgNew, user units/s, +-6e7
-  int direction = 0;     ///< SpeedChgDir: 1 upwards, -1 downwards, 0 whichever
+  int direction = 0;     ///< SpeedChgDir: 1 upwards, -1 downwards, 0 both
 };
 
-/// The move of `begin`, with the speed changed where it first crosses the position in that
-/// direction; unchanged where it does not.
+/// The move of `begin`, with the speed changed at its first crossing of the position in that
+/// direction; unchanged if it does not cross.
 Trajectory with_speed_change(const Trajectory& running, double target, const Settings& settings,
                              const SpeedChange& change);
 

@@ -16,9 +16,9 @@
 ///                                        .percent = 50});
 ///     const Trajectory later = move_absolute(fly.curve(), 300, {.pos = 80000, .vel = 50, .acc = 1});
 ///
-/// **Percent** (7.7.1): 100 * 2 ta / (2 ta + te), ta the time in which the acceleration rises (or
-/// falls), te the time for which it is constant; 0 is a trapezoid, 100 has no constant part. `acc`
-/// is the peak, so that a change of velocity dv takes T = dv / (acc (1 - percent/200)).
+/// **Percent** (7.7.1): 100 * 2 ta / (2 ta + te), where ta is the time in which the acceleration
+/// rises (or falls) and te the time for which it is constant; 0 is a trapezoid, 100 has no constant
+/// part. `acc` is the peak, so that a change of velocity dv takes T = dv / (acc (1 - percent/200)).
 ///
 /// **Throws** InputError for a value out of the manual's range.
 namespace jounce::googol {
@@ -58,12 +58,12 @@ struct JogVelocity {
   double vel = 0;   ///< pulse/ms, signed
 };
 
-/// To the velocity, and on. Out of an acceleration that is in force already, the jerk is what
-/// `smooth` gives for a ramp between rest and the greater of the two velocities.
+/// Accelerates to the velocity and keeps it. If the axis already accelerates, the jerk is that of
+/// `smooth` for a ramp between rest and the greater of the two velocities.
 Profile jog(const MotionState& from, double vel, const Jog& parameters);
 
 /// Several velocities one after another, from standstill at `from`; times ascend. Begins with the
-/// first and ends where the last velocity is reached.
+/// first and ends when the last velocity is reached.
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters);
 
 /// GT_MoveAbsolute. Manual 7.7, I-103.
@@ -79,8 +79,8 @@ struct MoveAbsolute {
 /// From standstill.
 Profile move_absolute(const MoveAbsolute& move);
 
-/// While moving: from the state at t; `from` is not used. The jerk is what `percent` gives for a
-/// ramp from rest to `vel`, for each half; see with_target.
+/// While moving: from the state at t; `from` is not used. The jerk of each half is that of
+/// `percent` for a ramp from rest to `vel`; see with_target.
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
 /// GT_MoveAbsoluteEx, from standstill. Manual 7.7, I-104.
@@ -97,9 +97,9 @@ struct MoveAbsoluteEx {
   int dec_end_percent = 0;    ///< decEndPercent: final deceleration in % of dec
 };
 
-/// The rising ramp leads from accStartPercent of acc to acc in the same ta, the last one from dec to
-/// decEndPercent of dec: `percent` keeps its meaning. Refused where the distance does not suffice to
-/// go from vel_start to vel_end.
+/// The rising ramp leads from accStartPercent of acc to acc in the same ta, the last one from dec
+/// to decEndPercent of dec: `percent` keeps its meaning. Refused if the distance is too short for
+/// the change from vel_start to vel_end.
 Profile move_absolute_ex(const MoveAbsoluteEx& move);
 
 /// MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION, MC_CURRENT_DIRECTION.
@@ -107,7 +107,7 @@ enum class Direction { positive, negative, current };
 
 /// GT_MoveVelocity. Manual 7.8, I-105.
 struct MoveVelocity {
-  double vel = 0;         ///< pulse/ms; a negative one turns the direction round
+  double vel = 0;         ///< pulse/ms; a negative one reverses the direction
   double acc = 0;         ///< pulse/ms^2, > 0, for speeding up
   double dec = 0;         ///< pulse/ms^2, for slowing down; 0: as acc
   double jerk_begin = 0;  ///< jerkBegin, pulse/ms^3, > 0: from no acceleration to the peak
@@ -115,7 +115,7 @@ struct MoveVelocity {
   Direction direction = Direction::positive;  ///< current, at standstill: positive
 };
 
-/// To the velocity, and on; from any state.
+/// Accelerates to the velocity and keeps it; from any state.
 Profile move_velocity(const MotionState& from, const MoveVelocity& move);
 Trajectory move_velocity(const Trajectory& running, double t, const MoveVelocity& move);
 

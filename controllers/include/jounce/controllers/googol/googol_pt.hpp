@@ -11,7 +11,7 @@
 ///     axis.pt_start(0, now);
 ///     every cycle: position = axis.at(t)[0];  and push more points
 ///
-/// Manual 7.4, I-113 to I-120, I-148, I-149; decided where it is silent in
+/// Manual 7.4, I-113 to I-120, I-148, I-149; gaps in the manual are decided in
 /// docs/decisions/0030-follow-tables.md.
 namespace jounce::googol {
 
@@ -22,7 +22,7 @@ enum class Refusal : std::uint8_t {
   wrong_mode,
   moving,
   not_moving,
-  in_use,  ///< the FIFO is played, or its stream is
+  in_use,  ///< the FIFO or its stream is being played
   full,
   empty,
   no_master,
@@ -30,7 +30,7 @@ enum class Refusal : std::uint8_t {
 
 /// 0 done, 1 conditions not met, 7 bad argument.
 int return_code(Refusal refusal);
-/// One sentence for people: what the reason is, and what to do.
+/// One sentence for people: the reason, and the remedy.
 const char* explain(Refusal refusal);
 
 enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };  ///< PT_MODE_STATIC, PT_MODE_DYNAMIC
@@ -40,8 +40,8 @@ constexpr bool is_fifo(int fifo) {
   return fifo == 0 || fifo == 1;
 }
 
-/// Pushes a point by its type: a NORMAL one is first, and begins at rest, in an empty table or
-/// stream. The second: why it was not taken, in the manual's words.
+/// Pushes a point by its type: in an empty table or stream the first one is NORMAL and begins at
+/// rest. The second: why the point was rejected, in the manual's words.
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
 Refusal refusal_of(RowRule rule);
 
@@ -65,11 +65,11 @@ class PtFifos {
   Refusal pt_data(const PtPoint& point, int fifo);
   /// GT_PtClear. wrong_mode, in_use (static: the FIFO that is played; dynamic: while moving)
   Refusal pt_clear(int fifo);
-  /// GT_PtStart at `time`, ms, from `position`. wrong_mode, moving, empty; bad_argument where
-  /// either is not finite
+  /// GT_PtStart at `time`, ms, from `position`. wrong_mode, moving, empty; bad_argument if either
+  /// is not finite
   Refusal pt_start(int fifo, double time, double position = 0);
 
-  /// Position, pulse, and its derivatives at time, ms, which does not fall.
+  /// Position, pulse, and its derivatives at `time`, ms, which must not decrease from call to call.
   Jet at(double time);
   /// cut_off: both ran empty at a velocity, or the table ended at one: the abnormal stop of 7.4.
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }

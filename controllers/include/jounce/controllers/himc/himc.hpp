@@ -15,9 +15,9 @@ namespace jounce::himc {
 ///     const Trajectory running = move.curve();
 ///     const Trajectory changed = himc::move_abs(running, 3, 500, axis);   // SetVel, MoveAbs in flight
 ///
-/// **Law** (5.1): jerk = acceleration / Ts, an acceleration phase lasts T = Ta + Ts, where Ta is
-/// the trapezoid's time; Ts = 0 gives the trapezoid. A ramp too short to reach the acceleration
-/// keeps that jerk.
+/// **Law** (5.1): jerk = acceleration / Ts; an acceleration phase lasts T = Ta + Ts, where Ta is
+/// the time of the trapezoid; Ts = 0 gives the trapezoid. A ramp too short to reach the
+/// acceleration keeps that jerk.
 ///
 /// **Units** as in HMPL: mm or deg, and ms for the times set here; results run over s.
 struct AxisProfile {
@@ -38,10 +38,11 @@ Dynamics dynamics(const AxisProfile& axis);
 Profile move_abs(double from, double to, const AxisProfile& axis);
 
 /// MoveAbs, or a new velocity, acceleration or target, while moving (5.1: "the generator replans"):
-/// effective at t. The smoothing time of `axis` holds; HMPL does not let it change in motion.
+/// effective at t. The smoothing time of `axis` applies; HMPL does not permit a change of it in
+/// motion.
 Trajectory move_abs(const Trajectory& running, double t, double to, const AxisProfile& axis);
 
-/// MoveVel (5.2.6): to the axis velocity in the given direction (1 or -1), and on.
+/// MoveVel (5.2.6): accelerates to the axis velocity in the given direction (1 or -1) and keeps it.
 Profile move_vel(const MotionState& from, int direction, const AxisProfile& axis);
 Trajectory move_vel(const Trajectory& running, double t, int direction, const AxisProfile& axis);
 

@@ -52,8 +52,8 @@ struct GearAnswer {
   GearError error = GearError::ok;
 };
 
-/// Several slaves may have one master. A slave has one master and is the master of no axis. The same
-/// pair again is no error.
+/// Several slaves may have one master. A slave has one master and is the master of no axis.
+/// Enabling the same pair again is not an error.
 GearAnswer enable_gear(const Gears& gears, int master, int slave);
 
 /// Engages at the command positions of both axes, or changes the ratio (from those on). There is no
@@ -61,13 +61,13 @@ GearAnswer enable_gear(const Gears& gears, int master, int slave);
 GearAnswer gear_in(const Gears& gears, int master, int slave, double ratio, double master_position,
                    double slave_position);
 
-/// The slave keeps the velocity it has. Of a slave that is not engaged: no error, nothing happens.
+/// The slave keeps its velocity. For a slave that is not engaged: no effect, no error.
 GearAnswer gear_out(const Gears& gears, int slave);
 
-/// Dissolves the pair. Refused while engaged: the slave would go on uncommanded.
+/// Dissolves the pair. Refused while engaged: the slave would continue without a command.
 GearAnswer disable_gear(const Gears& gears, int slave);
 
-/// GetGearRatio; 0 without a gear. Here and below: 0 and false of what is no axis.
+/// GetGearRatio; 0 without a gear. Here and below: 0 or false for a number that is not an axis.
 double gear_ratio(const Gears& gears, int slave);
 bool is_in_gear(const Gears& gears, int slave);
 bool is_gear_master(const Gears& gears, int axis);

@@ -46,7 +46,7 @@ struct Ramps {
 /// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
 Trajectory move_absolute(double from, double to, const Ramps& ramps);
 
-/// StartVel and EndSecondVel where nothing is given, u/s: this, or the velocity where that is lower.
+/// Default of StartVel and EndSecondVel, u/s; the velocity instead, if that is lower.
 inline constexpr double default_end_velocity = 20;
 
 /// LS_MoveAbs and LS_MoveRel (5.2.4): a trapezoid that steps to a start velocity, and from an end
@@ -61,8 +61,8 @@ struct LsMove {
   double end_second_velocity = default_end_velocity;  ///< EndSecondVel, u/s, likewise
 };
 
-/// Ends at `to` with end_second_velocity, after which the axis stands. Where the distance does not
-/// suffice to get from one of the two to the other, the higher one is lowered.
+/// Ends at `to` with end_second_velocity, after which the axis stands. If the distance is too short
+/// for the change from one of the two velocities to the other, the higher one is lowered.
 Profile ls_move(const LsMove& move);
 
 /// LS_MoveVel: from standstill, stepping to start_velocity (not above |velocity|), to `velocity`
@@ -82,9 +82,8 @@ struct PositionToVelocity {
   VelocityMode mode = VelocityMode::sigmoid;
 };
 
-/// Passes end_pos[0] without acceleration at the lower of the two velocities, or at less where the
-/// first move is too short to reach it or the second to stop from it; at rest where the direction
-/// turns round.
+/// Passes end_pos[0] without acceleration at the lower of the two velocities; slower, if the first
+/// move is too short to reach it or the second to stop from it; at rest, if the direction reverses.
 Trajectory position_to_velocity(const PositionToVelocity& move);
 
 // ---- in flight: these take any running motion; t in s ---------------------------------------------
@@ -96,8 +95,8 @@ Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 
 /// MC_MoveSuperImposed: a second motion over `distance` on top of the running one from t on;
-/// dynamics.velocity is its VelocityDiff. Aborted at `abort`, if given, it stops with its
-/// deceleration, while the running one goes on. After a velocity command: as move_additive.
+/// dynamics.velocity is its VelocityDiff. At `abort`, if given, it stops with its deceleration,
+/// while the running motion continues. After a velocity command: as move_additive.
 Trajectory move_superimposed(const Trajectory& running, double t, double distance,
                              const Dynamics& dynamics, std::optional<double> abort = {});
 
@@ -114,8 +113,8 @@ struct JogInput {
 };
 
 /// MC_Jog from standstill; times ascend, none equal to the one before. The velocity is clipped to
-/// `max_velocity`, if given. Begins with the first input and ends where the velocity of the last one is
-/// reached.
+/// `max_velocity`, if given. Begins with the first input and ends when the velocity of the last one
+/// is reached.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});
 

@@ -28,13 +28,13 @@ struct TableParts {
   Columns columns;
   std::string sha256;
   Provenance provenance;
-  int line_before_knots = 0;  ///< line before knots of the file, where it has lines
+  int line_before_knots = 0;  ///< line before the knots of the file, if it has lines
 };
 
 /// "time", "position", "velocity": as many as the rule uses.
 std::vector<std::string> column_names(Domain axis, Interpolation rule);
 
-/// Takes the unit of a column over into the parts; answers the rule it breaks, or "".
+/// Copies the unit of a column into the parts; returns the rule that it breaks, or "".
 std::string take_unit(TableParts& parts, std::size_t column, const std::string& unit);
 
 /// The value of `all` that has this name; fail(value, rule) throws.

@@ -41,20 +41,20 @@ struct Pointwise {
   /// g at x for given q and sign; its derivatives by q into `slope`.
   std::function<double(double x, double sign, std::span<const double> q, std::span<double> slope)>
       g = {};
-  /// For a whole shape; g^2 or g is what is integrated.
+  /// For a whole shape; the integrand is g^2 or g.
   std::function<std::vector<Wave>(const std::vector<Segment>& shape, double begin)> waves = {};
 };
 
 /// Nothing for figures that are convex. `begin`: of the shapes.
 std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin);
 
-/// The least and the greatest g of a wave: exact where it is a polynomial, otherwise no more than
-/// `tolerance` is missed (by a bound of its second derivative).
+/// The least and the greatest g of a wave: exact for a polynomial, otherwise within `tolerance` (by
+/// a bound of its second derivative).
 Range range_of(const Wave& wave, double tolerance);
 
-/// The figure of a shape: a peak by range_of(), with 1e-8 of itself as tolerance; the others by
-/// quadrature between the places where T is not smooth, to about 1e-10; energy, whose integrand has a
-/// kink wherever T changes its sign, to about 1e-6.
+/// The figure of a shape: a peak by range_of(), with a tolerance of 1e-8 of its value; the others
+/// by quadrature between the places where T is not smooth, to about 1e-10; energy, whose integrand
+/// has a kink at each change of sign of T, to about 1e-6.
 double value_of(const Pointwise& figure, const std::vector<Segment>& shape, double begin);
 
 /// Places where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the
@@ -62,12 +62,12 @@ double value_of(const Pointwise& figure, const std::vector<Segment>& shape, doub
 std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segment>& shape,
                                 double begin, double level);
 
-/// Throws InputError, its key beginning with `key`, for a load out of range, or where a product would need
-/// more than the capacity of a Segment. Nothing for the convex figures.
+/// Throws InputError, its key beginning with `key`, for a load out of range, or if a product would
+/// exceed the capacity of a Segment. Does nothing for the convex figures.
 void require_pointwise(const std::string& key, const ShapeFigure& figure,
                        const ShapeProblem& problem);
 
-/// f g; nothing where it would need more than the capacity of a Segment. Neither has sines.
+/// f g; nothing if it would exceed the capacity of a Segment. Neither has sines.
 std::optional<Segment> product(const Segment& f, const Segment& g);
 
 }  // namespace jounce::optimizer

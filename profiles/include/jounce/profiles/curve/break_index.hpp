@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// Finds the interval of ascending breaks that contains a position, in constant time: what Curve and Table
-/// look up before every evaluation.
+/// Finds the interval of ascending breaks that contains a position, in constant time. Curve and
+/// Table use it before every evaluation.
 ///
 ///     const std::vector<double> breaks{0, 90, 90.5, 360};
 ///     const BreakIndex index(breaks);
@@ -24,9 +24,9 @@ namespace jounce {
 /// with their owner: 8 bytes an interval, none for up to `few` intervals. At most 2^32 - 1 of them.
 ///
 /// **Intervals** are counted from 0, half-open, [breaks[i], breaks[i + 1]) to the right and
-/// (breaks[i], breaks[i + 1]] to the left; what lies before or after belongs to the first and the
-/// last. The answer is that of a search through all breaks, to the bit, wherever they lie: cells
-/// that hold many of them are searched by halves. Throws nothing but std::bad_alloc.
+/// (breaks[i], breaks[i + 1]] to the left; positions before or after belong to the first and the
+/// last. The answer equals that of a search through all breaks, to the bit, for all breaks: cells
+/// with many of them are searched by bisection. Throws only std::bad_alloc.
 class BreakIndex {
  public:
   static constexpr std::size_t few = 4;
@@ -40,8 +40,8 @@ class BreakIndex {
     return side == Side::right ? find<Side::right>(breaks, x) : find<Side::left>(breaks, x);
   }
 
-  /// The first interval that reaches into x's cell, so at most the one that x lies in, and seldom far
-  /// from it: known before any break is read, for what should be fetched meanwhile.
+  /// The first interval that reaches into x's cell: at most the interval of x, and seldom far from
+  /// it. It needs no read of a break, so a caller can prefetch.
   [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
 
  private:
@@ -59,7 +59,7 @@ class BreakIndex {
   std::vector<std::uint32_t> before_;  ///< by cell, and one more; empty: one cell
 };
 
-// Every step of cell() ascends with x, rounding included. So what lies in a cell before that of x
+// Every step of cell() ascends with x, rounding included. So a break in a cell before that of x
 // lies before x, and only the breaks in x's own cell remain to be compared with it.
 
 inline std::size_t BreakIndex::cell(double x) const {
@@ -78,7 +78,7 @@ template <Side side>
     i = before_[k];
     last = before_[k + 1];
   }
-  // Without a branch where random positions go either way: two steps, then seldom more.
+  // Without a branch, because random positions go either way: two steps, then seldom more.
   const auto more = [&] { return passed<side>(x, breaks[i + 1]) & (i < last); };
   i += static_cast<std::size_t>(more());
   i += static_cast<std::size_t>(more());

@@ -18,27 +18,27 @@ namespace jounce {
 /// time) or a master; the *outer* is played along it: a motion over path time, or a cam.
 ///
 /// **Breaks** are those of the inner and every place where the inner passes a break of the outer
-/// (isolated as in roots.hpp). **Outside**: the result has the inner's policy; where the inner
-/// leaves the outer's interval, the outer's rules: hold gives a rest, wrap the next turn.
+/// (isolated as in roots.hpp). **Outside**: the result has the inner's policy. If the inner leaves
+/// the outer's interval, the outer's policy applies: hold gives a rest, wrap the next turn.
 ///
-/// **Exact where it fits a Segment**: on each piece the product of the two degrees is at most 11,
-/// the outer's sines meet an inner that is linear there, and the inner's sines an outer that is
-/// linear there. So an S-curve (degree 3) may be played along a jerk-limited clock (3), a quintic
-/// cam behind a trapezoidal master (2), but not a quintic along a cubic.
+/// **Exact if it fits a Segment**: on each piece the product of the two degrees is at most 11, the
+/// outer's sines meet an inner that is linear there, and the inner's sines an outer that is linear
+/// there. So an S-curve (degree 3) may be played along a jerk-limited clock (3), a quintic cam
+/// behind a trapezoidal master (2), but not a quintic along a cubic.
 ///
-/// Throws InputError("composed", ...) naming the place, where it does not fit, and "inner" where
-/// the inner leaves (by more than rounding) an outer that refuses, or one segment of it travels over
-/// more than 1e6 segments of an outer that wraps.
+/// Throws InputError("composed", ...) with the place if it does not fit, and "inner" if the inner
+/// leaves (by more than rounding) an outer that refuses, or if one segment of it travels over more
+/// than 1e6 segments of an outer that wraps.
 ///
-/// The result ends where the inner does, to the last digit (except for an inner that runs from far
-/// below 0 to about 0, where the lengths have fewer digits than the end).
+/// The result ends with the inner, to the last digit (except for an inner that runs from far below
+/// 0 to about 0: then the lengths have fewer digits than the end).
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 
-/// The same for any degrees and sines: exact on every piece where that fits, elsewhere a fit within
+/// The same for any degrees and sines: exact on every piece that fits, otherwise a fit within
 /// `tolerance` (unit of the value) with a certified error, see fitted.hpp. Throws InputError
 /// "tolerance" unless it is positive and above rounding (1e-14 of the outer's magnitude), and
-/// "inner" as `composed` does.
+/// "inner" like `composed`.
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

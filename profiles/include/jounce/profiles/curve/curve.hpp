@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// An immutable piecewise function of one scalar: what every generator makes and every check,
-/// sampler, validator and stream consumes.
+/// An immutable piecewise function of one scalar: the result of every generator, and the input of
+/// every check, sampler, validator and stream.
 ///
 ///     Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve();
 ///     Motion now = move.at(0.25);               // position, velocity, acceleration, jerk
@@ -21,17 +21,19 @@ namespace jounce {
 ///     Report report = check(both, {.velocity = 10});
 ///
 /// **Vocabulary.** The curve runs over time (a Trajectory) or over master position (a Cam). A
-/// *segment* is one formula; the *breaks* are where segments meet, start and end included, so there
-/// is one more of them than segments. Segments store lengths; breaks are their running sum.
+/// *segment* is one formula; the *breaks* are the points where segments meet, start and end
+/// included, so there is one more break than segments. Segments store lengths; breaks are their
+/// running sum.
 ///
 /// **Intervals.** Segments are half-open, the last one closed: at a break the curve takes the value
 /// of the segment that begins there (right-continuous). Side::left asks for the other limit.
 ///
-/// **Outside [start, end]** the policy named at construction rules: refuse, hold, wrap, or advance.
+/// **Outside [start, end]** the policy given at construction applies: refuse, hold, wrap, or
+/// advance.
 ///
 /// **Throws** InputError if there is no segment, a length is not finite and positive, a coefficient
-/// is not finite, or start is not finite or so far out that rounding takes a whole length. Nothing else
-/// throws; evaluation never allocates.
+/// is not finite, or start is not finite or so distant that rounding removes a whole length.
+/// Nothing else throws; evaluation never allocates.
 template <class Over>
 class Curve {
  public:
@@ -55,7 +57,7 @@ class Curve {
     return point<Over>(jet(x, side));
   }
 
-  /// A block of points: the same as at() for each x, faster where x ascends. Spans of equal size.
+  /// A block of points: the same as at() for each x, faster if x ascends. Spans of equal size.
   void sample(std::span<const double> x, std::span<Point> out) const;
 
  private:
@@ -77,7 +79,7 @@ template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
 /// The integral from start(), beginning at start_value, continuous at every break. Throws
-/// InputError where a segment already has degree 11.
+/// InputError if a segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 
@@ -93,8 +95,8 @@ Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch = 1);
 template <class Over>
 Curve<Over> reversed(const Curve<Over>& f);
 
-/// f, then g beginning where f ends on the axis. Values are not moved: a jump is kept (and found
-/// by `check`). The policy outside is f's.
+/// f, then g from the end of f on the axis. Values are not moved: a jump is kept (and `check` finds
+/// it). The policy outside is f's.
 template <class Over>
 Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 
@@ -102,7 +104,7 @@ Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 template <class Over>
 Curve<Over> repeated(const Curve<Over>& f, int times);
 
-/// f + g over the same interval, with the breaks of both. Throws InputError where a sum needs more
+/// f + g over the same interval, with the breaks of both. Throws InputError if a sum needs more
 /// than three sines or the intervals differ by more than rounding.
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g);

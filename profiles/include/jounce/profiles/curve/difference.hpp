@@ -22,9 +22,9 @@ namespace jounce {
 ///     for (const KnotChange& knot : knot_changes(before, after)) ...
 ///
 /// **Vocabulary.** The *difference* is after - before, over the interval that both curves have; a
-/// change is in the unit of its quantity, and where it is largest is a place on their axis.
-/// *Rounding* is what the rounding of the numbers that make up both curves may amount to there: a
-/// difference no larger than that is none.
+/// change is in the unit of its quantity; the place of its maximum is a position on their axis.
+/// *Rounding* is the greatest effect of rounding in the numbers of both curves at that place: a
+/// difference up to it counts as none.
 ///
 /// **Exact**: the difference of two segments is a segment, and its extrema are isolated, not
 /// sampled. Where the two have more than three sines of different frequency between them, the piece
@@ -44,8 +44,8 @@ Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after)
 
 /// One quantity of two curves: the value, or one of its derivatives.
 struct Change {
-  /// The difference where it is largest in magnitude, signed. Places where it is no more than
-  /// rounding count only if there is no other.
+  /// The difference of largest magnitude, signed. Places where it is within rounding count only if
+  /// there is no other.
   Extremum largest;
   double rounding = 0;  ///< at that place
   Range before;         ///< over the whole of each curve
@@ -76,8 +76,8 @@ struct KnotChange {
   std::optional<Knot> before = {};  ///< none: added
   std::optional<Knot> after = {};   ///< none: removed
 
-  /// True if its place, and whether value, velocity and acceleration changed by more than rounding;
-  /// false where the knot is in one curve alone.
+  /// True if its place, value, velocity or acceleration changed by more than rounding; false if
+  /// only one curve has the knot.
   bool moved = false;
   std::array<bool, 3> changed{};
 };

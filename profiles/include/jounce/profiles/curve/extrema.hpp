@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// A value a curve really takes (or tends to, from `side`) and where.
+/// A value that a curve takes (or approaches, from `side`), and its place.
 struct Extremum {
   double value = 0;
   double where = 0;
@@ -50,15 +50,15 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
-/// A step of the `order`th derivative at a break: how much, and where.
+/// A step of the `order`th derivative at a break: its size and place.
 struct Jump {
   double step = 0;  ///< right limit minus left limit
   double where = 0;
 };
 
-/// The largest step (in magnitude) at the interior breaks; where the curve wraps, also from its end
-/// to its start (where it advances, of the derivatives alone); where it holds, of the derivatives also
-/// from rest at its start and to rest at its end. Zero if there is none.
+/// The largest step (in magnitude) at the interior breaks. For a curve that wraps, also from its
+/// end to its start (for one that advances, only of the derivatives). For one that holds, steps of
+/// the derivatives also from rest at its start and to rest at its end. Zero if there is none.
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order);
 

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// A curve that stands for a function which fits no Segment, and its greatest error.
+/// A curve that approximates a function which fits no Segment, and its greatest error.
 ///
 ///     Fitted<OverMaster> slave = composed_within(cam, camshaft, 1e-9);   // degree 25: not exact
 ///     double strays = slave.error[0];                   // <= 1e-9, certified
@@ -14,7 +14,7 @@ namespace jounce {
 ///
 /// **How.** Piecewise polynomials of degree 11 that take the function's value and its first five
 /// derivatives at both ends of each piece: the joints are as smooth as the function itself. Pieces
-/// are halved until the bound meets the tolerance; what fits exactly stays exact.
+/// are halved until the bound meets the tolerance; a piece that fits exactly stays exact.
 ///
 /// **Certified**: `error` bounds |curve - function| and the same for the first three derivatives,
 /// from a bound of the twelfth derivative over the whole piece, not from samples. Rounding comes on

@@ -19,7 +19,7 @@ enum class Extrapolation {
   refuse,   ///< a query outside is the caller's mistake: asserts, and holds in a release build
   hold,     ///< the end value, at rest
   wrap,     ///< periodic: the query is reduced into [start, end)
-  advance,  ///< like wrap, and every period goes on from where the one before ended: a rotary slave
+  advance,  ///< like wrap, but every period continues from the end of the one before: a rotary slave
 };
 
 /// True if the derivatives are periodic: wrap or advance.
@@ -57,8 +57,8 @@ struct OverMaster {
                                                     "geo_jerk"};
 };
 
-/// std::fmod(u, length) for u >= 0 and length > 0, to the bit: where the quotient of a division is
-/// the right one, what a fused multiply-add leaves has no rounding. Several times as fast.
+/// std::fmod(u, length) for u >= 0 and length > 0, to the bit: if the quotient of a division is
+/// right, the remainder of a fused multiply-add has no rounding. Several times as fast.
 inline double remainder_of(double u, double length) {
   const double quotient = u / length;
   if (!(quotient < 0x1p53)) return std::fmod(u, length);
@@ -67,7 +67,8 @@ inline double remainder_of(double u, double length) {
   return left >= 0 && left < length ? left : std::fmod(u, length);
 }
 
-/// x reduced into [start, start + length): what Extrapolation::wrap and advance do to a query.
+/// x reduced into [start, start + length): the reduction of a query by Extrapolation::wrap and
+/// advance.
 inline double wrapped(double x, double start, double length) {
   const double u = x - start;
   const double turned = remainder_of(std::abs(u), length);

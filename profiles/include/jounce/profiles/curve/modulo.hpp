@@ -18,8 +18,9 @@ struct Turned {
 ///     double far = rolled(1e15 + 90, 360).position; // exact: no drift, however many turns
 ///
 /// The remainder is exact (no rounding in a division). Below zero, position = remainder + period is
-/// rounded once; what would round to a whole period is position 0 of the next turn. Throws
-/// InputError unless the period is positive and x finite, and for more turns than a double can hold.
+/// rounded once; a result that would round to a whole period is position 0 of the next turn. Throws
+/// InputError unless the period is positive and x finite, and for more turns than a double can
+/// hold.
 Turned rolled(double x, double period);
 
 /// turns * period + position, rounded once.
@@ -48,13 +49,13 @@ struct ModuloTarget {
 ///         modulo_target({.position = 350}, 10, Direction::shortest, 360, axis);
 ///     const Move move = move_to({.position = 350}, {.position = target.position}, axis);  // +20
 ///
-/// **Shortest** counts from where the axis is, moving or not: at most half a turn; exactly half a
-/// turn goes in the positive direction. **Positive** and **negative** never make an axis turn back
-/// that moves the way asked for: a target nearer than the stopping distance is taken a turn later.
-/// An axis that moves the other way stops first, and counts from there. At the target already
-/// (within 1e-12 of a turn): no motion. **Fastest** compares the minimum durations (`durations`) of
-/// the nearest targets on both sides of the present position and of the stopping point; a tie goes
-/// to the shorter way, then to the positive one.
+/// **Shortest** counts from the present position, also in motion: at most half a turn; exactly half
+/// a turn goes in the positive direction. **Positive** and **negative** never reverse an axis that
+/// moves in the requested direction: a target nearer than the stopping distance is reached one turn
+/// later. An axis that moves in the other direction stops first, and counts from there. At the
+/// target already (within 1e-12 of a turn): no motion. **Fastest** compares the minimum durations
+/// (`durations`) of the nearest targets on both sides of the present position and of the stopping
+/// point; a tie goes to the shorter way, then to the positive one.
 ///
 /// Exact for any number of turns: the distance is formed from the remainders. Keep the position of
 /// an endless axis reduced, and plan by distance; a sum of 1e12 turns loses digits.

@@ -17,7 +17,7 @@ namespace jounce {
 ///     if (!entry) ...                                                 // there is no such motion
 ///
 /// **Vocabulary.** A *ramp* is a change between two velocities that begins and ends without
-/// acceleration. A *span* is a way with a velocity at either end, neither of them backwards.
+/// acceleration. A *span* is a distance with a velocity at either end, neither of them backwards.
 ///
 /// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities run in the direction of travel.
 /// **Impossible questions** (no such motion, a value that is not finite, a limit that is not > 0)
@@ -40,8 +40,8 @@ struct Extent {
   double distance = 0;  ///< u, signed
 };
 
-/// The ramp from one velocity to another, of either sign: T = |dv|/a + a/j where a is reached, else
-/// 2 sqrt(|dv|/j); distance (v0 + v1)/2 T.
+/// The ramp from one velocity to another, of either sign: T = |dv|/a + a/j if a is reached, else 2
+/// sqrt(|dv|/j); distance (v0 + v1)/2 T.
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept;
 
 /// State of an axis for a stop: u/s, u/s^2, of either sign.

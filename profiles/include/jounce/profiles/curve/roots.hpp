@@ -17,7 +17,7 @@ namespace jounce {
 void roots(const Segment& f, double flat, std::vector<double>& out);
 
 /// Every position where the curve's `order`th derivative (0: the value) takes `level`, ascending,
-/// breaks included where a side of them takes it. A stretch that stays at the level, to rounding,
+/// including breaks with the level on one side. A stretch that stays at the level, to rounding,
 /// yields its start. Throws InputError for a level that is not finite.
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level);

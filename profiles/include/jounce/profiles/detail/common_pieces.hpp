@@ -15,7 +15,7 @@ inline bool same_place(double a, double b, double scale) {
 
 /// Calls visit(start, f, i, g, k) for each stretch of the interval that both curves have on which
 /// either is one segment: f is the part of segment i, g that of segment k, of equal length. Breaks
-/// that differ by rounding are one; where there are two, f's is taken.
+/// that differ by rounding are one; the result has the break of f.
 template <class Over, class Visit>
 void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) {
   const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
@@ -23,7 +23,8 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
   double x = near(f.start(), g.start()) ? f.start() : std::max(f.start(), g.start());
   const auto first = [&](const Curve<Over>& c) {
     std::size_t n = 0;
-    // A segment that ends at x within rounding is over; where c begins at x, its first segment is just short.
+    // A segment that ends at x within rounding is over; if c begins at x, its first segment is just
+    // short.
     const auto over = [&](double end) { return end <= x || (x != c.start() && near(end, x)); };
     while (n < c.segments().size() && over(c.breaks()[n + 1])) ++n;
     return n;

@@ -9,7 +9,7 @@
 namespace jounce::detail {
 
 /// c[0] + c[1] s + ... + c[n] s^n with its three derivatives by s: Horner's rule for the value and
-/// the derivatives / k!, where the first steps would only add zeros.
+/// the derivatives / k!, without the first steps, which would only add zeros.
 template <std::size_t n, std::size_t capacity>
 [[gnu::always_inline]] inline Jet horner(const std::array<double, capacity>& c, double s) {
   static_assert(n < capacity);

@@ -9,7 +9,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-// The two-point Hermite polynomial of degree 11, and what a function may differ from it.
+// The two-point Hermite polynomial of degree 11, and bounds for the distance of a function from it.
 
 namespace jounce::detail {
 
@@ -45,12 +45,12 @@ Series<n> substituted(const Series<n>& F, const Series<n>& d) {
 /// The segment of degree 11 with these coefficients at its ends.
 Segment hermite(double length, const EndSeries& at0, const EndSeries& at1);
 
-/// Bounds of the distance of a function from its `hermite`, and of their derivatives by u, where its
+/// Bounds of the distance of a function from its `hermite`, and of their derivatives by u, if its
 /// twelfth coefficient by s is at most `twelfth`.
 Jet hermite_error(double length, double twelfth);
 
 /// Throws InputError "tolerance" unless the tolerance is positive and exceeds the rounding of
-/// `magnitude`; and where a fit has more than a million pieces.
+/// `magnitude`; and if a fit has more than a million pieces.
 void require_tolerance(double tolerance, double magnitude);
 void require_fitting(std::size_t pieces);
 

@@ -6,9 +6,9 @@
 
 namespace jounce::detail {
 
-/// Asks for large pages (2 MiB under Linux) where a block is large enough: a table of a million
-/// knots then takes a dozen pages instead of thousands, one page fault each. A hint, before the
-/// block is first written; its content does not change.
+/// Requests large pages (2 MiB under Linux) if a block is large enough: a table of a million knots
+/// then takes a dozen pages instead of thousands, one page fault each. A hint, before the block is
+/// first written; its content does not change.
 void prefer_large_pages(void* block, std::size_t bytes) noexcept;
 
 /// Memory for so many elements, asked for at once.

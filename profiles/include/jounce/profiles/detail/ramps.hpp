@@ -107,7 +107,7 @@ struct RampedMove {
   double cruise = 0;        ///< s
 };
 
-/// Solves (2) up to `velocity` >= v0, v1. Nothing where h does not suffice to get from v0 to v1. The
+/// Solves (2) up to `velocity` >= v0, v1. nullopt if h is too short to get from v0 to v1. The
 /// unknown is the rise above the faster end, which may be far below the rounding of the peak.
 template <class Law>
 std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down, double v1,

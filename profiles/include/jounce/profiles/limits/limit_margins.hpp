@@ -16,8 +16,8 @@ struct LimitMargin {
   std::vector<double> segments;  ///< margin of each segment, as in Finding
 };
 
-/// Margins of a curve under its limits, in the order of the limits. Exact, as check() is. Throws
-/// InputError as require_valid(Limits) does.
+/// Margins of a curve under its limits, in the order of the limits. Exact, like check(). Throws
+/// InputError like require_valid(Limits).
 template <class Over>
 std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limits);
 

@@ -34,13 +34,13 @@ enum class Severity {
 /// One statement of a check: a quantity at its worst place against its limit.
 struct Finding {
   Rule rule;             ///< "limit/velocity", "continuity/position", ...
-  std::string axis;      ///< whose, where several are checked; may be empty
+  std::string axis;      ///< name of the axis, if several are checked; may be empty
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
   double where = 0;      ///< on the curve's axis
   double value = 0;      ///< value of the curve there
   double limit = 0;      ///< permitted value, with the sign of the value
-  /// Margin, as a share of the limit (a position: of the permitted travel, or of the stroke
-  /// where only one end is limited); below 0: broken.
+  /// Margin, as a share of the limit (for a position: of the permitted travel, or of the stroke if
+  /// only one end is limited); below 0: broken.
   double margin = 0;
   bool broken = false;
   std::optional<std::size_t> segment;  ///< segment of the curve, zero-based
@@ -61,7 +61,7 @@ struct Report {
   [[nodiscard]] std::size_t warnings() const;  ///< that are not broken
 };
 
-/// Puts the broken findings first, worst first; then the warnings, what must hold, and the notes,
+/// Puts the broken findings first, worst first; then the warnings, the kept rules, and the notes,
 /// each by margin.
 void sort(Report& report);
 
@@ -71,8 +71,9 @@ void sort(Report& report);
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 
-/// Continuity up to the `order`th derivative, wrap included where the curve wraps. A step counts if
-/// it exceeds `tolerance` of that derivative's range: 1e-9 forgives rounded input, 0 nothing.
+/// Continuity up to the `order`th derivative, including the wrap of a curve that wraps. A step
+/// counts if it exceeds `tolerance` of that derivative's range: 1e-9 permits rounded input, 0
+/// nothing.
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance = 1e-9);
 

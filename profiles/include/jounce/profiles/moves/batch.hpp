@@ -5,16 +5,16 @@
 
 namespace jounce {
 
-/// Many independent moves at once on one core, in columns: what a planner needs that weighs
-/// thousands of candidates.
+/// Many independent moves at once on one core, in columns, for planners that compare thousands of
+/// candidates.
 ///
 ///     const std::vector<double> way = ..., limit = ...;       // a million ways
 ///     std::vector<double> seconds(way.size());
 ///     minimum_durations({.distance = way, .velocity = v, .acceleration = a, .jerk = j}, seconds);
 ///
-/// Every move is of third order, without acceleration at its ends. A column holds one value a move,
-/// or one value for all; entry and exit may be empty: at rest. Units as in query.hpp, where the
-/// same questions are answered one by one.
+/// Every move is of third order, without acceleration at its ends. A column holds one value for
+/// each move, or one value for all; entry and exit may be empty: at rest. Units as in query.hpp,
+/// which answers the same questions one by one.
 struct MoveColumns {
   std::span<const double> distance;      ///< u, of either sign
   std::span<const double> entry = {};    ///< u/s, of either sign; empty: 0
@@ -24,13 +24,13 @@ struct MoveColumns {
   std::span<const double> jerk;          ///< u/s^3, limit > 0; infinite: acceleration may step
 };
 
-/// The least duration of every move, s; NaN where there is none (a limit not > 0, an end above the
-/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp). `peak`,
-/// if not empty, receives the velocity at which the move cruises or turns over, signed. Spans of equal
+/// The least duration of every move, s; NaN if there is none (a limit not > 0, an end above the
+/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp).
+/// `peak`, if not empty, receives the signed velocity of the cruise or of the peak. Spans of equal
 /// size (asserted).
 ///
-/// Uses the widest vectors that the processor has (AVX-512, AVX2, or what every x86-64 or other
-/// machine has). Within 1e-12 of the scalar answer, relative. Does not allocate, does not throw.
+/// Uses the widest vectors that the processor has (AVX-512, AVX2, or the baseline). Within 1e-12 of
+/// the scalar answer, relative. Does not allocate, does not throw.
 void minimum_durations(const MoveColumns& moves, std::span<double> durations,
                        std::span<double> peak = {}) noexcept;
 

@@ -28,7 +28,7 @@ struct Dynamics {
   double deceleration_jerk = 0;  ///< u/s^3, while slowing down; 0: as jerk
 };
 
-/// Rest to rest: trapezoid or s_curve. Throws InputError where `to` equals `from`.
+/// Rest to rest: trapezoid or s_curve. Throws InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
 /// Limits of a velocity ramp, in one sense (speeding up, or slowing down).
@@ -40,13 +40,13 @@ struct RampLimits {
   bool operator==(const RampLimits&) const = default;
 };
 
-/// From any state to a velocity (signed) and no acceleration, as fast as the limits allow; `up` for
-/// what speeds up, `down` for what slows down. An acceleration that a state has already is taken
-/// over (not where jerk is not limited); it falls first where it would lead past the velocity, and
-/// until the axis rests where it would turn it round. Where up and down differ, a change through rest
-/// is two ramps. From a state within them the limits hold throughout, except for what an acceleration at
-/// rest, allowed in slowing down, needs to fall. The jerks may differ between begin and end, or
-/// between up and down, not both. Throws InputError also where time or position would overflow.
+/// From any state to a velocity (signed) without acceleration, as fast as the limits allow; `up`
+/// while the axis speeds up, `down` while it slows down. With a jerk limit, the acceleration of the
+/// state is taken over. It falls first if it would lead past the velocity; if it would reverse the
+/// axis, it falls until the axis rests. If up and down differ, a change through rest is two ramps.
+/// From a state within them the limits hold throughout, except while an acceleration at rest,
+/// permitted in slowing down, falls. The jerks may differ between begin and end, or between up and
+/// down, but not both. Also throws InputError if time or position would overflow.
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
                       const RampLimits& down);
 
@@ -56,20 +56,19 @@ Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& 
 // ---- in flight -------------------------------------------------------------------------------
 
 /// `running` up to t, from there to rest at `target`, as fast as the dynamics allow. A target that
-/// has been passed, or that can no longer be met, is passed and come back to. A velocity above the
-/// new one is brought down first.
+/// has been passed, or that can no longer be met, is reached after a return. A velocity above the
+/// new one is reduced first.
 ///
-/// Where acceleration and deceleration differ, a motion that must turn round stops first, then
-/// moves back. With two jerks each holds in its own sense where the motion goes to one velocity and
-/// from there to rest, or just stops: the same move given again changes nothing. Otherwise, where it
-/// must turn round or its target has come nearer than that, the larger jerk holds for what is left of
-/// the move: with the smaller one an axis that is speeding up could not help passing its velocity.
+/// If acceleration and deceleration differ, a motion that must reverse stops first, then moves
+/// back. With two jerks, each holds in its own direction if the motion goes to one velocity and
+/// from there to rest, or only stops: the same move given again changes nothing. Otherwise, if it
+/// must reverse or its target is nearer than that, the larger jerk holds for the rest of the move:
+/// with the smaller one an axis that is speeding up could not help passing its velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 
-/// `running` up to t, from there to `velocity` (signed; dynamics.velocity is not used): where the
-/// result ends, the velocity is reached. Of `running` itself nothing more happens where it has the
-/// velocity already.
+/// `running` up to t, from there to `velocity` (signed; dynamics.velocity is not used). The result
+/// ends when it reaches the velocity; it ends at t if `running` already has it.
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics);
 

@@ -14,7 +14,7 @@ namespace jounce {
 ///     const Report report = check(move, {.jerk = 40});
 ///
 /// Up to 15 phases of constant jounce, each an exact segment of degree 4; phases that do not occur
-/// are left out. Begins and ends with velocity, acceleration and jerk zero, continuous up to the
+/// are omitted. Begins and ends with velocity, acceleration and jerk zero, continuous up to the
 /// jerk; holds outside [0, T].
 struct FourthOrderSpec {
   double from = 0;          ///< u
@@ -26,11 +26,11 @@ struct FourthOrderSpec {
 };
 
 /// Symmetric in time. Time-optimal while the velocity limit is not reached; a move that reaches it
-/// is within 0.1 % of the least duration, which would take infinitely many phases. Throws InputError
-/// for a value out of range, and for a jounce so high that its phases vanish beside the move.
-/// Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
+/// is within 0.1 % of the least duration, which would take infinitely many phases. Throws
+/// InputError for a value out of range, and for a jounce so high that its phases vanish beside the
+/// move. Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
 /// electromechanical motion systems", Control Engineering Practice 13 (2005), whose profile this is
-/// where the velocity is held; shorter moves are up to 7 % faster than there (jounce.cpp).
+/// if there is a cruise; shorter moves are up to 7 % faster than theirs (jounce.cpp).
 Trajectory fourth_order(const FourthOrderSpec& spec);
 
 }  // namespace jounce

@@ -36,7 +36,7 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
           .jerk_max = jerk};
 }
 
-/// Why there is no move; `ok` where there is one.
+/// Reason why there is no move; `ok` if there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
   not_finite,      ///< a state or the duration is not finite, or greater than 1e50
@@ -46,8 +46,8 @@ enum class MoveStatus : std::uint8_t {
   target_outside,  ///< the target's velocity or acceleration lies outside the bounds
   target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside
   position_limit,      ///< no move keeps the position limits: start or target runs into them
-  too_short,           ///< less than the minimum duration was asked for
-  blocked,             ///< the duration asked for lies in a blocked interval
+  too_short,           ///< the requested duration is below the minimum
+  blocked,             ///< the requested duration lies in a blocked interval
   not_straight,        ///< phase synchronisation of states that do not lie on one line, or on which
                        ///< an axis would pass its velocity limit
 };
@@ -79,12 +79,11 @@ struct MoveResult {
 /// deceleration stays above the limit, but only by as much as the stop needs and never above that of
 /// the start.
 ///
-/// The target must
-/// lie inside (what may step, as the acceleration of a second-order motion, steps to it at the end).
-/// Never longer than the true minimum by more than rounding; ends at `to` exactly;
-/// results do not depend on the unit. Where a position limit forbids the shortest motion, the move
-/// goes by way of a point of rest, chosen as near as the limit allows: it then keeps the limits, but
-/// need not be the shortest that does. Does not allocate, does not throw. Derivation:
+/// The target must lie inside (a quantity that may step, like the acceleration of a second-order
+/// motion, steps to it at the end). Never longer than the true minimum by more than rounding; ends
+/// at `to` exactly; results do not depend on the unit. If a position limit forbids the shortest
+/// motion, the move stops first at a point of rest, as near as the limit allows: it then keeps the
+/// limits, but need not be the shortest that does. Does not allocate, does not throw. Derivation:
 /// docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
@@ -94,7 +93,7 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
                    double duration) noexcept;
 
 /// Possible durations of a move between two states: every T >= minimum except the blocked intervals
-/// (open, ascending, at most two), which exist only where an end moves.
+/// (open, ascending, at most two), which exist only if an end moves.
 struct Durations {
   struct Interval {
     double from = 0;

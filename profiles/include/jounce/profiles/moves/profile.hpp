@@ -29,7 +29,7 @@ struct MotionState {
 ///
 /// **Vocabulary.** A *phase* is a stretch over which the profile's highest derivative is constant:
 /// the jerk (order 3), the acceleration (order 2, which then steps between phases), or the velocity
-/// (order 1). Phases that do not occur are left out.
+/// (order 1). Phases that do not occur are omitted.
 ///
 /// The motion begins exactly at start() and ends exactly at end(), which need not be at rest.
 /// Outside [0, duration] at() returns the state at that end, with jerk 0.
@@ -47,9 +47,9 @@ class Profile {
   Profile(const MotionState& start, int order) noexcept
       : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
 
-  /// A whole motion at once, the fastest way to make one. The phases name their value by its place
-  /// among `values`, from 1; 0 stands for zero. Those of no duration are left out, neighbours of the
-  /// same value stay apart.
+  /// A whole motion at once, the fastest way to make one. The phases give the index of their value
+  /// in `values`, from 1; 0 means zero. Phases without duration are omitted; neighbors of the same
+  /// value stay separate.
   using Values = std::array<double, 4>;
   struct Step {
     double duration;
@@ -71,10 +71,11 @@ class Profile {
     count_ = n;
   }
 
-  /// Appends a phase; one of no (or negative) duration is left out, one of the same value as its
-  /// predecessor prolongs that. At most `capacity` of them and four different values besides zero.
+  /// Appends a phase. A phase without (or with negative) duration is omitted; one with the value of
+  /// its predecessor extends it. At most `capacity` phases, and four different values besides zero.
   void add(double duration, double value) noexcept { add(duration, value, 0); }
-  /// The same where the value is a sum: of such values there may be more, while the terms are four.
+  /// The same for a value that is a sum: there may be more such values, but only four different
+  /// terms.
   void add(double duration, double value, double more) noexcept;
   /// The same phases with their values times a factor, between two other states.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
@@ -94,7 +95,7 @@ class Profile {
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
   [[nodiscard]] double duration() const noexcept;
 
-  /// The state at t, with its jerk; right-continuous where the highest derivative steps.
+  /// The state at t, with its jerk; right-continuous at steps of the highest derivative.
   [[nodiscard]] Motion at(double t) const noexcept;
 
   /// The same motion as a curve from 0; outside it holds. Throws InputError for a motion of no

@@ -8,7 +8,7 @@ namespace jounce {
 /// Trapezoidal velocity, rest to rest.
 struct TrapezoidSpec {
   double from = 0;          ///< u
-  double to = 0;            ///< u; equal to `from` is refused: there is no move
+  double to = 0;            ///< u; must differ from `from`
   double velocity = 0;      ///< u/s, > 0; not reached by a short move
   double acceleration = 0;  ///< u/s^2, > 0
   double deceleration = 0;  ///< u/s^2, > 0; 0: as acceleration

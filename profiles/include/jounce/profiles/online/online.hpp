@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Setpoints for N axes, one call per cycle. Targets, bounds and everything else may change at any time;
-/// a motion is planned only where the one under way does not fit any more.
+/// Setpoints for N axes, one call per cycle. Targets, bounds and everything else may change at any
+/// time; a motion is planned only if the one under way no longer fits.
 ///
 ///     OnlineGenerator<2> xy(Sync::time);
 ///     xy.set_bounds(0, within(2, 10, 100));          // u/s, u/s^2, u/s^3
@@ -20,10 +20,9 @@ namespace jounce {
 ///     while (!xy.step(0.001).arrived) output(xy[0].position, xy[1].position);
 ///
 /// An axis begins at rest at 0 and takes part once it has bounds. Until it has a target it comes to
-/// rest. Beyond a target that moves it goes on at the target's velocity. Nothing allocates, locks or
-/// throws. An axis index must be less than N. Bounds, states and targets that make no sense are
-/// refused where they are set; the order before them stays.
-/// Rules for lowered limits: docs/generators/online.md.
+/// rest. Beyond a moving target it continues at the target's velocity. Nothing allocates, locks or
+/// throws. An axis index must be less than N. Invalid bounds, states and targets are rejected when
+/// they are set; the previous order stays. Rules for lowered limits: docs/generators/online.md.
 template <std::size_t N>
 class OnlineGenerator {
  public:
@@ -34,7 +33,7 @@ class OnlineGenerator {
   MoveStatus set_state(std::size_t axis, const MotionState& state) noexcept {
     return axes_[axis].set_state(state);
   }
-  /// Goal of the axis; MoveGoal::moving: where the target is at the beginning of the next step.
+  /// Goal of the axis; MoveGoal::moving: the target at the beginning of the next step.
   MoveStatus set_target(std::size_t axis, const MotionState& target,
                         MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
@@ -48,7 +47,7 @@ class OnlineGenerator {
   MoveStatus set_bounds(std::size_t axis, const Bounds& bounds) noexcept {
     return axes_[axis].set_bounds(bounds);
   }
-  /// An axis that is not enabled comes to rest as fast as it can; the others do not wait for it.
+  /// An axis that is not enabled comes to rest as fast as possible; the others do not wait for it.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
   /// By how much a target may differ from that of the motion under way, u and u/s, and the motion is
   /// still kept. The axis then ends that far from the target at most. 0: by rounding.

@@ -47,15 +47,15 @@ class OnlineAxis {
   /// True if the axis may follow a plan: one direction may be forbidden to it.
   [[nodiscard]] bool permits(const Profile& plan) const noexcept;
   void go(const AxisMove& move, const Profile& plan) noexcept;
-  /// True if the motion under way still leads to the goal: only what it has to keep has changed.
+  /// True if the motion under way still leads to the goal: only its bounds have changed.
   [[nodiscard]] bool is_on_its_way() const noexcept {
     return purpose_ == Purpose::goal && is_aimed();
   }
-  /// The motion under way leaves the line that was asked for.
+  /// The motion under way leaves the requested line.
   void bend() noexcept { bent_ = true; }
 
-  /// There is no motion to the goal, or there may be none: the motion under way goes on if it keeps
-  /// the bounds. Otherwise the axis must stop.
+  /// There is, or may be, no motion to the goal: the motion under way continues if it keeps the
+  /// bounds. Otherwise the axis must stop.
   void refuse(MoveStatus why) noexcept;
   void halt(MoveStatus why) noexcept;
   void reconsider() noexcept;
@@ -63,7 +63,7 @@ class OnlineAxis {
   [[nodiscard]] AxisMove stopping(bool widened) const noexcept;
   void stop(const AxisMove& move, const Profile& plan) noexcept;
 
-  /// True if the next step of dt would lead where the axis can no longer stop inside its position limits.
+  /// True if the axis could no longer stop inside its position limits after the next step of dt.
   [[nodiscard]] bool runs_out(double dt) const noexcept;
   void advance(double dt) noexcept;
 
@@ -118,8 +118,8 @@ class OnlineAxis {
 
 /// Strictness of the test of a motion: strict for a candidate, mild for the last resort.
 enum class Judged : std::uint8_t { strictly, mildly };
-/// True if a motion towards a goal passes it or turns round on its way (for a goal that is a velocity:
-/// the velocity does), by more than rounding.
+/// True if a motion towards a goal passes it or reverses on its way (for a velocity goal: its
+/// velocity does), by more than rounding.
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept;
 
 }  // namespace jounce::detail

@@ -12,7 +12,7 @@ struct OnlineStep {
   /// Why an axis cannot go to its goal; `not_straight` also while the axes are off the line, because
   /// none on it keeps the bounds.
   MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< the first such axis, where the status is not ok
+  std::size_t axis = 0;  ///< the first such axis, if the status is not ok
   bool arrived = false;  ///< every enabled axis is at its goal
   bool planned = false;  ///< a motion was planned; otherwise all were kept
 };

@@ -19,14 +19,14 @@ struct FactorRequest {
 struct OverrideSpec {
   std::vector<FactorRequest> requests = {};  ///< times ascend
   double factor = 1;   ///< initial factor; the plan begins at rest unless this is 1
-  double maximum = 1;  ///< the largest factor that may be asked for: 1.2 is 120 %
+  double maximum = 1;  ///< the largest permitted factor: 1.2 is 120 %
 };
 
 /// Outcome of one request.
 struct FactorRamp {
   double begin = 0;     ///< s, when the factor begins to change: not before the request
   double end = 0;       ///< s, when it is reached
-  double factor = 1;    ///< reached; less than asked for where the limits do not allow more
+  double factor = 1;    ///< reached factor; less than requested if the limits do not allow more
   bool granted = true;  ///< false: the motion is over before a ramp that holds the limits ends
 };
 
@@ -35,7 +35,7 @@ struct Overridden {
   Trajectory clock;               ///< path time over time; its velocity is the factor
   std::vector<Trajectory> axes;   ///< each axis along the clock, exactly: composed(axis, clock)
   std::vector<FactorRamp> ramps;  ///< one for each request
-  bool arrived = true;            ///< false: a feed hold that nothing ended; the axes stand
+  bool arrived = true;            ///< false: a feed hold without an end; the axes stand still
 };
 
 /// Plays a planned motion with a speed override (HIMC HMPL manual 5.3.37, 8.3.28: SetVelScale;
@@ -54,8 +54,8 @@ struct Overridden {
 /// once (a plan that brakes at its limit cannot brake harder) the ramp begins later: at a break of
 /// the plan or a quarter between. In a cruise a hold is as fast as the axis can stop. While the
 /// plan accelerates or brakes it takes up to about three times as long (measured over four plans;
-/// 1.0 to 1.5 times on average), or the motion ends by itself first. The search takes about a
-/// millisecond a request: it belongs into planning, not into the control cycle.
+/// 1.0 to 1.5 times on average), or the motion ends first. The search takes about a millisecond a
+/// request: it belongs into planning, not into the control cycle.
 ///
 /// **Guaranteed.** Velocity, acceleration and jerk limits hold at every instant if they hold for
 /// the plan, for all requests: a change that would break them comes later, or not at all
@@ -63,15 +63,15 @@ struct Overridden {
 /// reduced to the margin of the rest of the plan. Steps of the plan's acceleration (a
 /// trapezoid's) stay steps and count as no jerk.
 ///
-/// A request replaces a ramp that has begun, from where that stands. The curves end where the path
-/// ends, or, if it is not reached, where the last ramp does; they hold there.
+/// A request replaces a ramp that has begun, from its present state. The curves end with the path,
+/// or, if its end is not reached, with the last ramp; they hold there.
 ///
-/// Throws InputError if there are not as many limits as axes, an axis lacks a velocity, acceleration
-/// or jerk limit, if the plan breaks one (with limit, place and amount) or breaks it at the
-/// first factor, for a factor out of range, times that do not ascend or lie before the
-/// start, axes with different intervals or that all stand still, a first factor of 0 that nothing
-/// ends, and where `composed` does (a plan of degree 4 or more does not fit the ramp of a clock,
-/// degree 3).
+/// Throws InputError if there are not as many limits as axes, an axis lacks a velocity,
+/// acceleration or jerk limit, if the plan breaks one (with limit, place and amount) or breaks it
+/// at the first factor, for a factor out of range, times that do not ascend or lie before the
+/// start, axes with different intervals or that all stand still, a first factor of 0 without an
+/// end, and like `composed` (a plan of degree 4 or more does not fit the ramp of a clock, degree
+/// 3).
 Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,
                       const OverrideSpec& spec);
 

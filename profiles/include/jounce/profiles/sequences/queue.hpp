@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// A queue of single-axis commands, planned as one motion: what a controller's command buffer does
-/// with buffered, blended and aborting moves (PLCopen motion control part 1; PMC600 manual 7.1, Table
+/// A queue of single-axis commands, planned as one motion, like a controller's command buffer with
+/// buffered, blended and aborting moves (PLCopen motion control part 1; PMC600 manual 7.1, Table
 /// 7.1; HIMC HMPL manual 8.1.4).
 ///
 ///     const Dynamics slow{.velocity = 5, .acceleration = 10};
@@ -23,15 +23,16 @@ namespace jounce {
 ///         {MoveAbsolute{50}, fast, BufferMode::blending_low}}});
 ///     motion.commands[0].reached;        // 5: the velocity at 10, passed without stopping
 ///
-/// **Vocabulary.** A *junction* is where one command hands over to the next: at the end position of
-/// a position move, with acceleration 0, at the *junction velocity*. A *batch* is what is known
-/// when planning begins: an aborting command and all that follows up to the next aborting one.
+/// **Vocabulary.** A *junction* is the transition from one command to the next: at the end position
+/// of a position move, with acceleration 0, at the *junction velocity*. A *batch* contains the
+/// commands known at the start of planning: an aborting command and all that follow up to the next
+/// aborting one.
 ///
 /// **Units.** u for the axis' unit: u, u/s, u/s^2, u/s^3; times in s from the start of the queue.
 ///
 /// **Throws** InputError for bad input (the key counts commands from 1), which includes magnitudes
-/// greater than 1e30 and limits less than 1e-30, for a queue that does not last, and for a command
-/// that would begin where move_to() takes no state any more; every other queue has a motion.
+/// greater than 1e30 and limits less than 1e-30, for a queue without duration, and for a command
+/// that would begin in a state beyond the range of move_to(); every other queue has a motion.
 
 /// Start mode after the command before; the numbers are those of the controllers.
 enum class BufferMode : std::uint8_t {
@@ -48,7 +49,7 @@ struct MoveAbsolute {
   double position = 0;
 };
 
-/// MC_MoveRelative: by a distance, u, from where the command begins: the target of the one before,
+/// MC_MoveRelative: by a distance, u, from the start of the command: the target of the one before,
 /// or after an abort the position at that moment (PMC600 manual 5.2.2).
 struct MoveRelative {
   double distance = 0;
@@ -71,18 +72,18 @@ using MotionCommand = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Hal
 
 struct QueuedCommand {
   MotionCommand command;
-  /// Not used by Dwell; Halt does not use the velocity. Whichever way the axis goes, `acceleration`
-  /// holds while it speeds up and `deceleration` while it slows down. Where the two differ, a motion
-  /// that has to turn round (after an abort) stops first, then moves back, as with_target() does.
-  /// There is one jerk: deceleration_jerk must be 0 or equal to it.
+  /// Not used by Dwell; Halt does not use the velocity. In both directions, `acceleration` holds
+  /// while the axis speeds up and `deceleration` while it slows down. If the two differ, a motion
+  /// that has to reverse (after an abort) stops first, then moves back, like with_target(). There
+  /// is one jerk: deceleration_jerk must be 0 or equal to it.
   Dynamics dynamics = {};
   BufferMode mode = BufferMode::buffered;  ///< mode of the first command: not used
-  /// s, >= 0, ascending; an aborting command's only, which must have it unless it is the first.
+  /// s, >= 0, ascending; only for an aborting command, which must have it unless it is the first.
   std::optional<double> issued = {};
 };
 
 struct QueueSpec {
-  MotionState start = {};  ///< acceleration must be 0 where the first command is a Dwell or waits
+  MotionState start = {};  ///< acceleration must be 0 if the first command is a Dwell or waits
   std::vector<QueuedCommand> commands;
 };
 
@@ -95,7 +96,7 @@ enum class CommandState : std::uint8_t {
 struct CommandRecord {
   double begin = 0;    ///< s
   double end = 0;      ///< s; both are breaks of the trajectory
-  double target = 0;   ///< u; where it ends or, aborted, would have ended
+  double target = 0;   ///< u; its end, or for an aborted command its intended end
   double planned = 0;  ///< u/s, the junction velocity that the next command's mode asks for
   double reached = 0;  ///< u/s, at `end`
   CommandState state = CommandState::done;
@@ -111,16 +112,16 @@ struct QueuedMotion {
 /// velocity). Rules:
 ///
 /// 1. A junction is passed exactly at the end position, with acceleration 0, at exactly the velocity
-///    that the mode asks for, or, if the move before is too short, the highest that it can reach, or,
-///    if the moves after it are too short, the highest from which they all can keep theirs and the
-///    last can stop. All moves of a batch are looked at.
-/// 2. It is 0 where the next move turns round, covers no distance, or dwells; after MoveVelocity and
+/// that the mode requires; or, if the move before is too short, the highest that it can reach; or,
+/// if the moves after it are too short, the highest from which they all can keep theirs and the
+/// last can stop. All moves of a batch are considered.
+/// 2. It is 0 if the next move reverses, covers no distance, or dwells; after MoveVelocity and
 ///    Halt the next command begins when they are done, in every mode.
 /// 3. No move overshoots its end, except a batch's first that is too fast for it when it begins. It
 ///    passes the end faster than planned if the moves after it can cope, otherwise it overshoots,
 ///    returns, and hands over at rest.
-/// 4. An abort takes position, velocity and acceleration over; the acceleration counts as 0 where the
-///    motion that it ends has no jerk limit.
+/// 4. An abort takes position, velocity and acceleration over; the acceleration counts as 0 if
+///    the aborted motion has no jerk limit.
 /// 5. Each command keeps its dynamics, except that one which begins faster (or under a greater
 ///    acceleration) than it permits is brought inside as fast as it permits, and that one which hands
 ///    over at more than its own velocity (next, high) speeds up to it just before its end.

@@ -12,7 +12,7 @@ namespace jounce {
 enum class MoveGoal : std::uint8_t {
   state,     ///< `to`: position, velocity and acceleration at one instant
   velocity,  ///< the velocity and acceleration of `to`, wherever that is
-  moving,  ///< a target that is at `to` when the motion begins and goes on at the velocity of `to`
+  moving,  ///< a target that is at `to` when the motion begins and continues at the velocity of `to`
 };
 
 /// One axis of a common motion.
@@ -22,8 +22,8 @@ struct AxisMove {
   MoveGoal goal = MoveGoal::state;
   /// An axis that is not enabled takes no part: its profile is `from`, of no duration.
   bool enabled = true;
-  /// A motion from `from` to the goal that is known to keep the bounds, or null. It is taken where no
-  /// faster one is found, and wherever the common duration is its own.
+  /// A motion from `from` to the goal that is known to keep the bounds, or null. It is used if no
+  /// faster one is found, and if the common duration equals its own.
   const Profile* under_way = nullptr;
 };
 
@@ -33,7 +33,7 @@ enum class Sync : std::uint8_t {
   time,            ///< all arrive at the same instant, the earliest at which every axis can
   phase,           ///< all on one straight line at every instant
   time_if_moving,  ///< like time, but an axis whose target rests goes as fast as it can and waits there
-  phase_or_time,  ///< phase where the states lie on one line, otherwise time
+  phase_or_time,  ///< phase if the states lie on one line, otherwise time
 };
 
 struct Synchronised {

@@ -14,7 +14,7 @@ namespace jounce {
 ///                                   .points = {{0, 0}, {1, 0.5}, {2, 2}}});
 ///     motion.knots[1].time;                          // s, when all axes pass {1, 0.5}
 ///     const Motion x = motion.axes[0].at(0.5);
-///     motion.duration / motion.stopping_duration;    // what not stopping gains
+///     motion.duration / motion.stopping_duration;    // gain of not stopping
 ///
 /// **Vocabulary.** A *stretch* is the motion between two neighbouring points; it keeps the bounds of
 /// every axis, is jerk-limited if they are, and all axes begin and end it together. It is not a
@@ -58,23 +58,23 @@ struct ViaMotion {
   std::vector<ViaKnot> knots;    ///< one a point
   double duration = 0;           ///< s
   double stopping_duration = 0;  ///< s, of the same motion with a stop at every point between;
-                                 ///< infinite where it cannot stop at one
+                                 ///< infinite if it cannot stop at one
   bool stops = false;            ///< the fall-back: nothing better than stopping was found
 };
 
 /// Plans the motion.
 ///
-/// One axis: the shortest motion through the points that does not turn back between points of one
-/// direction. Where the points go on in one direction, they cost nothing; the acceleration at turning
-/// points is searched. Several axes: velocities and accelerations at the points are searched
-/// (deterministic, coordinate by coordinate, from a feasible start), which finds a local optimum:
-/// never longer than stopping at every point, not proven to be the shortest. No axis turns back
+/// One axis: the shortest motion through the points that does not reverse between points of one
+/// direction. Points in one direction cost nothing; the search covers the acceleration at turning
+/// points. Several axes: the search covers velocities and accelerations at the points
+/// (deterministic, coordinate by coordinate, from a feasible start) and finds a local optimum:
+/// never longer than with a stop at every point, not proven to be the shortest. No axis reverses
 /// between two points.
 ///
-/// Throws InputError for fewer than two points, a point with another number of axes, one equal to the
-/// point before, one that is not finite, greater than 1e30 or outside the position bounds, for
-/// bounds that `move_to` refuses, and for rates at an end from which no motion was found that keeps
-/// the bounds and does not turn back. Every other input has a motion.
+/// Throws InputError for fewer than two points, a point with another number of axes, one equal to
+/// the point before, one that is not finite, greater than 1e30 or outside the position bounds, for
+/// bounds that `move_to` rejects, and for rates at an end from which no motion was found that keeps
+/// the bounds and does not reverse. Every other input has a motion.
 ViaMotion via(const ViaSpec& spec);
 
 }  // namespace jounce

@@ -30,10 +30,10 @@ struct Notched {
 ///     const double left = residual_vibration(quiet.motion, {5.5});  // about `settled`
 ///
 /// The response to a piecewise polynomial is polynomials and decaying exponentials, which no
-/// Segment holds: it is given as its Taylor polynomials of degree 10 over steps of an eighth of a
-/// radian, whose remainder is bounded, and closed by a quintic to rest once what is left of the
-/// tail is below `settled` of the travel. `error` bounds both. Continuous in acceleration where f
-/// is. f rests before and after (also where it refuses).
+/// Segment holds: it is represented by its Taylor polynomials of degree 10 over steps of an eighth
+/// of a radian, with a bounded remainder, and ended by a quintic to rest once the rest of the tail
+/// is below `settled` of the travel. `error` bounds both. Continuous in acceleration where f is. f
+/// rests before and after (also if it refuses).
 ///
 /// Throws InputError for a value out of range, a motion that wraps or does not move, and one
 /// so long that it needs more than a million steps.

@@ -18,8 +18,8 @@ enum class ShaperKind {
   ei,   ///< extra insensitive: three impulses, one period; leaves `tolerance`, forgives about 20 %
 };
 
-/// HIMC's names (HMPL manual 15.1): NORMAL is type 1, ROBUST type 0. The manual does not define which
-/// shapers they are; these are what the names and their prices suggest.
+/// HIMC's names (HMPL manual 15.1): NORMAL is type 1, ROBUST type 0. The manual does not define
+/// them; the names and their costs suggest these shapers.
 inline constexpr ShaperKind himc_normal = ShaperKind::zv;
 inline constexpr ShaperKind himc_robust = ShaperKind::zvd;
 
@@ -37,23 +37,23 @@ struct ShaperSpec {
 ///
 /// Sources: Smith 1957 (zv), Singer & Seering 1990 (zvd), Singhose, Seering & Singer 1994 (ei). For
 /// a damped mode ei has the weights of the undamped one scaled by the mode's decay: exactly
-/// `tolerance` is left at the mode; at the frequencies beside it where the undamped shaper leaves
-/// nothing, little is left. Throws InputError for a mode or tolerance out of range, and where
-/// damping alone leaves less than the tolerance (ei).
+/// `tolerance` is left at the mode; at the neighboring frequencies where the undamped shaper leaves
+/// nothing, little is left. Throws InputError for a mode or tolerance out of range, and if damping
+/// alone leaves less than the tolerance (ei).
 std::vector<Impulse> shaper(const ShaperSpec& spec);
 
-/// Two shapers one after the other: for two modes, or a more robust one of the same mode.
-/// Throws InputError where `require_valid` does.
+/// Two shapers one after the other: for two modes, or a more robust one of the same mode. Throws
+/// InputError like `require_valid`.
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
 /// The curve through a shaper: the sum of its copies, each delayed and scaled by an impulse. Exact;
-/// longer by the last impulse's time. f must begin and end at rest, and the axis rests before and after
-/// (also where f refuses); a wrapping curve is shaped through its seam. If all impulses are positive,
-/// limits that hold for f hold for the result.
+/// longer by the last impulse's time. f must begin and end at rest, and the axis rests before and
+/// after (also if f refuses); a wrapping curve is shaped through its seam. If all impulses are
+/// positive, limits that hold for f hold for the result.
 ///
-/// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add
-/// up to 1, the last comes later than 10000 lengths of f, f begins or ends moving (a jog: append the
-/// stop first; a delayed copy would stop in no time), and where one piece would need more than three
+/// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add up
+/// to 1, the last comes later than 10000 lengths of f, f begins or ends moving (a jog: append the
+/// stop first; a delayed copy would stop in zero time), and if one piece would need more than three
 /// sines.
 Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses);
 

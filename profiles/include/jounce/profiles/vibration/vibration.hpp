@@ -11,8 +11,8 @@ namespace jounce {
 ///
 ///     (1)  x'' + 2 D w x' + w^2 x = w^2 f(t),   w = 2 pi frequency
 ///
-/// with the axis at f. The frequency is the undamped one; what one counts in a decay is
-/// frequency * sqrt(1 - D^2), which differs by 0.05 % at D = 0.03.
+/// with the axis at f. The frequency is the undamped one; a decay shows frequency * sqrt(1 - D^2),
+/// which differs by 0.05 % at D = 0.03.
 struct Mode {
   double frequency = 0;  ///< Hz, > 0
   double damping = 0;    ///< D, a ratio: 0 <= D < 1
@@ -24,21 +24,20 @@ struct Impulse {
   double amplitude = 1;
 };
 
-/// Residual vibration of a mode after a sequence of impulses: the amplitude after its last impulse as a
-/// share of what one impulse at that instant leaves. 0: nothing; 1: as if unshaped. Closed form
-/// (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError for a mode out
-/// of range, and where `require_valid` does.
+/// Residual vibration of a mode after a sequence of impulses: the amplitude after its last impulse
+/// as a share of the residual of a single impulse at that instant. 0: none; 1: like the unshaped
+/// motion. Closed form (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws
+/// InputError for a mode out of range, and like `require_valid`.
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode);
 
-/// The worst of it over a band of frequencies, damping fixed, and where.
+/// Its greatest value over a band of frequencies at fixed damping, and the frequency.
 struct WorstResidual {
   double residual = 0;
   double frequency = 0;  ///< Hz
 };
 
-/// Not sampled: the residual's slope is bounded, so that no frequency of [low, high] exceeds the
-/// result by more than 1e-6. Throws InputError unless 0 < low <= high, and where
-/// `require_valid` does.
+/// Not sampled: the residual's slope is bounded, so no frequency of [low, high] exceeds the result
+/// by more than 1e-6. Throws InputError unless 0 < low <= high, and like `require_valid`.
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 

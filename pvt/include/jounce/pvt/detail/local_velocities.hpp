@@ -12,7 +12,7 @@ struct Chords {
 };
 
 /// The velocity at a knot between pieces of lengths h0, h1 and chords d0, d1: Fritsch and Butland's
-/// weighted harmonic mean, 0 where the chords turn round. At most 3 times the smaller one.
+/// weighted harmonic mean, 0 if the chords differ in sign. At most 3 times the smaller one.
 double between_chords(double h0, double d0, double h1, double d1);
 
 /// Velocities by those; at open ends the three-point formula, limited. Across the seam if

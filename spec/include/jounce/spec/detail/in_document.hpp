@@ -12,8 +12,8 @@ inline InputError renamed(const InputError& error, const std::string& key) {
   return {key, error.value(), error.rule()};
 }
 
-/// A generator names its own fields: here they stand under `table`, and a slave's limits under
-/// [limits.slave].
+/// A generator names its own fields: in the document they are under `table`, and a slave's limits
+/// under [limits.slave].
 template <class Make>
 auto in_document(const std::string& table, const Make& make) -> decltype(make()) {
   try {

@@ -19,8 +19,8 @@ struct Edit {
 /// Byte offset of a place that TOML counts in lines and code points, both from 1.
 std::size_t offset(const std::string& text, const toml::source_position& place);
 
-/// The text with all edits made; they do not overlap. Of two insertions at one place the last given
-/// stands first.
+/// The text with all edits made; they do not overlap. Of two insertions at one place, the later one
+/// comes first.
 std::string edited(std::string text, std::vector<Edit> edits);
 
 }  // namespace jounce::detail

@@ -26,7 +26,7 @@ class TomlReader {
   /// A number, or a quantity with unit in quotes, in `unit`.
   double number(const char* key, const std::string& unit);
   std::optional<double> optional_number(const char* key, const std::string& unit);
-  /// A number or a quantity as it is written, where only later is known in what it counts.
+  /// A number or a quantity as written, if its unit is known only later.
   std::optional<std::string> optional_quantity(const char* key);
   std::optional<std::size_t> optional_count(const char* key);
   /// A whole number of any sign.
@@ -50,7 +50,7 @@ class TomlReader {
   std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
   /// True if key holds tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
-  /// key = [a, b, ...]: one number for each unit; nothing if the key is left out.
+  /// key = [a, b, ...]: one number for each unit; nothing if the key is missing.
   std::vector<double> numbers(const char* key, std::span<const std::string> units);
   /// key = [a, b, ...]: any number of numbers.
   std::vector<double> number_list(const char* key, const std::string& unit);
@@ -64,8 +64,8 @@ class TomlReader {
   [[nodiscard]] std::vector<std::string> keys() const;
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
-  /// Throws InputError where an unread key is a misspelling of `key`. Called before `key` is reported as
-  /// missing.
+  /// Throws InputError if an unread key is a misspelling of `key`. Called before `key` is reported
+  /// as missing.
   void refuse_misspelt(const char* key) const;
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   void finish();
@@ -86,10 +86,10 @@ class TomlReader {
 /// The document as TOML. Throws InputError, placed: an empty file, a slip of the syntax.
 toml::table parse_toml(const Document& document);
 
-/// `jounce = 1`, with which every file begins.
+/// `jounce = 1`, at the start of every file.
 void require_version(TomlReader& top);
 
-/// The text of a value as it stands in the document, for messages.
+/// The text of a value as written in the document, for messages.
 std::string shown(const toml::node& node);
 
 }  // namespace jounce::detail
