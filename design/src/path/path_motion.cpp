@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,15 @@ double fine(const Program& program) {
   return std::max(1e-9, 2e-14 * largest);
 }
 
+/// The curve without the segments that are shorter than the rounding of its times: a table has no knots so close.
+Trajectory without_slivers(const Trajectory& curve) {
+  const double shortest = 16 * std::numeric_limits<double>::epsilon() * curve.end();
+  std::vector<Segment> segments;
+  for (const Segment& segment : curve.segments())
+    if (segment.length > shortest) segments.push_back(segment);
+  return Trajectory(std::move(segments), 0, Extrapolation::hold);
+}
+
 Plan planned(const PathSpec& path) {
   if (path.program.commands().empty())
     throw InputError("command", "",
@@ -69,8 +79,8 @@ PathMotion motion_of(const PathSpec& path) {
   made.plan = std::make_shared<const Plan>(planned(path));
   made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
   for (Trajectory& curve : made.axes.curves) {
+    curve = without_slivers(curve);
     made.names.push_back(names_of(*made.plan, curve));
-    curve = with(curve, Extrapolation::hold);
   }
   return made;
 }

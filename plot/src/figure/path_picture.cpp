@@ -13,6 +13,7 @@ namespace jounce {
 namespace {
 
 constexpr int points_a_segment = 8;
+constexpr double angle_a_point = 0.05;  // rad, on an arc
 constexpr std::size_t marked_places = 5;
 
 [[noreturn]] void fail(const std::string& plane, const std::string& rule) {
@@ -27,13 +28,22 @@ std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
   return static_cast<std::size_t>(at - axes.begin());
 }
 
+int points_of(const Segment& segment) {
+  double angle = 0;
+  for (int k = 0; k < segment.sines; ++k)
+    angle = std::max(angle, std::abs(segment.sine[static_cast<std::size_t>(k)].angle));
+  return std::max(points_a_segment, static_cast<int>(std::min(angle / angle_a_point, 1e5)));
+}
+
 /// The breaks of all axes, and places between them where an axis bends.
 std::vector<double> times_of(const std::vector<const Trajectory*>& curves) {
   std::vector<double> times;
   for (const Trajectory* curve : curves)
-    for (std::size_t i = 0; i < curve->segments().size(); ++i)
-      for (int k = 0; k < points_a_segment; ++k)
-        times.push_back(curve->breaks()[i] + curve->segments()[i].length * k / points_a_segment);
+    for (std::size_t i = 0; i < curve->segments().size(); ++i) {
+      const int points = points_of(curve->segments()[i]);
+      for (int k = 0; k < points; ++k)
+        times.push_back(curve->breaks()[i] + curve->segments()[i].length * k / points);
+    }
   times.push_back(curves.front()->end());
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
