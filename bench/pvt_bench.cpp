@@ -76,7 +76,7 @@ std::vector<double> positions(const Columns& columns, std::size_t n, Order order
 struct Results {
   std::vector<double> p, v, a;
   explicit Results(std::size_t n) : p(n), v(n), a(n) {}
-  [[nodiscard]] detail::Samples columns() { return {p.data(), v.data(), a.data()}; }
+  [[nodiscard]] pvt_detail::Samples columns() { return {p.data(), v.data(), a.data()}; }
 };
 
 void count(State& state, std::size_t n) {
@@ -88,18 +88,18 @@ void count(State& state, std::size_t n) {
 #pragma GCC push_options
 #pragma GCC target("avx2")
 __attribute__((noinline)) void fill_256(double* to, std::size_t n, double x) {
-  for (const detail::Vector4 value{x, x, x, x}; n >= 4; n -= 4, to += 4)
+  for (const profiles_detail::Vector4 value{x, x, x, x}; n >= 4; n -= 4, to += 4)
     __builtin_memcpy(to, &value, sizeof value);
 }
 #pragma GCC target("avx512f")
 __attribute__((noinline)) void fill_512(double* to, std::size_t n, double x) {
-  for (const detail::Vector8 value{x, x, x, x, x, x, x, x}; n >= 8; n -= 8, to += 8)
+  for (const profiles_detail::Vector8 value{x, x, x, x, x, x, x, x}; n >= 8; n -= 8, to += 8)
     __builtin_memcpy(to, &value, sizeof value);
 }
 #pragma GCC pop_options
 #endif
 __attribute__((noinline)) void fill_128(double* to, std::size_t n, double x) {
-  for (const detail::Vector2 value{x, x}; n >= 2; n -= 2, to += 2)
+  for (const profiles_detail::Vector2 value{x, x}; n >= 2; n -= 2, to += 2)
     __builtin_memcpy(to, &value, sizeof value);
 }
 
@@ -154,21 +154,22 @@ BENCHMARK_CAPTURE(grid, linear, Interpolation::linear)->Arg(16000);
 BENCHMARK_CAPTURE(grid, cubic, Interpolation::cubic_hermite)->Arg(960)->Arg(16000)->Arg(4000000);
 BENCHMARK_CAPTURE(grid, quintic, Interpolation::quintic_hermite)->Arg(960)->Arg(16000);
 
-void kernel(State& state, const detail::SampleKernels& kernels, bool supported = true) {
+void kernel(State& state, const pvt_detail::SampleKernels& kernels, bool supported = true) {
   if (!supported) return state.SkipWithError("the processor does not have these vectors");
   const std::size_t n = 16000;
   const Table f = table(n / 64, Interpolation::cubic_hermite);
   Results out(n);
   for (auto _ : state) {
-    kernels.uniform(detail::knots_of(f.columns()), f.rule(), {0, f.end() / n}, 0, n, out.columns());
+    kernels.uniform(pvt_detail::knots_of(f.columns()), f.rule(), {0, f.end() / n}, 0, n,
+                    out.columns());
     benchmark::ClobberMemory();
   }
   count(state, n);
 }
-BENCHMARK_CAPTURE(kernel, anywhere, detail::sample_anywhere);
+BENCHMARK_CAPTURE(kernel, anywhere, pvt_detail::sample_anywhere);
 #ifdef __x86_64__
-BENCHMARK_CAPTURE(kernel, avx2, detail::sample_avx2, __builtin_cpu_supports("avx2"));
-BENCHMARK_CAPTURE(kernel, avx512, detail::sample_avx512, __builtin_cpu_supports("avx512f"));
+BENCHMARK_CAPTURE(kernel, avx2, pvt_detail::sample_avx2, __builtin_cpu_supports("avx2"));
+BENCHMARK_CAPTURE(kernel, avx512, pvt_detail::sample_avx512, __builtin_cpu_supports("avx512f"));
 #endif
 
 // ---- query by query ------------------------------------------------------------------------------

@@ -3,9 +3,9 @@
 
 #include "jounce/spec/spec.hpp"
 
-namespace jounce::detail {
+namespace jounce::design_detail {
 
 /// The cam of a spec. Derivatives that its knots omit follow the rules of the spec.
 CamSpec cam_of(const Spec& spec);
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

@@ -132,7 +132,7 @@ Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
   append(report, check_joints(input, continuity));
-  if (input.plan) detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
+  if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // The table may break a limit between the knots that the curve keeps.

@@ -24,7 +24,7 @@ template <class Over>
 double rms(const Curve<Over>& curve, int order) {
   double sum = 0;
   for (const Segment& f : curve.segments())
-    detail::quadrature(f, [&](double s, double weight) {
+    cam_detail::quadrature(f, [&](double s, double weight) {
       const double y = evaluate(f, s)[static_cast<std::size_t>(order)];
       sum += weight * f.length * y * y;
     });

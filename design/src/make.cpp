@@ -20,7 +20,7 @@
 
 namespace jounce {
 
-CamSpec detail::cam_of(const Spec& spec) {
+CamSpec design_detail::cam_of(const Spec& spec) {
   const auto& cam = std::get<CamSpec>(spec.subject);
   switch (spec.boundaries) {
     case Boundaries::minimum_jerk:
@@ -35,7 +35,7 @@ CamSpec detail::cam_of(const Spec& spec) {
 
 namespace {
 
-using detail::cam_of;
+using design_detail::cam_of;
 
 /// True if the acceleration steps at a knot: a quintic needs one acceleration there. Steps at the ends of a curve that
 /// does not repeat are outside the table.
@@ -140,7 +140,7 @@ Made make_sync(const Spec& spec) {
 struct Motions {
   std::vector<Trajectory> curves;
   std::vector<std::string> names;
-  detail::PathMotion path = {};  ///< for the kind "path": names for each axis, and fits
+  design_detail::PathMotion path = {};  ///< for the kind "path": names for each axis, and fits
 
   [[nodiscard]] const std::vector<std::string>& names_of(std::size_t axis) const {
     return path.names.empty() ? names : path.names[axis];
@@ -148,7 +148,7 @@ struct Motions {
 };
 
 Motions motions_of(const PathSpec& spec) {
-  detail::PathMotion path = detail::motion_of(spec);
+  design_detail::PathMotion path = design_detail::motion_of(spec);
   std::vector<Trajectory> curves = std::move(path.axes.curves);
   return {std::move(curves), {}, std::move(path)};
 }
@@ -159,13 +159,13 @@ Motions motions_of(const Spec& spec) {
   if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject))
     return {{motion_of(*table)}, labels_of(*table)};
   if (const auto* axes = std::get_if<AxesSpec>(&spec.subject))
-    return {detail::motions_of(*axes), {}};
+    return {design_detail::motions_of(*axes), {}};
   if (const auto* path = std::get_if<PathSpec>(&spec.subject)) return motions_of(*path);
   if (const auto* queue = std::get_if<QueueSpec>(&spec.subject)) {
-    detail::QueueMotion motion = detail::motion_of(*queue);
+    design_detail::QueueMotion motion = design_detail::motion_of(*queue);
     return {{std::move(motion.curve)}, std::move(motion.labels)};
   }
-  return {{detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
+  return {{design_detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
 }
 
 /// Names of the segments after the operators. A filter makes many segments without a meaning: they have no names.
@@ -223,7 +223,8 @@ std::vector<Made> make_motions(const Spec& spec) {
     return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
   const Motions before = motions_of(spec);
   std::vector<Trajectory> curves = before.curves;
-  const std::vector<Jet> fits = detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
+  const std::vector<Jet> fits =
+      design_detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);

@@ -79,7 +79,7 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   const ShapeSpec& shape = spec.optimize.shape;
   if (spec.polydyne) throw InputError("polydyne", "", "cannot be combined with free shapes");
   CamShapeProblem problem;
-  problem.cam = detail::cam_of(spec);
+  problem.cam = design_detail::cam_of(spec);
   problem.shapes = shape.shapes;
   problem.knots = spec.optimize.free;
   free_what_is_left_out(std::get<CamSpec>(spec.subject), shape, problem.knots);

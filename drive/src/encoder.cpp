@@ -25,7 +25,7 @@ double EncoderReading::operator()(double position) noexcept {
 
 /// In (0, 1), so that its logarithm is finite.
 double EncoderReading::uniform() noexcept {
-  return (static_cast<double>(detail::splitmix64(state_) >> 11U) + 0.5) * 0x1p-53;
+  return (static_cast<double>(profiles_detail::splitmix64(state_) >> 11U) + 0.5) * 0x1p-53;
 }
 
 double told_position(const Feedback& feedback) {

@@ -24,7 +24,7 @@ void append(std::string& text, double value, char before) {
 }
 
 std::string names_line(const TableFile& file) {
-  const auto names = detail::column_names(file.table.axis(), Interpolation::quintic_hermite);
+  const auto names = io_detail::column_names(file.table.axis(), Interpolation::quintic_hermite);
   std::string text = names[0] + " [" + file.units.x + "]";
   for (int order = 0; order < 3; ++order)
     text += "," + names[static_cast<std::size_t>(order) + 1] + " [" +

@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-using detail::TableParts;
+using io_detail::TableParts;
 
 constexpr std::string_view first_line = "# jounce table ";
 constexpr std::array header_keys{"axis",   "rule", "outside",     "knots",
@@ -62,7 +62,7 @@ class Lines {
 void read_version(Lines& lines) {
   const std::string_view line = lines.next();
   if (!line.starts_with(first_line)) lines.fail("", "", "a table begins with `# jounce table 1`");
-  detail::require_version(
+  io_detail::require_version(
       std::string(line.substr(first_line.size())),
       [&](const auto& value, const auto& rule) { lines.fail("jounce table", value, rule); });
 }
@@ -102,14 +102,14 @@ std::string column_unit(Lines& lines, std::string_view cell, const std::string& 
 
 void read_columns_line(Lines& lines, TableParts& parts) {
   const auto names = csv_cells(lines.at_end() ? std::string_view() : lines.next());
-  const auto expected = detail::column_names(parts.axis, parts.rule);
+  const auto expected = io_detail::column_names(parts.axis, parts.rule);
   if (names.size() != expected.size())
     lines.fail(
         "columns", std::to_string(names.size()),
         "a " + std::string(name(parts.rule)) + " table has " + std::to_string(expected.size()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string unit = column_unit(lines, names[i], expected[i]);
-    const std::string rule = detail::take_unit(parts, i, unit);
+    const std::string rule = io_detail::take_unit(parts, i, unit);
     if (!rule.empty()) lines.fail(expected[i], "[" + unit + "]", rule);
   }
 }
@@ -132,7 +132,7 @@ void read_row(Lines& lines, std::span<std::vector<double>* const> columns) {
 
 std::string to_csv(const TableFile& file) {
   const Table& table = file.table;
-  std::string text = std::string(first_line) + std::to_string(detail::schema_version) + "\n";
+  std::string text = std::string(first_line) + std::to_string(io_detail::schema_version) + "\n";
   const auto line = [&](const char* key, const std::string& value) {
     if (!value.empty()) text += std::string("# ") + key + ": " + value + "\n";
   };
@@ -144,7 +144,7 @@ std::string to_csv(const TableFile& file) {
   line("spec", file.provenance.spec);
   line("spec sha256", file.provenance.spec_sha256);
   line("made by", file.provenance.made_by);
-  const auto names = detail::column_names(table.axis(), table.rule());
+  const auto names = io_detail::column_names(table.axis(), table.rule());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto unit = i == 0
                           ? file.units.x
@@ -161,7 +161,7 @@ std::string to_csv(const TableFile& file) {
   return text + "\n";
 }
 
-namespace detail {
+namespace io_detail {
 
 TableParts parse_csv(const std::string& text, const std::string& name) {
   Lines lines(text, name);
@@ -197,5 +197,5 @@ TableParts parse_csv(const std::string& text, const std::string& name) {
   return parts;
 }
 
-}  // namespace detail
+}  // namespace io_detail
 }  // namespace jounce

@@ -15,7 +15,7 @@ std::string made_by() {
   return "jounce " JOUNCE_VERSION;
 }
 
-namespace detail {
+namespace io_detail {
 
 std::vector<std::string> column_names(Domain axis, Interpolation rule) {
   const auto& names = axis == Domain::time ? OverTime::names : OverMaster::names;
@@ -40,13 +40,13 @@ int line_of(const InputError& error, const TableParts& parts) {
   return parts.line_before_knots + std::stoi(error.key().substr(5));
 }
 
-}  // namespace detail
+}  // namespace io_detail
 
 TableFile parse_table(const std::string& text, const std::string& name) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("", "", "the file is empty").at(name, 1);
   auto parts =
-      text.starts_with('{') ? detail::parse_json(text, name) : detail::parse_csv(text, name);
+      text.starts_with('{') ? io_detail::parse_json(text, name) : io_detail::parse_csv(text, name);
   try {
     TableFile file{Table(parts.axis, parts.rule, parts.outside, std::move(parts.columns)),
                    parts.units, parts.provenance};
@@ -57,7 +57,7 @@ TableFile parse_table(const std::string& text, const std::string& name) {
                            ": the file was changed after Jounce wrote it");
     return file;
   } catch (const InputError& error) {
-    throw error.at(name, detail::line_of(error, parts));
+    throw error.at(name, io_detail::line_of(error, parts));
   }
 }
 

@@ -103,7 +103,7 @@ Json parse_strictly(const std::string& text, const std::string& document) {
 
 std::string to_json(const TableFile& file) {
   const Table& table = file.table;
-  const auto names = detail::column_names(table.axis(), table.rule());
+  const auto names = io_detail::column_names(table.axis(), table.rule());
   Json units;
   Json columns;
   const auto& [x, p, v, a] = table.columns();
@@ -114,7 +114,7 @@ std::string to_json(const TableFile& file) {
                           : rate_unit(file.units.position, file.units.x, static_cast<int>(i) - 1);
     columns[names[i]] = *all[i];
   }
-  const Json document{{"jounce_table", detail::schema_version},
+  const Json document{{"jounce_table", io_detail::schema_version},
                       {"axis", name(table.axis())},
                       {"rule", name(table.rule())},
                       {"outside", name(table.outside())},
@@ -129,7 +129,7 @@ std::string to_json(const TableFile& file) {
   return document.dump(1) + "\n";
 }
 
-namespace detail {
+namespace io_detail {
 
 TableParts parse_json(const std::string& text, const std::string& name) {
   const Json root = parse_strictly(text, name);
@@ -172,5 +172,5 @@ TableParts parse_json(const std::string& text, const std::string& name) {
   return parts;
 }
 
-}  // namespace detail
+}  // namespace io_detail
 }  // namespace jounce

@@ -7,7 +7,7 @@
 #include "jounce/spec/detail/toml_reader.hpp"
 #include "jounce/spec/spec.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// [drive], as far as the executor of an axis needs it; also `spec`, `name` and so on.
 std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units);
@@ -21,4 +21,4 @@ std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const 
 /// A [drive]. Its owner may have read keys of its own before.
 DriveSpec read_drive_table(TomlReader& table, const Units& units);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -16,7 +16,7 @@
 namespace jounce {
 namespace {
 
-using detail::TomlEditor;
+using spec_detail::TomlEditor;
 
 /// A number of a knot. A missing key is added below the master, if that is permitted.
 void set(TomlEditor& editor, const toml::table& table, const char* key, double before, double after,

@@ -17,9 +17,9 @@
 namespace jounce {
 namespace {
 
-using detail::TomlReader;
+using spec_detail::TomlReader;
 
-using detail::read_unit;
+using spec_detail::read_unit;
 
 /// A kind of spec: its independent axis, and the function that reads its own part, after units, table and limits.
 struct Kind {
@@ -30,7 +30,7 @@ struct Kind {
 
 void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
   TomlReader units = top.table("units");
-  spec.units.position = detail::read_position_unit(units, "position", nullptr);
+  spec.units.position = spec_detail::read_position_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
   try {
     (void)conversion(spec.time_unit, "s");
@@ -63,43 +63,43 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
 /// Reads the parts of a spec of one axis.
 void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
-  spec.table =
-      detail::read_table_options(top, spec.units, knots_are_the_table,
-                                 kind.runs == Kind::over_master ? Domain::master : Domain::time);
+  spec.table = spec_detail::read_table_options(
+      top, spec.units, knots_are_the_table,
+      kind.runs == Kind::over_master ? Domain::master : Domain::time);
   Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
-  spec.limits = detail::read_limits(top, spec.units, slave, spec.time_unit);
-  if (kind.name != std::string_view("axis")) spec.drive = detail::read_drive(top, spec.units);
+  spec.limits = spec_detail::read_limits(top, spec.units, slave, spec.time_unit);
+  if (kind.name != std::string_view("axis")) spec.drive = spec_detail::read_drive(top, spec.units);
 }
 
 /// Reads the parts that any cam may have: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
   if (auto master = read_master(top, spec)) spec.master = master;
-  spec.follower = detail::read_follower(top, spec);
-  spec.coupling = detail::read_coupling(top, spec.units, spec.time_unit);
-  spec.switches = detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
+  spec.follower = spec_detail::read_follower(top, spec);
+  spec.coupling = spec_detail::read_coupling(top, spec.units, spec.time_unit);
+  spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
 }
 
 void read_cam(TomlReader& top, Spec& spec) {
-  spec.subject = detail::read_cam(top, spec.units, spec);
+  spec.subject = spec_detail::read_cam(top, spec.units, spec);
   spec.master = read_master(top, spec);
-  detail::read_optimize(top, spec);
-  spec.disc = detail::read_disc(top, spec.units);
-  spec.polydyne = detail::read_polydyne(top);
+  spec_detail::read_optimize(top, spec);
+  spec.disc = spec_detail::read_disc(top, spec.units);
+  spec.polydyne = spec_detail::read_polydyne(top);
 }
 
 void read_pvt(TomlReader& top, Spec& spec) {
   if (!spec.table.rule) spec.table.rule = Interpolation::cubic_hermite;
-  spec.subject = detail::read_knots(top, spec, *spec.table.rule);
+  spec.subject = spec_detail::read_knots(top, spec, *spec.table.rule);
 }
 
 void read_axis(TomlReader& top, Spec& spec) {
-  AxisSpec axis = detail::read_axis(top.table("axis"), spec.units);
-  axis.homing = detail::read_homing(top, spec.units);
-  axis.follow = detail::read_whom(top);
-  (void)detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
+  AxisSpec axis = spec_detail::read_axis(top.table("axis"), spec.units);
+  axis.homing = spec_detail::read_homing(top, spec.units);
+  axis.follow = spec_detail::read_whom(top);
+  (void)spec_detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
   spec.subject = axis;
-  spec.switches = detail::read_switches(top, spec, SwitchesOf::position);
-  spec.compare = detail::read_compare(top, spec);
+  spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::position);
+  spec.compare = spec_detail::read_compare(top, spec);
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
@@ -111,37 +111,39 @@ constexpr std::array kinds{
     Kind{"cam", Kind::over_master, read_cam},
     Kind{"gear", Kind::over_master,
          [](auto& top, auto& spec) {
-           spec.subject = SyncSpec(detail::read_gear(top.table("gear"), spec.units));
+           spec.subject = SyncSpec(spec_detail::read_gear(top.table("gear"), spec.units));
          }},
     Kind{"follow", Kind::over_master,
          [](auto& top, auto& spec) {
-           spec.subject = SyncSpec(detail::read_follow(top, spec.units));
+           spec.subject = SyncSpec(spec_detail::read_follow(top, spec.units));
          }},
     Kind{"knife", Kind::over_master,
          [](auto& top, auto& spec) {
-           spec.subject = SyncSpec(detail::read_knife(top.table("knife"), spec.units));
+           spec.subject = SyncSpec(spec_detail::read_knife(top.table("knife"), spec.units));
          }},
     Kind{"shear", Kind::over_master,
          [](auto& top, auto& spec) {
-           spec.subject = SyncSpec(detail::read_shear(top.table("shear"), spec));
+           spec.subject = SyncSpec(spec_detail::read_shear(top.table("shear"), spec));
          }},
     Kind{"indexer", Kind::over_master,
          [](auto& top, auto& spec) {
-           spec.subject = SyncSpec(detail::read_indexer(top.table("indexer"), spec.units));
+           spec.subject = SyncSpec(spec_detail::read_indexer(top.table("indexer"), spec.units));
          }},
     Kind{"move", Kind::over_time,
          [](auto& top, auto& spec) {
-           spec.subject = detail::read_move(top.table("move"), spec.units);
+           spec.subject = spec_detail::read_move(top.table("move"), spec.units);
          }},
     Kind{"queue", Kind::over_time,
-         [](auto& top, auto& spec) { spec.subject = detail::read_queue(top, spec.units); }},
+         [](auto& top, auto& spec) { spec.subject = spec_detail::read_queue(top, spec.units); }},
     Kind{"axes", Kind::over_time,
-         [](auto& top, auto& spec) { spec.subject = detail::read_axes(top, spec); }},
+         [](auto& top, auto& spec) { spec.subject = spec_detail::read_axes(top, spec); }},
     Kind{"path", Kind::over_time,
-         [](auto& top, auto& spec) { spec.subject = detail::read_path(top, spec); }},
+         [](auto& top, auto& spec) { spec.subject = spec_detail::read_path(top, spec); }},
     Kind{"pvt", Kind::over_time, read_pvt},
     Kind{"pt", Kind::over_time,
-         [](auto& top, auto& spec) { spec.subject = detail::read_time_table(top, spec.units); }},
+         [](auto& top, auto& spec) {
+           spec.subject = spec_detail::read_time_table(top, spec.units);
+         }},
     Kind{"axis", Kind::no_curve, read_axis},
     Kind{"drive", Kind::no_curve, read_drive_alone},
 };
@@ -156,7 +158,7 @@ void refuse_other_kinds(TomlReader& top) {
 }
 
 void read_body(TomlReader& top, Spec& spec) {
-  detail::require_version(top);
+  spec_detail::require_version(top);
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const Kind& kind : kinds) all.emplace_back(kind.name);
@@ -172,16 +174,16 @@ void read_body(TomlReader& top, Spec& spec) {
   kind.read(top, spec);
   if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
   if (kind.runs == Kind::over_time) {
-    spec.then = detail::read_then(top, spec);
-    spec.compare = detail::read_compare(top, spec);
+    spec.then = spec_detail::read_then(top, spec);
+    spec.compare = spec_detail::read_compare(top, spec);
   }
-  if (kind.runs != Kind::no_curve) spec.parameters = detail::read_parameters(top, spec);
+  if (kind.runs != Kind::no_curve) spec.parameters = spec_detail::read_parameters(top, spec);
   top.finish();
 }
 
 }  // namespace
 
-void detail::require_version(TomlReader& top) {
+void spec_detail::require_version(TomlReader& top) {
   if (!top.has("jounce"))
     top.fail("jounce", "",
              "is missing: a spec begins with `jounce = 1`, the version of its format");
@@ -213,7 +215,7 @@ void require_shallow_keys(const Document& document) {
 
 }  // namespace
 
-toml::table detail::parse_toml(const Document& document) {
+toml::table spec_detail::parse_toml(const Document& document) {
   require_shallow_keys(document);
   if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("", "", "the file is empty").at(document.name, 1);
@@ -243,7 +245,7 @@ toml::table detail::parse_toml(const Document& document) {
 Spec parse_spec(std::string text, std::string name) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
-  const toml::table root = detail::parse_toml(document);
+  const toml::table root = spec_detail::parse_toml(document);
   Spec spec;
   spec.document = std::move(document);
   TomlReader top(root, "", spec.document);

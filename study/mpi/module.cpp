@@ -53,7 +53,7 @@ void abort_all(int status) {
 
 }  // namespace
 
-extern "C" const jounce::detail::MpiCalls* jounce_mpi_calls() {
-  static const jounce::detail::MpiCalls calls{start, send, receive, end, abort_all};
+extern "C" const jounce::study_detail::MpiCalls* jounce_mpi_calls() {
+  static const jounce::study_detail::MpiCalls calls{start, send, receive, end, abort_all};
   return &calls;
 }

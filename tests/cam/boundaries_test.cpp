@@ -24,7 +24,7 @@ double square_jerk(const CamSpec& spec) {
   for (std::size_t i = 0; i < made.origin.size(); ++i)
     if (spec.segments[made.origin[i]].law == Law::quintic)
       quintics.push_back(made.cam.segments()[i]);
-  return detail::square_jerk(quintics);
+  return cam_detail::square_jerk(quintics);
 }
 
 CamKnot& knot_of(CamSpec& spec, std::size_t i) {

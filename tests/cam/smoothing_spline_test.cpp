@@ -41,7 +41,7 @@ void expect_within_tolerances(const SmoothingSpline& s, const SplineSpec& spec) 
 /// The least integral of geo_jerk^2 of any curve through these values.
 double energy_through(SplineSpec spec, const std::vector<double>& y) {
   for (std::size_t i = 0; i < y.size(); ++i) spec.points[i] = {spec.points[i].master, y[i], 0};
-  return detail::square_jerk(quintic_spline(spec));
+  return cam_detail::square_jerk(quintic_spline(spec));
 }
 
 SplineSpec noisy(Random& random, int n) {

@@ -166,7 +166,7 @@ TEST(Spline, RestToRestThroughTwoPointsIs345) {
   const Cam cam = cam_of(quintic_spline(spec), spec);
   EXPECT_NEAR(extrema(cam, 1).max.value, 15.0 / 8, 1e-14);
   EXPECT_NEAR(extrema(cam, 2).max.value, 10 / std::sqrt(3.0), 1e-13);
-  EXPECT_NEAR(detail::square_jerk({cam.segments().begin(), cam.segments().end()}), 720, 1e-10);
+  EXPECT_NEAR(cam_detail::square_jerk({cam.segments().begin(), cam.segments().end()}), 720, 1e-10);
 }
 
 /// The fourth derivative at the ends of a segment.
@@ -205,11 +205,11 @@ TEST(Spline, IsTheSmoothestThroughItsPoints) {
     SCOPED_TRACE(round);
     const int n = 3 + random.below(8);
     const SplineSpec spec = table(random, n, [&](double) { return random.uniform(-1, 1); });
-    const auto energy = [](const std::vector<Segment>& f) { return detail::square_jerk(f); };
+    const auto energy = [](const std::vector<Segment>& f) { return cam_detail::square_jerk(f); };
     const double least = energy(quintic_spline(spec));
     // Any other piecewise quintic through the points, with velocity and acceleration joined.
     const Cam cam = cam_of(quintic_spline(spec), spec);
-    std::vector<detail::EnergyKnot> knots;
+    std::vector<cam_detail::EnergyKnot> knots;
     for (const SplinePoint& p : spec.points) {
       const Jet jet = cam.jet(within(cam, p.master));
       knots.push_back(
@@ -217,7 +217,7 @@ TEST(Spline, IsTheSmoothestThroughItsPoints) {
            {p.slave, jet[1] + random.uniform(-1e-3, 1e-3), jet[2] + random.uniform(-1e-3, 1e-3)},
            {}});
     }
-    EXPECT_GT(energy(detail::segments_between(knots, detail::Energy::jerk)), least);
+    EXPECT_GT(energy(cam_detail::segments_between(knots, cam_detail::Energy::jerk)), least);
   }
 }
 

@@ -49,7 +49,7 @@ class RecordedRun {
 
   /// `altered`: changes the masters in the record.
   Replay play(void (*altered)(std::vector<RecordedMaster>&) = [](auto&) {}) {
-    auto masters = detail::recorded_masters(masters_, axes_);
+    auto masters = executor_detail::recorded_masters(masters_, axes_);
     altered(masters);
     Tape& tape = *tape_;
     Recorder recorder({.log = log_},

@@ -37,11 +37,12 @@ std::vector<ExecutorOptions> with(Recorder* recorder, std::vector<ExecutorOption
   return axes;
 }
 
-detail::RunRecord record_of(const std::filesystem::path& log,
-                            const std::vector<ExecutorOptions>& axes, const SiteSpec& spec) {
+executor_detail::RunRecord record_of(const std::filesystem::path& log,
+                                     const std::vector<ExecutorOptions>& axes,
+                                     const SiteSpec& spec) {
   if (!spec.recorded) return {};
-  return detail::record_of({.masters = spec.masters, .record = {.log = log}},
-                           spec.said.empty() ? axes : spec.said);
+  return executor_detail::record_of({.masters = spec.masters, .record = {.log = log}},
+                                    spec.said.empty() ? axes : spec.said);
 }
 
 }  // namespace

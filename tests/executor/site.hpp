@@ -62,7 +62,7 @@ class Site {
 
  private:
   std::filesystem::path log_;
-  detail::RunRecord record_;
+  executor_detail::RunRecord record_;
 
  public:
   std::vector<ExecutorOptions> axes;

@@ -76,7 +76,7 @@ std::string events(Source& source) {
       const std::size_t at = source.byte() * std::size_t{256} + source.byte();
       data[hash + at % (data.size() - hash)] = static_cast<char>(source.byte());
     }
-    detail::append(bytes, i, 0, channel_of(event), data);
+    executor_detail::append(bytes, i, 0, channel_of(event), data);
   }
   return bytes;
 }

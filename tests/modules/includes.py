@@ -6,7 +6,8 @@
 
 A module includes the modules that its jounce_declare() names, each at least once, and no other. CMake accepts only modules
 that are declared before it, so there is no circle. Another module's `src` folder is private, except for tests and benchmarks. No public
-header includes a header from a `detail` folder."""
+header includes a header from a `detail` folder. The private names of a module are in its own namespace, jounce::MODULE_detail:
+two modules that use one namespace for private types can define one name twice, which no compiler reports."""
 import pathlib
 import re
 import sys
@@ -39,6 +40,8 @@ for module, uses in declared.items():
                 trouble.append(f"{where}: {name} is private to {other}")
             if public and "/detail/" in name:
                 trouble.append(f"{where}: a public header includes {name}")
+        trouble += [f"{path.relative_to(root)}: namespace {name} is not {module}_detail" for name in re.findall(
+            r"^namespace (?:jounce::)?((?:\w+_)?detail) \{", path.read_text(), re.MULTILINE) if name != f"{module}_detail"]
     trouble += [f"CMakeLists.txt: {module} uses {m} and includes nothing of it" for m in uses if m not in used]
 for path in sources("examples"):
     trouble += [f"{where}: {name} is private to {other}" for where, name, other, private in includes(path) if private]

@@ -70,20 +70,20 @@ TEST(Batch, IsTheSolversAnswerForEveryMove) {
 }
 
 TEST(Batch, KernelsOfAllWidthsAgree) {
-  std::vector<const detail::Kernels*> all{&detail::kernels_anywhere};
+  std::vector<const profiles_detail::Kernels*> all{&profiles_detail::kernels_anywhere};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all.push_back(&detail::kernels_avx2);
+    all.push_back(&profiles_detail::kernels_avx2);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl"))
-    all.push_back(&detail::kernels_avx512);
+    all.push_back(&profiles_detail::kernels_avx512);
 #endif
   const Moves m = random_moves(64 * 500, 42, 2);
   std::size_t unsettled = 0;
   for (std::size_t first = 0; first < m.distance.size(); first += 64) {
-    std::vector<detail::Block> answers(all.size());
+    std::vector<profiles_detail::Block> answers(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
-      detail::Block& b = answers[k];
+      profiles_detail::Block& b = answers[k];
       for (std::size_t i = 0; i < 64; ++i) {
         b.distance[i] = m.distance[first + i];
         b.entry[i] = m.entry[first + i];
@@ -96,7 +96,7 @@ TEST(Batch, KernelsOfAllWidthsAgree) {
     }
     for (std::size_t i = 0; i < 64; ++i) {
       if (!(answers[0].settled[i] > 0)) ++unsettled;
-      for (const detail::Block& b : answers)
+      for (const profiles_detail::Block& b : answers)
         if (b.settled[i] > 0 && answers[0].settled[i] > 0) {
           EXPECT_NEAR(b.duration[i], answers[0].duration[i], 1e-12 * b.duration[i])
               << m.show(first + i);

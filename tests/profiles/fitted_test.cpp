@@ -36,24 +36,25 @@ TEST(Hermite, OfDegreeElevenReproducesIt) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
     const Segment f = random_segment(random, 11, 0, random.log_uniform(1e-9, 1e9));
-    const Segment g = detail::hermite(f.length, detail::taylor(f, 0), detail::taylor(f, 1));
+    const Segment g = profiles_detail::hermite(f.length, profiles_detail::taylor(f, 0),
+                                               profiles_detail::taylor(f, 1));
     for (std::size_t k = 0; k < f.c.size(); ++k) EXPECT_NEAR(g.c[k], f.c[k], 1e-9) << k;
   }
 }
 
 TEST(Hermite, ErrorIsReachedByThePowerTwelve) {
   // h = s^12: h^(12)/12! = 1, and the error is s^6 (1 - s)^6 itself: the bound is its peak.
-  detail::EndSeries at1{1, 12, 66, 220, 495, 792};
-  const Segment f = detail::hermite(1, {}, at1);
+  profiles_detail::EndSeries at1{1, 12, 66, 220, 495, 792};
+  const Segment f = profiles_detail::hermite(1, {}, at1);
   const double error = std::pow(0.5, 12) - value(f, 0.5);
-  EXPECT_NEAR(detail::hermite_error(1, 1)[0], error, 1e-12);
+  EXPECT_NEAR(profiles_detail::hermite_error(1, 1)[0], error, 1e-12);
   for (int n = 1; n < 100; ++n) {
     const double s = n / 100.0;
     const Jet g = evaluate(f, s);
     const Jet h{std::pow(s, 12), 12 * std::pow(s, 11), 132 * std::pow(s, 10),
                 1320 * std::pow(s, 9)};
     for (std::size_t k = 0; k < 4; ++k)
-      EXPECT_LE(std::abs(g[k] - h[k]), detail::hermite_error(1, 1)[k] + 1e-11) << k;
+      EXPECT_LE(std::abs(g[k] - h[k]), profiles_detail::hermite_error(1, 1)[k] + 1e-11) << k;
   }
 }
 

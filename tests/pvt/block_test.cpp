@@ -122,12 +122,12 @@ TEST(Block, OfAGridIsThatOfItsInstants) {
 }
 
 /// Every width that this processor has, beside the one without special instructions.
-void expect_kernel(const detail::SampleKernels& kernels) {
+void expect_kernel(const pvt_detail::SampleKernels& kernels) {
   Random random(4);
   for (int trial = 0; trial < 300; ++trial) {
     const Table table =
         random_table(random, rules[static_cast<std::size_t>(trial) % 3], Extrapolation::hold);
-    const detail::KnotColumns columns = detail::knots_of(table.columns());
+    const pvt_detail::KnotColumns columns = pvt_detail::knots_of(table.columns());
     const auto n = static_cast<std::size_t>(1 + random.below(900));
     const double step = table.length() / static_cast<double>(n + 1);
     std::vector<double> x;
@@ -155,18 +155,18 @@ void expect_kernel(const detail::SampleKernels& kernels) {
 }
 
 TEST(Block, WithoutWideVectorsIsTheSameToTheBit) {
-  expect_kernel(detail::sample_anywhere);
+  expect_kernel(pvt_detail::sample_anywhere);
 }
 
 #ifdef __x86_64__
 TEST(Block, WithAvx2IsTheSameToTheBit) {
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
-  expect_kernel(detail::sample_avx2);
+  expect_kernel(pvt_detail::sample_avx2);
 }
 
 TEST(Block, WithAvx512IsTheSameToTheBit) {
   if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this processor has no AVX-512";
-  expect_kernel(detail::sample_avx512);
+  expect_kernel(pvt_detail::sample_avx512);
 }
 #endif
 

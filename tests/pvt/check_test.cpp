@@ -238,13 +238,13 @@ TEST(LazyCurve, IsTheCurveOfItsTable) {
 
 // ---- the bounds ------------------------------------------------------------------------------------
 
-void expect_hulls(detail::HullKernel kernel, const Table& table) {
-  const detail::KnotColumns knots = detail::knots_of(table.columns());
-  detail::Hulls here, reference;
-  for (std::size_t first = 0; first + 1 < table.size(); first += detail::Hulls::size) {
-    const std::size_t n = std::min(detail::Hulls::size, table.size() - 1 - first);
+void expect_hulls(pvt_detail::HullKernel kernel, const Table& table) {
+  const pvt_detail::KnotColumns knots = pvt_detail::knots_of(table.columns());
+  pvt_detail::Hulls here, reference;
+  for (std::size_t first = 0; first + 1 < table.size(); first += pvt_detail::Hulls::size) {
+    const std::size_t n = std::min(pvt_detail::Hulls::size, table.size() - 1 - first);
     kernel(knots, table.rule(), first, n, here);
-    detail::hulls_anywhere(knots, table.rule(), first, n, reference);
+    pvt_detail::hulls_anywhere(knots, table.rule(), first, n, reference);
     for (std::size_t order = 0; order < 4; ++order)
       for (std::size_t side = 0; side < 2; ++side) {
         ASSERT_EQ(here.greatest[order][side], reference.greatest[order][side])
@@ -258,11 +258,11 @@ void expect_hulls(detail::HullKernel kernel, const Table& table) {
 
 TEST(Hulls, HoldWhatTheSearchFinds) {
   for_tables(4, [](const Table& table, Random&) {
-    const detail::KnotColumns knots = detail::knots_of(table.columns());
+    const pvt_detail::KnotColumns knots = pvt_detail::knots_of(table.columns());
     const Trajectory curve = table.curve<OverTime>();
-    detail::Hulls hulls;
-    const std::size_t n = std::min(detail::Hulls::size, table.size() - 1);
-    detail::hull_kernel()(knots, table.rule(), 0, n, hulls);
+    pvt_detail::Hulls hulls;
+    const std::size_t n = std::min(pvt_detail::Hulls::size, table.size() - 1);
+    pvt_detail::hull_kernel()(knots, table.rule(), 0, n, hulls);
     const Ranges all = segment_extrema(curve, 0, n - 1);
     for (std::size_t order = 0; order < 4; ++order) {
       ASSERT_GE(all[order].max.value, hulls.taken[order][0]) << order;
@@ -279,12 +279,12 @@ TEST(Hulls, HoldWhatTheSearchFinds) {
 #ifdef __x86_64__
 TEST(Hulls, WithAvx2AreTheSameToTheBit) {
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
-  for_tables(5, [](const Table& table, Random&) { expect_hulls(detail::hulls_avx2, table); });
+  for_tables(5, [](const Table& table, Random&) { expect_hulls(pvt_detail::hulls_avx2, table); });
 }
 
 TEST(Hulls, WithAvx512AreTheSameToTheBit) {
   if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this processor has no AVX-512";
-  for_tables(6, [](const Table& table, Random&) { expect_hulls(detail::hulls_avx512, table); });
+  for_tables(6, [](const Table& table, Random&) { expect_hulls(pvt_detail::hulls_avx512, table); });
 }
 #endif
 

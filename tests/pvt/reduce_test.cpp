@@ -133,10 +133,10 @@ TEST(Reduced, SharesOneErrorAmongItsIntervals) {
       reduced(cycloid(), {.rule = Interpolation::cubic_hermite, .tolerance = 1e-6});
   const auto& x = made.table.columns().x;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double e = detail::share(cycloid(), Interpolation::cubic_hermite,
-                                   detail::knot_at(cycloid(), x[i], Side::right),
-                                   detail::knot_at(cycloid(), x[i + 1], Side::left),
-                                   {made.error.position * (1 + 1e-9), 1e300});
+    const double e = pvt_detail::share(cycloid(), Interpolation::cubic_hermite,
+                                       pvt_detail::knot_at(cycloid(), x[i], Side::right),
+                                       pvt_detail::knot_at(cycloid(), x[i + 1], Side::left),
+                                       {made.error.position * (1 + 1e-9), 1e300});
     EXPECT_GT(e, 0.75) << i;
     EXPECT_NEAR(x[i] + x[x.size() - 1 - i], 1, 0.01) << "a symmetric curve: nearly symmetric knots";
   }

@@ -72,21 +72,21 @@ TEST_F(UnixTransportTest, TakesTheLargestChunk) {
 }
 
 TEST(Datagram, AStarStandsForTextWithoutADot) {
-  EXPECT_TRUE(detail::matches("J.*.status", "J.a_-b.status"));
-  EXPECT_TRUE(detail::matches("J.*.status", "J..status"));
-  EXPECT_TRUE(detail::matches("J.*", "J.status"));
-  EXPECT_TRUE(detail::matches("*a*b", "xaab"));
-  EXPECT_FALSE(detail::matches("J.*.status", "J.a.b.status"));
-  EXPECT_FALSE(detail::matches("J.*.status", "J.a.statuses"));
-  EXPECT_FALSE(detail::matches("J.*.status", "J.a.reply"));
-  EXPECT_FALSE(detail::matches("J.a", "Jxa"));
-  EXPECT_FALSE(detail::matches("J.a", "J.a*"));
-  EXPECT_FALSE(detail::matches("", "a"));
+  EXPECT_TRUE(stream_detail::matches("J.*.status", "J.a_-b.status"));
+  EXPECT_TRUE(stream_detail::matches("J.*.status", "J..status"));
+  EXPECT_TRUE(stream_detail::matches("J.*", "J.status"));
+  EXPECT_TRUE(stream_detail::matches("*a*b", "xaab"));
+  EXPECT_FALSE(stream_detail::matches("J.*.status", "J.a.b.status"));
+  EXPECT_FALSE(stream_detail::matches("J.*.status", "J.a.statuses"));
+  EXPECT_FALSE(stream_detail::matches("J.*.status", "J.a.reply"));
+  EXPECT_FALSE(stream_detail::matches("J.a", "Jxa"));
+  EXPECT_FALSE(stream_detail::matches("J.a", "J.a*"));
+  EXPECT_FALSE(stream_detail::matches("", "a"));
 }
 
 TEST(Datagram, TakesNothingWithoutAName) {
   const auto packet = [](std::string text) {
-    return detail::packet_of(std::as_bytes(std::span(text.data(), text.size())));
+    return stream_detail::packet_of(std::as_bytes(std::span(text.data(), text.size())));
   };
   using namespace std::string_literals;
   EXPECT_FALSE(packet("").has_value());
@@ -148,8 +148,9 @@ TEST_F(UnixTransportTest, LeavesNothingBehindAndRemovesWhatTheKilledLeft) {
 /// A program that never takes what is sent to it.
 class Sleeper {
  public:
-  explicit Sleeper(const std::string& folder) : socket_(detail::datagram_socket()) {
-    const auto address = detail::address_of(folder + "/" + detail::unique_socket_name());
+  explicit Sleeper(const std::string& folder) : socket_(stream_detail::datagram_socket()) {
+    const auto address =
+        stream_detail::address_of(folder + "/" + stream_detail::unique_socket_name());
     if (bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
       throw std::runtime_error("bind");
   }
@@ -179,9 +180,9 @@ TEST_F(UnixTransportTest, AProgramThatHangsHindersNoOther) {
 TEST_F(UnixTransportTest, TakesNoHarmFromForeignDatagrams) {
   UnixTransport link(folder());
   link.subscribe("a", 100);
-  const int stranger = detail::datagram_socket();
+  const int stranger = stream_detail::datagram_socket();
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-    const auto address = detail::address_of(entry.path().string());
+    const auto address = stream_detail::address_of(entry.path().string());
     ASSERT_EQ(connect(stranger, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
   const std::vector<char> large(100'000, 'a');

@@ -44,7 +44,7 @@ int receive(std::string& bytes) {
   return from;
 }
 
-const detail::MpiCalls calls{nullptr, send, receive, nullptr, nullptr};
+const study_detail::MpiCalls calls{nullptr, send, receive, nullptr, nullptr};
 
 std::vector<std::size_t> first(std::size_t n) {
   std::vector<std::size_t> all;

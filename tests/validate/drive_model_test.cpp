@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr Jet reference{3, 50, -700, 0};
@@ -108,4 +108,4 @@ TEST(DriveModel, RestIsAnEquilibrium) {
 }
 
 }  // namespace
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

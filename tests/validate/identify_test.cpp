@@ -86,11 +86,11 @@ const std::vector<std::string> machine{"motor.inertia", "motor.friction.viscous"
 
 // ---- the sensitivities of a drive -----------------------------------------------------------------
 
-detail::DriveResponse response(const Trajectory& move, const Drive& drive,
-                               const std::vector<std::string>& keys,
-                               const std::vector<double>& values, const std::vector<double>& times,
-                               double tolerance) {
-  return detail::respond(move, {&drive, keys, values, times, tolerance});
+validate_detail::DriveResponse response(const Trajectory& move, const Drive& drive,
+                                        const std::vector<std::string>& keys,
+                                        const std::vector<double>& values,
+                                        const std::vector<double>& times, double tolerance) {
+  return validate_detail::respond(move, {&drive, keys, values, times, tolerance});
 }
 
 const std::vector<std::string> elastic{"motor.inertia", "mass[1].stiffness", "mass[1].damping"};
@@ -111,7 +111,7 @@ void expect_differences(const Trajectory& move, const Drive& drive,
     const auto b = response(move, drive, keys, down, times, tight);
     ASSERT_TRUE(a.integration.ok() && b.integration.ok())
         << a.integration.reason << b.integration.reason;
-    for (std::size_t k = 0; k < detail::outputs; ++k) {
+    for (std::size_t k = 0; k < validate_detail::outputs; ++k) {
       double scale = 0;
       for (std::size_t i = 0; i < times.size(); ++i)
         scale = std::max(scale, std::abs(exact.by[k][j * times.size() + i]));
@@ -158,11 +158,11 @@ TEST(DriveResponse, IsTheRunOfDriveThrough) {
   for (const DriveSample& s : run.samples) times.push_back(s.time);
   const auto again = response(move, servo_400w(), {}, {}, times, 1e-8);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    EXPECT_NEAR(again.value[detail::position][i], run.samples[i].motor - run.samples[i].reference,
-                1e-8 * 3600);
-    EXPECT_NEAR(again.value[detail::load][i], run.samples[i].load - run.samples[i].reference,
-                1e-8 * 3600);
-    EXPECT_NEAR(again.value[detail::torque][i], run.samples[i].torque,
+    EXPECT_NEAR(again.value[validate_detail::position][i],
+                run.samples[i].motor - run.samples[i].reference, 1e-8 * 3600);
+    EXPECT_NEAR(again.value[validate_detail::load][i],
+                run.samples[i].load - run.samples[i].reference, 1e-8 * 3600);
+    EXPECT_NEAR(again.value[validate_detail::torque][i], run.samples[i].torque,
                 1e-6 * std::abs(run.torque.value));
   }
 }
@@ -334,10 +334,10 @@ std::vector<double> noise(std::size_t n, std::uint64_t seed) {
 
 /// Quantiles at 99.9 % of any table: chi-square with 10 degrees of freedom, F with 10 and 10, and with 20 and 20.
 TEST(ResidualTests, HaveTheLimitsOfTheTables) {
-  EXPECT_NEAR(detail::whiteness(noise(100, 1)).limit, 29.588, 5e-4);
-  EXPECT_NEAR(detail::growth(noise(30, 1)).limit, 8.754, 5e-4);
-  EXPECT_NEAR(detail::worsening(noise(20, 1), noise(20, 2)).limit, 4.290, 5e-4);
-  EXPECT_TRUE(std::isinf(detail::whiteness(noise(19, 1)).limit));
+  EXPECT_NEAR(validate_detail::whiteness(noise(100, 1)).limit, 29.588, 5e-4);
+  EXPECT_NEAR(validate_detail::growth(noise(30, 1)).limit, 8.754, 5e-4);
+  EXPECT_NEAR(validate_detail::worsening(noise(20, 1), noise(20, 2)).limit, 4.290, 5e-4);
+  EXPECT_TRUE(std::isinf(validate_detail::whiteness(noise(19, 1)).limit));
 }
 
 /// False alarms of 4000 recordings of noise of each length. Growth is exact: Binomial(4000, 0.001),
@@ -348,8 +348,8 @@ TEST(ResidualTests, RarelyDoubtNoise) {
     int white = 0, growth = 0;
     for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
       const std::vector<double> r = noise(n, seed * 1000 + n);
-      white += detail::whiteness(r).failed() ? 1 : 0;
-      growth += detail::growth(r).failed() ? 1 : 0;
+      white += validate_detail::whiteness(r).failed() ? 1 : 0;
+      growth += validate_detail::growth(r).failed() ? 1 : 0;
     }
     RecordProperty("white_" + std::to_string(n), white);
     RecordProperty("growth_" + std::to_string(n), growth);
@@ -362,15 +362,15 @@ TEST(ResidualTests, FindWhatIsNotNoise) {
   std::vector<double> slow = noise(300, 7), growing = noise(300, 8);
   for (std::size_t i = 1; i < slow.size(); ++i) slow[i] += 0.5 * slow[i - 1];
   for (std::size_t i = 0; i < growing.size(); ++i) growing[i] *= 1 + static_cast<double>(i) / 100;
-  EXPECT_TRUE(detail::whiteness(slow).failed());
-  EXPECT_FALSE(detail::growth(slow).failed());
-  EXPECT_TRUE(detail::growth(growing).failed());
-  EXPECT_TRUE(detail::worsening(noise(300, 9), growing).failed());
+  EXPECT_TRUE(validate_detail::whiteness(slow).failed());
+  EXPECT_FALSE(validate_detail::growth(slow).failed());
+  EXPECT_TRUE(validate_detail::growth(growing).failed());
+  EXPECT_TRUE(validate_detail::worsening(noise(300, 9), growing).failed());
 }
 
 TEST(ResidualTests, ResolutionIsTheLeastStep) {
-  EXPECT_EQ(detail::resolution(std::vector<double>{0, 0.25, 1, 0.5, 0.25, -2}), 0.25);
-  EXPECT_EQ(detail::resolution(std::vector<double>{3, 3, 3}), 0);
+  EXPECT_EQ(validate_detail::resolution(std::vector<double>{0, 0.25, 1, 0.5, 0.25, -2}), 0.25);
+  EXPECT_EQ(validate_detail::resolution(std::vector<double>{3, 3, 3}), 0);
 }
 
 TEST(Identify, StopsWhenAsked) {
@@ -425,14 +425,14 @@ TEST(Identify, RefusesBadInput) {
 
 TEST(LeastSquares, FindsTheValleyOfRosenbrock) {
   const auto rosenbrock = [](const Eigen::VectorXd& x) {
-    detail::Linearized r{Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
+    validate_detail::Linearized r{Eigen::VectorXd(2), Eigen::MatrixXd(2, 2)};
     r.residual << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
     r.jacobian << -20 * x[0], 10, -1, 0;
     return std::optional(r);
   };
   const auto found =
-      detail::least_squares(rosenbrock, Eigen::Vector2d(-1.2, 1), {.max_iterations = 200});
-  EXPECT_EQ(found.status, detail::LeastSquares::Status::converged);
+      validate_detail::least_squares(rosenbrock, Eigen::Vector2d(-1.2, 1), {.max_iterations = 200});
+  EXPECT_EQ(found.status, validate_detail::LeastSquares::Status::converged);
   EXPECT_NEAR(found.x[0], 1, 1e-8);
   EXPECT_NEAR(found.x[1], 1, 1e-8);
 }
@@ -450,9 +450,10 @@ TEST(LeastSquares, EndsWhereNoStepIsFinite) {
                                                                               {1e150, 1e-150},
                                                                               {most, most}}) {
     const auto f = [r = residual, s = slope](const Eigen::VectorXd&) {
-      return detail::Linearized{Eigen::Vector2d(r, r), Eigen::Vector2d(s, s)};
+      return validate_detail::Linearized{Eigen::Vector2d(r, r), Eigen::Vector2d(s, s)};
     };
-    const auto found = detail::least_squares(f, Eigen::VectorXd::Zero(1), {.max_iterations = 200});
+    const auto found =
+        validate_detail::least_squares(f, Eigen::VectorXd::Zero(1), {.max_iterations = 200});
     EXPECT_TRUE(found.x.allFinite()) << residual << " " << slope;
     EXPECT_LE(found.iterations, 200);
   }
@@ -462,17 +463,17 @@ TEST(LeastSquares, CovarianceIsTheInverseOfTheNormalMatrix) {
   Eigen::MatrixXd j(4, 2);
   j << 1, 2, 0, 1, 3, -1, 1, 1;
   const Eigen::Matrix2d whole = (j.transpose() * j).inverse();
-  const detail::Covariance c = detail::covariance(j);
+  const validate_detail::Covariance c = validate_detail::covariance(j);
   EXPECT_NEAR(c.deviation[0], std::sqrt(whole(0, 0)), 1e-14);
   EXPECT_NEAR(c.deviation[1], std::sqrt(whole(1, 1)), 1e-14);
   EXPECT_NEAR(c.correlation(0, 1), whole(0, 1) / std::sqrt(whole(0, 0) * whole(1, 1)), 1e-14);
 }
 
 TEST(LeastSquares, StudentsFactorsAreThoseOfTheTables) {
-  EXPECT_NEAR(detail::student_95(5), 2.5706, 0.01);
-  EXPECT_NEAR(detail::student_95(10), 2.2281, 1e-3);
-  EXPECT_NEAR(detail::student_95(30), 2.0423, 1e-4);
-  EXPECT_NEAR(detail::student_95(1e9), 1.959964, 1e-6);
+  EXPECT_NEAR(validate_detail::student_95(5), 2.5706, 0.01);
+  EXPECT_NEAR(validate_detail::student_95(10), 2.2281, 1e-3);
+  EXPECT_NEAR(validate_detail::student_95(30), 2.0423, 1e-4);
+  EXPECT_NEAR(validate_detail::student_95(1e9), 1.959964, 1e-6);
 }
 
 }  // namespace

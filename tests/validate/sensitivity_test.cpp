@@ -14,10 +14,10 @@
 namespace jounce::sensitivity_test {
 namespace {
 
-using detail::Ode;
-using detail::OdeSolver;
-using detail::SolverOptions;
-using detail::Step;
+using validate_detail::Ode;
+using validate_detail::OdeSolver;
+using validate_detail::SolverOptions;
+using validate_detail::Step;
 
 SolverOptions settings(std::size_t states, double tolerance, double scale = 1) {
   SolverOptions options;

@@ -8,7 +8,7 @@
 #include "jounce/axis/movement.hpp"
 
 /// Base of the movements with a live master.
-namespace jounce::detail {
+namespace jounce::axis_detail {
 
 /// Permitted values of a master: finite, and small enough that their squares and quotients are
 /// finite.
@@ -20,4 +20,4 @@ inline Setpoint setpoint(const Jet& master, const Jet& slave) {
   return {master[0], master[1], slave};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::axis_detail

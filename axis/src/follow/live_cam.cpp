@@ -35,7 +35,7 @@ LiveCam::LiveCam(std::uint64_t id, std::shared_ptr<const Table> cam, const Coupl
       end_(end) {}
 
 Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::usable(now.master)) return Cause::no_master_input;
+  if (!axis_detail::usable(now.master)) return Cause::no_master_input;
   const Engagement in = engage(coupling_, axis, now.master, now.t);
   if (!in) return cause_of(in.status);
   place_ = axis.position + in.jump.position;
@@ -47,14 +47,14 @@ Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {
   periods_ = 0;
   progress_ = Progress::engaging;
   cause_ = Cause::none;
-  last_ = detail::setpoint(now.master, {axis.position, axis.velocity, axis.acceleration, 0});
+  last_ = axis_detail::setpoint(now.master, {axis.position, axis.velocity, axis.acceleration, 0});
   return Cause::none;
 }
 
 Setpoint LiveCam::at(const Moment& now) noexcept {
   if (progress_ == Progress::broken) return last_;
   if (released_) return last_ = {last_.master, last_.master_velocity, point(*released_, now.t)};
-  if (!detail::usable(now.master)) return break_off(Cause::master_lost);
+  if (!axis_detail::usable(now.master)) return break_off(Cause::master_lost);
   if (beyond_ && beyond_->side * (now.master[0] - beyond_->master) >= 0) return beyond(now);
   beyond_.reset();
   const Stepped step = jounce::step(coupling_, engaged_, {now.t, now.master});
@@ -69,7 +69,7 @@ Setpoint LiveCam::at(const Moment& now) noexcept {
   periods_ += step.periods;
   progress_ = released_ ? Progress::done : step.in_sync ? Progress::running : Progress::engaging;
   const Jet slave = released_ ? step.slave : point(*table_, engaged_, now.master, now.t);
-  return last_ = detail::setpoint(now.master, slave);
+  return last_ = axis_detail::setpoint(now.master, slave);
 }
 
 /// Extends the cam from the end at which it was left, at its ratio. Keeps the coupling at that end.
@@ -91,11 +91,12 @@ Setpoint LiveCam::beyond(const Moment& now) noexcept {
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += c[k];
   engaged_.time = now.t;
   progress_ = engaged_.correction.done(now.t, x[0]) ? Progress::running : Progress::engaging;
-  return last_ = detail::setpoint(x, y);
+  return last_ = axis_detail::setpoint(x, y);
 }
 
 std::optional<Moment> LiveCam::pass_end(const Moment& now) const noexcept {
-  if (progress_ >= Progress::done || beyond_ || !detail::usable(now.master)) return std::nullopt;
+  if (progress_ >= Progress::done || beyond_ || !axis_detail::usable(now.master))
+    return std::nullopt;
   const Due end = due({.when = Trigger::When::period_end}, coupling_.cam(), engaged_.placement,
                       {engaged_.time, engaged_.master}, {now.t, now.master});
   if (!end.at) return std::nullopt;

@@ -18,7 +18,7 @@ Cause lost(Progress progress) {
 }
 
 bool usable(const MotionState& s) {
-  return detail::usable({s.position, s.velocity, s.acceleration, 0});
+  return axis_detail::usable({s.position, s.velocity, s.acceleration, 0});
 }
 
 }  // namespace
@@ -29,22 +29,22 @@ LiveGear::LiveGear(std::uint64_t id, const GearInSpec& spec)
 // gear_in() throws for a bad spec, which the constructor has checked, and for results that are not
 // finite, which usable() prevents.
 Cause LiveGear::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
+  if (!axis_detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   try {
     gear_ = gear_in(spec_, axis, now.master, now.t);
   } catch (const InputError&) {
     return Cause::no_ramp;
   }
   progress_ = Progress::engaging;
-  last_ = detail::setpoint(now.master, {axis.position, axis.velocity, axis.acceleration, 0});
+  last_ = axis_detail::setpoint(now.master, {axis.position, axis.velocity, axis.acceleration, 0});
   return Cause::none;
 }
 
 Setpoint LiveGear::at(const Moment& now) noexcept {
-  if (!detail::usable(now.master)) progress_ = Progress::broken;
+  if (!axis_detail::usable(now.master)) progress_ = Progress::broken;
   if (progress_ == Progress::broken) return last_;
   progress_ = in_gear(gear_, now.t) ? Progress::running : Progress::engaging;
-  return last_ = detail::setpoint(now.master, point(gear_, now.master, now.t));
+  return last_ = axis_detail::setpoint(now.master, point(gear_, now.master, now.t));
 }
 
 Cause LiveGear::cause() const noexcept {
@@ -72,7 +72,7 @@ LiveGearInPos::LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec)
 }
 
 Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
+  if (!axis_detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   const double stroke = std::abs(gear_.slave_sync - gear_.slave_start);
   const double near = 1e-9 * stroke + 1e-12 * std::abs(gear_.slave_start);
   if (!(std::abs(axis.position - gear_.slave_start) <= near)) return Cause::start_position;
@@ -80,12 +80,12 @@ Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept 
   state_ = {};
   reversed_ = false;
   progress_ = Progress::waiting;
-  last_ = detail::setpoint(now.master, {gear_.slave_start, 0, 0, 0});
+  last_ = axis_detail::setpoint(now.master, {gear_.slave_start, 0, 0, 0});
   return Cause::none;
 }
 
 Setpoint LiveGearInPos::at(const Moment& now) noexcept {
-  if (!detail::usable(now.master)) progress_ = Progress::broken;
+  if (!axis_detail::usable(now.master)) progress_ = Progress::broken;
   if (progress_ == Progress::broken) return last_;
   const GearInPosStep done = step(gear_, state_, now.master);
   state_ = done.state;
@@ -93,7 +93,7 @@ Setpoint LiveGearInPos::at(const Moment& now) noexcept {
   progress_ = done.in_sync      ? Progress::running
               : done.start_sync ? Progress::engaging
                                 : Progress::waiting;
-  return last_ = detail::setpoint(now.master, done.slave);
+  return last_ = axis_detail::setpoint(now.master, done.slave);
 }
 
 Cause LiveGearInPos::cause() const noexcept {

@@ -228,7 +228,7 @@ std::optional<Refusal> FifoFollow::admit(const AxisConfig& /*config*/,
 }
 
 Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
-  if (!detail::usable(now.master)) return Cause::no_master_input;
+  if (!axis_detail::usable(now.master)) return Cause::no_master_input;
   if (misplaced(origin_, range_, axis.position)) return Cause::start_position;
   if (fresh_) fifos_.give_back();
   fresh_ = fifos_.take(first_.load());
@@ -237,14 +237,14 @@ Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
   before_ = {now.t, now.master};
   progress_ = run_.waiting ? Progress::waiting : Progress::running;
   cause_ = Cause::none;
-  last_ = detail::setpoint(now.master, {axis.position, 0, 0, 0});
+  last_ = axis_detail::setpoint(now.master, {axis.position, 0, 0, 0});
   return Cause::none;
 }
 
 Setpoint FifoFollow::at(const Moment& now) noexcept {
   if (progress_ >= Progress::done) return last_;
   fresh_ = false;
-  const bool lost = !detail::usable(now.master);
+  const bool lost = !axis_detail::usable(now.master);
   if (!lost) {
     const Sample sample{now.t, now.master};
     Jet f = step(run_, fifos_, before_, sample);
@@ -255,7 +255,7 @@ Setpoint FifoFollow::at(const Moment& now) noexcept {
       progress_ = Progress::done;
     }
     if (progress_ != Progress::broken)
-      return last_ = detail::setpoint(now.master, chained(f, now.master));
+      return last_ = axis_detail::setpoint(now.master, chained(f, now.master));
   }
   progress_ = Progress::broken;
   cause_ =

@@ -16,7 +16,7 @@
 namespace jounce {
 namespace {
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 
 double seconds(std::int64_t ns) {
   return static_cast<double>(ns) / 1e9;

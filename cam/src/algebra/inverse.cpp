@@ -35,10 +35,10 @@
 namespace jounce {
 namespace {
 
-using detail::greatest_magnitude;
-using detail::joint_rounding;
-using detail::jumps;
-using detail::master_at;
+using cam_detail::greatest_magnitude;
+using cam_detail::joint_rounding;
+using cam_detail::jumps;
+using cam_detail::master_at;
 using Kind = CamRun::Kind;
 
 bool rests(const Segment& f, double s) {
@@ -138,7 +138,7 @@ void Inverse::add(const CamRun& run) {
   for (std::size_t i = 0; i < cam_->segments().size(); ++i) {
     if (cam_->breaks()[i + 1] <= run.from || cam_->breaks()[i] >= run.to) continue;
     const Segment& f = cam_->segments()[i];
-    for (const detail::Part& part : detail::parts(f)) {
+    for (const cam_detail::Part& part : cam_detail::parts(f)) {
       const double middle = master_at(*cam_, i, (part.s0 + part.s1) / 2);
       if (part.kind != run.kind || middle < run.from || middle > run.to) continue;
       pieces_.push_back({i, part.s0, part.s1, value(f, part.s0), value(f, part.s1),

@@ -26,11 +26,11 @@ namespace {
 
 /// Equation (1); with sign = -1 and majorants, (2). Ignores a[0] and a[1] of `higher`.
 template <std::size_t n>
-detail::Series<n> reverted(detail::Series<n> higher, double a1, double sign = 1) {
+profiles_detail::Series<n> reverted(profiles_detail::Series<n> higher, double a1, double sign = 1) {
   higher[0] = higher[1] = 0;
-  detail::Series<n> d{};
+  profiles_detail::Series<n> d{};
   for (std::size_t pass = 1; pass < n; ++pass) {
-    const auto rest = detail::substituted(higher, d);
+    const auto rest = profiles_detail::substituted(higher, d);
     for (std::size_t k = 1; k < n; ++k) d[k] = ((k == 1 ? 1 : 0) - sign * rest[k]) / a1;
   }
   return d;
@@ -51,10 +51,10 @@ struct Stroke {
   }
 
   [[nodiscard]] double length() const { return to - from; }
-  [[nodiscard]] detail::EndSeries end(int which) const {
+  [[nodiscard]] profiles_detail::EndSeries end(int which) const {
     const double s = which == 0 ? s0 : s1;
-    const detail::EndSeries a = detail::taylor(f(), s);
-    detail::EndSeries d = reverted(a, a[1]);
+    const profiles_detail::EndSeries a = profiles_detail::taylor(f(), s);
+    profiles_detail::EndSeries d = reverted(a, a[1]);
     double unit = f().length;
     for (double& c : d) {
       c *= unit;
@@ -67,7 +67,7 @@ struct Stroke {
     const Segment piece = part(f(), std::min(s0, s1), std::max(s0, s1));
     const Range slope = extrema(Cam({piece}), 1);
     const double least = std::min(std::abs(slope.min.value), std::abs(slope.max.value));
-    const auto d = reverted(detail::majorant(piece, 1), least * piece.length, -1);
+    const auto d = reverted(profiles_detail::majorant(piece, 1), least * piece.length, -1);
     return d.back() * std::pow(length(), 12) * piece.length;
   }
   [[nodiscard]] std::pair<Stroke, Stroke> halves() const {
@@ -103,8 +103,8 @@ Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, doub
     throw InputError(
         "slave", number(from) + " to " + number(to),
         "must ascend and lie within the branch, " + number(g.start()) + " to " + number(g.end()));
-  detail::require_tolerance(tolerance,
-                            std::max(std::abs(g.master_from()), std::abs(g.master_to())));
+  profiles_detail::require_tolerance(tolerance,
+                                     std::max(std::abs(g.master_from()), std::abs(g.master_to())));
   std::vector<double> ends{from};
   for (const double y : g.breaks())
     if (y > from && y < to) ends.push_back(y);
@@ -114,7 +114,7 @@ Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, doub
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     require_motion(g, ends[i], Side::right);
     require_motion(g, ends[i + 1], Side::left);
-    detail::fit(stroke(g, ends[i], ends[i + 1]), tolerance, segments, error);
+    profiles_detail::fit(stroke(g, ends[i], ends[i + 1]), tolerance, segments, error);
   }
   return {Cam(std::move(segments), from), error};
 }

@@ -178,7 +178,7 @@ bool Coupling::slave_relative() const {
   return spec_.start == StartMode::relative || !spec_.slave_absolute;
 }
 
-namespace detail {
+namespace cam_detail {
 
 Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x) {
   const Jet& reach = coupling.reach();
@@ -222,7 +222,7 @@ Engagement settle(const Coupling& coupling, StartMode start, const Placement& pl
   return e;
 }
 
-}  // namespace detail
+}  // namespace cam_detail
 
 Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t) {
   const CouplingSpec& spec = coupling.spec();
@@ -240,7 +240,7 @@ Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet&
     p.slave_offset = 0;
     p.slave_offset = slave.position - placed(cam, p, master)[0] + spec.slave_offset;
   }
-  return detail::settle(coupling, spec.start, p, slave, master, t);
+  return cam_detail::settle(coupling, spec.start, p, slave, master, t);
 }
 
 const char* name(StartMode mode) {

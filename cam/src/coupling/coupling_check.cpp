@@ -83,7 +83,7 @@ Report check(const Coupling& coupling, const MotionState& slave, const Jet& mast
     return report;
   }
   const Jet y = placed(coupling.cam(), in.engaged.placement, master);
-  const Jet near = detail::roundings(coupling, slave, y, master);
+  const Jet near = cam_detail::roundings(coupling, slave, y, master);
   const std::array<double, 3> jumps{in.jump.position, in.jump.velocity, in.jump.acceleration};
   for (std::size_t k = 0; k < jumps.size(); ++k)
     report.findings.push_back(finding("coupling/start", OverTime::names[k], X, jumps[k],

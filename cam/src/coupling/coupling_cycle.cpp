@@ -123,11 +123,12 @@ void take_up(const Coupling& coupling, const Engaged& engaged, const Sample& now
   const CouplingSpec& spec = coupling.spec();
   const Jet y = carried_on(coupling, engaged, now);
   const auto settled = [&](StartMode start) {
-    return detail::settle(coupling, start, engaged.placement, state(y), now.master, now.t);
+    return cam_detail::settle(coupling, start, engaged.placement, state(y), now.master, now.t);
   };
   Engagement again = settled(spec.start);
   out.status = again.status;
-  if (!again && detail::has_numbers(spec, StartMode::ramp_in)) again = settled(StartMode::ramp_in);
+  if (!again && cam_detail::has_numbers(spec, StartMode::ramp_in))
+    again = settled(StartMode::ramp_in);
   if (again)
     out.engaged = again.engaged;
   else

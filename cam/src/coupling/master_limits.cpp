@@ -34,7 +34,7 @@
 namespace jounce {
 namespace {
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 constexpr int most_steps = 100;
 
 using Sizes = std::array<double, 3>;  // values for |f'|, |f''|, |f'''|, or their weights

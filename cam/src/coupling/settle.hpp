@@ -3,7 +3,7 @@
 
 #include "jounce/cam/coupling/coupling.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// Brings the slave onto a cam placed by `placement`, by a start mode for which the coupling has
 /// the parameters.
@@ -18,4 +18,4 @@ bool has_numbers(const CouplingSpec& spec, StartMode start);
 /// magnitude.
 Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x);
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

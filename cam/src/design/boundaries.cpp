@@ -66,9 +66,9 @@ std::vector<FreeDerivatives> free_in(const CamSpec& closed) {
   return free;
 }
 
-std::vector<detail::EnergyKnot> energy_knots(const std::vector<CamKnot>& knots,
-                                             const std::vector<FreeDerivatives>& free) {
-  std::vector<detail::EnergyKnot> out;
+std::vector<cam_detail::EnergyKnot> energy_knots(const std::vector<CamKnot>& knots,
+                                                 const std::vector<FreeDerivatives>& free) {
+  std::vector<cam_detail::EnergyKnot> out;
   for (std::size_t i = 0; i < knots.size(); ++i)
     out.push_back({knots[i].master,
                    {knots[i].slave, *knots[i].geo_velocity, *knots[i].geo_acceleration},
@@ -94,7 +94,7 @@ CamSpec filled(CamSpec spec, Fill how) {
     close(spec, resolved);
     resolved = resolved_knots(spec);
     auto knots = energy_knots(resolved, free_in(spec));
-    detail::minimize(knots, detail::Energy::jerk, spec.periodic);
+    cam_detail::minimize(knots, cam_detail::Energy::jerk, spec.periodic);
     for (std::size_t i = 0; i < knots.size(); ++i) {
       resolved[i].geo_velocity = knots[i].state[1];
       resolved[i].geo_acceleration = knots[i].state[2];

@@ -74,7 +74,7 @@ Integrals integrals_of(const Rise& rise) {
   for (const Segment& f : rise.cam.segments()) {
     const Segment slope = derivative(f);
     const double share = f.length / b;
-    detail::quadrature(f, [&](double s, double weight) {
+    cam_detail::quadrature(f, [&](double s, double weight) {
       const Jet jet = evaluate(slope, s);  // f' to f''''
       for (std::size_t n = 1; n < factor.size(); ++n) {
         const double d = jet[n - 1] * factor[n];

@@ -83,7 +83,7 @@ class PowerSearch {
 double mean_square_acceleration(const Cam& cam) {
   double sum = 0;
   for (const Segment& f : cam.segments())
-    detail::quadrature(f, [&](double s, double weight) {
+    cam_detail::quadrature(f, [&](double s, double weight) {
       const double a = evaluate(f, s)[2];
       sum += weight * f.length * a * a;
     });

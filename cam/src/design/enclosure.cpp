@@ -13,7 +13,7 @@
 //
 //   (3)  g <= g(m) + r max |g'|                                             mean value form
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 namespace {
 
 using Shifted = std::array<double, Segment::max_degree + 1>;
@@ -158,4 +158,4 @@ Certified maximum(const Cam& f, double angle, const Observed& observed, double s
   return Maximum(f, angle, observed, scale).best();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -8,7 +8,7 @@
 
 #include "cam/src/design/taylor.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// An interval of a curve: a segment of it, from s0 to s1 in [0, 1]; a single point if they are
 /// equal.
@@ -43,4 +43,4 @@ struct Certified {
 /// is more). If the rounding of a value exceeds that, `excess` includes it.
 Certified maximum(const Cam& f, double angle, const Observed& observed, double scale);
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// Every number between lo and hi. The result of an operation contains each result for members of
 /// its arguments, to rounding (which is not directed: a few 1e-16 of the magnitudes involved).
@@ -73,4 +73,4 @@ inline Interval cos(Interval a) {
   return sin(a + Interval{std::numbers::pi / 2});
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

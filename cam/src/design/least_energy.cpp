@@ -26,7 +26,7 @@
 //
 // Cholesky's method needs no pivots here, and is independent of the scaling of the unknowns.
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 namespace {
 
 using Block = Eigen::Matrix3d;
@@ -231,4 +231,4 @@ double square_jerk(const std::vector<Segment>& segments) {
   return total;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

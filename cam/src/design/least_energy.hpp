@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// A knot of a piecewise polynomial: its position, its value with two derivatives (value, u/m,
 /// u/m^2), and flags for the fixed ones.
@@ -35,4 +35,4 @@ std::vector<Segment> segments_between(const std::vector<EnergyKnot>& knots, Ener
 /// Integral of the square of the third derivative of segments of degree <= 5.
 double square_jerk(const std::vector<Segment>& segments);
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

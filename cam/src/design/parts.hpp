@@ -8,7 +8,7 @@
 
 // Parts for the runs of a cam and its inverse.
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// A motion below this share of a segment's magnitude is rounding.
 constexpr double motion_rounding = 1e-15;
@@ -35,4 +35,4 @@ double greatest_magnitude(const Cam& cam);
 /// True if the slave's position steps by more than rounding from one run to the next.
 bool jumps(const CamRun& before, const CamRun& after, double magnitude);
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

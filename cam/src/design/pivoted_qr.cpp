@@ -3,7 +3,7 @@
 
 #include <Eigen/QR>
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 struct PivotedQr::Factors {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
@@ -38,4 +38,4 @@ Eigen::VectorXd PivotedQr::solve(const Eigen::VectorXd& b) const {
   return factors_->qr.solve(b);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -17,7 +17,7 @@
 namespace jounce::camming {
 namespace {
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
 
 class Resolver {

@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 
 using Jet5 = std::array<double, 5>;  // value and four derivatives
 

@@ -21,7 +21,7 @@ Kind kind_of(double travel, double rounding) {
 
 }  // namespace
 
-namespace detail {
+namespace cam_detail {
 
 std::vector<Part> parts(const Segment& f) {
   const double rounding = motion_rounding * magnitude(f);
@@ -57,18 +57,19 @@ bool jumps(const CamRun& before, const CamRun& after, double magnitude) {
   return std::abs(after.slave_from - before.slave_to) > joint_rounding * magnitude;
 }
 
-}  // namespace detail
+}  // namespace cam_detail
 
 std::vector<CamRun> runs(const Cam& cam) {
   std::vector<CamRun> found;
-  const double scale = detail::greatest_magnitude(cam);
+  const double scale = cam_detail::greatest_magnitude(cam);
   for (std::size_t i = 0; i < cam.segments().size(); ++i) {
     const Segment& f = cam.segments()[i];
-    for (const detail::Part& part : detail::parts(f)) {
-      const CamRun run{part.kind, detail::master_at(cam, i, part.s0),
-                       detail::master_at(cam, i, part.s1), value(f, part.s0), value(f, part.s1)};
+    for (const cam_detail::Part& part : cam_detail::parts(f)) {
+      const CamRun run{part.kind, cam_detail::master_at(cam, i, part.s0),
+                       cam_detail::master_at(cam, i, part.s1), value(f, part.s0),
+                       value(f, part.s1)};
       if (found.empty() || found.back().kind != run.kind ||
-          detail::jumps(found.back(), run, scale)) {
+          cam_detail::jumps(found.back(), run, scale)) {
         found.push_back(run);
       } else {
         found.back().to = run.to;
@@ -82,7 +83,7 @@ std::vector<CamRun> runs(const Cam& cam) {
 std::vector<MasterSpan> positions_for(const Cam& cam, double slave) {
   std::vector<MasterSpan> spans;
   for (const double x : crossings(cam, 0, slave)) spans.push_back({x, x});
-  const double rounding = detail::joint_rounding * detail::greatest_magnitude(cam);
+  const double rounding = cam_detail::joint_rounding * cam_detail::greatest_magnitude(cam);
   for (const CamRun& run : runs(cam)) {
     if (run.kind != Kind::dwell || std::abs(run.slave_from - slave) > rounding) continue;
     std::erase_if(spans,

@@ -7,7 +7,7 @@
 
 #include "cam/src/design/least_energy.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// Throws InputError unless there are at least `least` points, all finite, masters ascending, and
 /// the tolerances zero or, if allowed, finite and >= 0.
@@ -20,4 +20,4 @@ void require_ends(const SplineSpec& spec);
 /// Fixes the derivatives that the end gives and frees the others.
 void give(EnergyKnot& knot, const SplineEnd& end);
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -11,7 +11,7 @@
 // value and its derivatives, to rounding: one formula serves evaluation and enclosure (R. Moore,
 // "Methods and Applications of Interval Analysis", 1979, ch. 3; the recurrences are those of
 // automatic differentiation).
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// The value and N derivatives, each divided by its factorial.
 template <std::size_t N>
@@ -118,4 +118,4 @@ SinCos<N> sincos(const Taylor<N>& a) {
   return r;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -28,7 +28,7 @@
 namespace jounce {
 namespace {
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 constexpr double ripple = 1e-3;
 constexpr double rho_least = 5.0 / 3;
 constexpr double rho_most = 5.0 / 2;

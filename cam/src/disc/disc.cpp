@@ -54,7 +54,7 @@ double start_angle(const DiscSpec& spec, double travel) {
   // arm.
   const double start = 2 * std::atan2(std::sqrt((prime - (c - l)) * (prime + (c - l))),
                                       std::sqrt(((c + l) - prime) * ((c + l) + prime)));
-  const double swing = detail::arm_angle(spec) * travel;
+  const double swing = cam_detail::arm_angle(spec) * travel;
   if (!(start + swing < std::numbers::pi))
     throw InputError("arm_length", l,
                      "lets the arm swing to " + number((start + swing) * 360 / turn) +
@@ -92,13 +92,15 @@ struct Both {
 template <class Function>
 Both range_of(const Disc& disc, double scale, Function g) {
   const auto greatest = [&](double sign) {
-    return detail::maximum(
+    return cam_detail::maximum(
         disc.lift(), disc.spec().angle,
-        [&](const detail::SegmentPart& over) { return sign * g(detail::pitch(disc, over)); },
+        [&](const cam_detail::SegmentPart& over) {
+          return sign * g(cam_detail::pitch(disc, over));
+        },
         scale);
   };
-  const detail::Certified max = greatest(1);
-  detail::Certified min = greatest(-1);
+  const cam_detail::Certified max = greatest(1);
+  cam_detail::Certified min = greatest(-1);
   min.extremum.value = -min.extremum.value;
   const double peak = std::max({std::abs(max.extremum.value), std::abs(min.extremum.value), scale});
   return {{min.extremum, max.extremum}, std::max(max.excess, min.excess) / peak};
@@ -116,14 +118,14 @@ DiscPoint Disc::at(double master, Side side) const {
   double x = wrapped(master, lift_.start(), lift_.length());
   if (side == Side::left && x == lift_.start()) x = lift_.end();
   const Jet f = lift_.jet(x, side);
-  detail::Taylor<4> lift;
+  cam_detail::Taylor<4> lift;
   double factor = 1;
   for (std::size_t k = 0; k < 3; ++k, factor /= spec_.angle * static_cast<double>(k))
-    lift.c[k] = detail::Interval(f[k] * factor);
-  const detail::Pitch p = detail::pitch(spec_, start_, lift);
+    lift.c[k] = cam_detail::Interval(f[k] * factor);
+  const cam_detail::Pitch p = cam_detail::pitch(spec_, start_, lift);
   const auto place = [&](const auto& a) {
-    const auto b =
-        detail::seen_from_cam(a.template to<0>(), detail::Taylor<0>(spec_.angle * master), p.sigma);
+    const auto b = cam_detail::seen_from_cam(a.template to<0>(),
+                                             cam_detail::Taylor<0>(spec_.angle * master), p.sigma);
     return Place{b.x.c[0].middle(), b.y.c[0].middle()};
   };
   DiscPoint point;
@@ -138,9 +140,9 @@ DiscPoint Disc::at(double master, Side side) const {
 DiscExtremes extremes(const Disc& disc) {
   const double prime = disc.spec().base_radius + disc.spec().roller_radius;
   Both tangent =
-      range_of(disc, 1e-3, [](const detail::Pitch& p) { return p.across() / p.along(); });
+      range_of(disc, 1e-3, [](const cam_detail::Pitch& p) { return p.across() / p.along(); });
   const Both curvature =
-      range_of(disc, 1 / prime, [](const detail::Pitch& p) { return p.curvature(); });
+      range_of(disc, 1 / prime, [](const cam_detail::Pitch& p) { return p.curvature(); });
   for (Extremum* e : {&tangent.range.min, &tangent.range.max}) e->value = std::atan(e->value);
   return {tangent.range, curvature.range, std::max(tangent.error, curvature.error)};
 }

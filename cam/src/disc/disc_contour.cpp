@@ -21,10 +21,10 @@
 namespace jounce {
 namespace {
 
-using detail::Interval;
-using detail::Plane;
-using detail::SegmentPart;
-using detail::Taylor;
+using cam_detail::Interval;
+using cam_detail::Plane;
+using cam_detail::SegmentPart;
+using cam_detail::Taylor;
 
 struct Circle {
   Place centre;
@@ -59,13 +59,14 @@ class Flattening {
  private:
   [[nodiscard]] Vertex vertex(std::size_t segment, double s) const {
     const Plane<3> p = seen({segment, s, s});
-    return {p.x.c[0].middle(), p.y.c[0].middle(), 0, detail::position(disc_.lift(), segment, s)};
+    return {p.x.c[0].middle(), p.y.c[0].middle(), 0,
+            cam_detail::position(disc_.lift(), segment, s)};
   }
 
   [[nodiscard]] Plane<3> seen(const SegmentPart& over) const {
-    const detail::Pitch pitch = detail::pitch(disc_, over);
-    return detail::seen_from_cam(pitch.parallel(distance_), detail::turned<3>(disc_, over),
-                                 pitch.sigma);
+    const cam_detail::Pitch pitch = cam_detail::pitch(disc_, over);
+    return cam_detail::seen_from_cam(pitch.parallel(distance_), cam_detail::turned<3>(disc_, over),
+                                     pitch.sigma);
   }
 
   [[nodiscard]] double half_width(const SegmentPart& over) const {
@@ -103,10 +104,10 @@ class Flattening {
     if (!(along.lo > 0)) return std::nullopt;
     const auto circle = through(a, vertex(over.segment, over.middle()), b);
     if (!circle || !(circle->radius > tolerance_)) return std::nullopt;
-    const detail::Pitch pitch = detail::pitch(disc_, over);
-    const Plane<3> centre =
-        detail::seen_from_cam(Plane<3>{Taylor<3>(circle->centre.x), Taylor<3>(circle->centre.y)},
-                              detail::turned<3>(disc_, over), -pitch.sigma);
+    const cam_detail::Pitch pitch = cam_detail::pitch(disc_, over);
+    const Plane<3> centre = cam_detail::seen_from_cam(
+        Plane<3>{Taylor<3>(circle->centre.x), Taylor<3>(circle->centre.y)},
+        cam_detail::turned<3>(disc_, over), -pitch.sigma);
     const Plane<3> from = pitch.parallel(distance_) - centre;
     const double third = (square(from.x) + square(from.y)).c[3].magnitude();
     const double k = half_width(over);

@@ -25,8 +25,8 @@
 namespace jounce {
 namespace {
 
-using detail::Interval;
-using detail::SegmentPart;
+using cam_detail::Interval;
+using cam_detail::SegmentPart;
 
 constexpr double touching = 1e-5;   // relative to the radius: a clearance that counts as none
 constexpr double precision = 1e-3;  // relative to the radius: precision of the depth
@@ -57,12 +57,12 @@ class Search {
 
  private:
   [[nodiscard]] Arc arc(const SegmentPart& over) const {
-    const detail::Pitch whole = detail::pitch(disc_, over);
+    const cam_detail::Pitch whole = cam_detail::pitch(disc_, over);
     const SegmentPart middle = over.at(over.middle());
-    const detail::Pitch there = detail::pitch(disc_, middle);
+    const cam_detail::Pitch there = cam_detail::pitch(disc_, middle);
     const auto place = [&](double distance) {
-      const auto p = detail::seen_from_cam(there.parallel(distance).to<0>(),
-                                           detail::turned<0>(disc_, middle), there.sigma);
+      const auto p = cam_detail::seen_from_cam(there.parallel(distance).to<0>(),
+                                               cam_detail::turned<0>(disc_, middle), there.sigma);
       return Place{p.x.c[0].middle(), p.y.c[0].middle()};
     };
     const double half = (over.s1 - over.s0) / 2 * length(over) * disc_.spec().angle;
@@ -128,7 +128,7 @@ class Search {
     }
   }
   [[nodiscard]] double place(const Arc& a) const {
-    return detail::position(disc_.lift(), a.over.segment, a.over.middle());
+    return cam_detail::position(disc_.lift(), a.over.segment, a.over.middle());
   }
 
   const Disc& disc_;

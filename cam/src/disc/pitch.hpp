@@ -26,7 +26,7 @@
 //
 // For (1) this is (L' - sigma e) / (d + L). See R. Norton, "Cam Design and Manufacturing Handbook",
 // ch. 7; the complex form covers both followers and both rotations in one implementation.
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// A point, or a direction, with its derivatives by t.
 template <std::size_t N>
@@ -148,4 +148,4 @@ Taylor<N> turned(const Disc& disc, const SegmentPart& over) {
   return t;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

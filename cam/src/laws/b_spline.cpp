@@ -209,7 +209,7 @@ std::vector<Segment> b_spline(const BSplineSpec& spec) {
 BSplineSpec interpolating_b_spline(const std::vector<SplinePoint>& points, int degree) {
   require_degree(degree, 1, max_interpolating);
   const auto p = static_cast<std::size_t>(degree);
-  detail::require_points(points, p + 1, false);
+  cam_detail::require_points(points, p + 1, false);
   BSplineSpec spec{degree, knots_for(points, p), {}};
   Banded a;
   for (const SplinePoint& point : points) {

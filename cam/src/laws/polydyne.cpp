@@ -19,8 +19,8 @@
 namespace jounce {
 namespace {
 
-using detail::rounded_input;
-using detail::two_pi;
+using profiles_detail::rounded_input;
+using profiles_detail::two_pi;
 
 /// Equation (1) on one segment. A derivative has no sines or powers that its function lacks.
 Segment driving(const Segment& y, double by_velocity, double by_acceleration) {

@@ -84,7 +84,7 @@ Segment polynomial(double length, std::span<const Condition> conditions) {
     rows.row(i) = full.transpose() / scale;
     values[i] = c.value * std::pow(length / 2, c.order) / scale;
   }
-  const detail::PivotedQr solver(rows);
+  const cam_detail::PivotedQr solver(rows);
   if (solver.rank() < size)
     throw InputError("conditions", static_cast<double>(conditions.size()),
                      "contradict each other, or do not determine the polynomial: give each "

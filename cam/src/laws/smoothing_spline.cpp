@@ -11,12 +11,12 @@
 namespace jounce {
 namespace {
 
-using detail::Pin;
-using detail::ToleranceProgram;
+using cam_detail::Pin;
+using cam_detail::ToleranceProgram;
 
 void require_valid(const SplineSpec& spec) {
-  detail::require_points(spec.points, 3, true);
-  detail::require_ends(spec);
+  cam_detail::require_points(spec.points, 3, true);
+  cam_detail::require_ends(spec);
   if (spec.ends == SplineEnds::not_a_knot)
     throw InputError("ends", "not_a_knot", "a smoothing spline needs natural or periodic ends");
   const double first = spec.points.front().tolerance;
@@ -34,7 +34,7 @@ SmoothingSpline smoothing_spline(const SplineSpec& spec) {
   const ToleranceProgram program(spec);
   ToleranceProgram::Solution s = program.solve();
   SmoothingSpline answer{std::move(s.segments), {}, 0, 0, s.solutions};
-  answer.square_jerk = detail::square_jerk(answer.segments);
+  answer.square_jerk = cam_detail::square_jerk(answer.segments);
   const bool none = std::count(s.pins.begin(), s.pins.end(), Pin::held) > 0;
   answer.gap = none ? answer.square_jerk : std::min(program.gap(s), answer.square_jerk);
   for (std::size_t i = 0; i < s.pins.size(); ++i)

@@ -41,19 +41,19 @@ void refuse_acceleration(const char* which, const SplineEnd& end) {
                      "a cubic spline takes geo_velocity only: use a quintic spline");
 }
 
-std::vector<detail::EnergyKnot> knots_of(const SplineSpec& spec) {
-  std::vector<detail::EnergyKnot> knots;
+std::vector<cam_detail::EnergyKnot> knots_of(const SplineSpec& spec) {
+  std::vector<cam_detail::EnergyKnot> knots;
   for (const SplinePoint& p : spec.points)
     knots.push_back({p.master, {p.slave, 0, 0}, {true, false, false}});
-  detail::give(knots.front(), spec.start);
-  detail::give(knots.back(), spec.end);
+  cam_detail::give(knots.front(), spec.start);
+  cam_detail::give(knots.back(), spec.end);
   return knots;
 }
 
-std::vector<Segment> least(const SplineSpec& spec, detail::Energy energy) {
+std::vector<Segment> least(const SplineSpec& spec, cam_detail::Energy energy) {
   auto knots = knots_of(spec);
-  detail::minimize(knots, energy, spec.ends == SplineEnds::periodic);
-  return detail::segments_between(knots, energy);
+  cam_detail::minimize(knots, energy, spec.ends == SplineEnds::periodic);
+  return cam_detail::segments_between(knots, energy);
 }
 
 std::vector<Segment> not_a_knot(const SplineSpec& spec, int degree) {
@@ -63,8 +63,8 @@ std::vector<Segment> not_a_knot(const SplineSpec& spec, int degree) {
 
 }  // namespace
 
-void detail::require_points(const std::vector<SplinePoint>& points, std::size_t least,
-                            bool tolerances) {
+void cam_detail::require_points(const std::vector<SplinePoint>& points, std::size_t least,
+                                bool tolerances) {
   if (points.size() < least)
     throw InputError("points", std::to_string(points.size()) + " points",
                      "must be at least " + std::to_string(least));
@@ -83,33 +83,33 @@ void detail::require_points(const std::vector<SplinePoint>& points, std::size_t 
   }
 }
 
-void detail::give(EnergyKnot& knot, const SplineEnd& end) {
+void cam_detail::give(EnergyKnot& knot, const SplineEnd& end) {
   knot.state[1] = end.geo_velocity.value_or(0);
   knot.state[2] = end.geo_acceleration.value_or(0);
   knot.fixed[1] = end.geo_velocity.has_value();
   knot.fixed[2] = end.geo_acceleration.has_value();
 }
 
-void detail::require_ends(const SplineSpec& spec) {
+void cam_detail::require_ends(const SplineSpec& spec) {
   const bool natural = spec.ends == SplineEnds::natural;
   require_end("start", spec.start, natural);
   require_end("end", spec.end, natural);
 }
 
 std::vector<Segment> cubic_spline(const SplineSpec& spec) {
-  detail::require_points(spec.points, 2, false);
-  detail::require_ends(spec);
+  cam_detail::require_points(spec.points, 2, false);
+  cam_detail::require_ends(spec);
   refuse_acceleration("start", spec.start);
   refuse_acceleration("end", spec.end);
   if (spec.ends == SplineEnds::not_a_knot) return not_a_knot(spec, 3);
-  return least(spec, detail::Energy::acceleration);
+  return least(spec, cam_detail::Energy::acceleration);
 }
 
 std::vector<Segment> quintic_spline(const SplineSpec& spec) {
-  detail::require_points(spec.points, 2, false);
-  detail::require_ends(spec);
+  cam_detail::require_points(spec.points, 2, false);
+  cam_detail::require_ends(spec);
   if (spec.ends == SplineEnds::not_a_knot) return not_a_knot(spec, 5);
-  return least(spec, detail::Energy::jerk);
+  return least(spec, cam_detail::Energy::jerk);
 }
 
 }  // namespace jounce

@@ -35,7 +35,7 @@
 // minimum than at the previous one; no face recurs, and there are finitely many. (Of the pins
 // released together, some may be pinned again at once, but not the last: alone it moves inwards.)
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 namespace {
 
 constexpr double slack = 1e-9;  ///< relative to a tolerance: not a violation
@@ -213,4 +213,4 @@ bool ToleranceProgram::advance(Solution& s, std::vector<double>& now) const {
   return false;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

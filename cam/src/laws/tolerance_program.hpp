@@ -7,7 +7,7 @@
 
 #include "cam/src/design/least_energy.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// Constraint that fixes a point of a table.
 enum class Pin {
@@ -61,4 +61,4 @@ class ToleranceProgram {
   std::size_t determining_;  ///< points that determine a curve without jerk
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -117,7 +117,7 @@ void require_valid(const CamSwitchSpec& spec) {
 
 SwitchTimes switch_times(const CamSwitchSpec& spec, const Trajectory& position) {
   require_valid(spec);
-  detail::SwitchMachine machine(spec);
+  cam_detail::SwitchMachine machine(spec);
   const Jet first = position.jet(position.start());
   machine.place(first[0], first[1]);
   SwitchTimes times{.outputs = machine.settle(), .edges = {}};

@@ -24,7 +24,7 @@ double way(double from, double to, double expected, double period) {
 
 CamSwitches::CamSwitches(const CamSwitchSpec& spec) : period_(spec.period.value_or(0)) {
   require_valid(spec);
-  machine_ = std::make_unique<detail::SwitchMachine>(spec);
+  machine_ = std::make_unique<cam_detail::SwitchMachine>(spec);
   step_.outputs = machine_->outputs();
 }
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 namespace {
 
 constexpr std::uint32_t bit(int track) {
@@ -256,4 +256,4 @@ std::uint32_t SwitchMachine::wanted() const {
   return outputs & enabled_;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

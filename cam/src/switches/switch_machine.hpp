@@ -11,7 +11,7 @@
 
 #include "cam/src/switches/switch_path.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -120,4 +120,4 @@ class SwitchMachine {
   double now_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/curve/roots.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 namespace {
 
 /// Above the maximum for a piece of degree 3: 2 reversals, and 2 of y between any two of them.
@@ -121,4 +121,4 @@ double SwitchPath::time(const MonotonePart& part, double target) const {
   return s * y.length;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// One piece of an axis's motion x(s), with its reversals.
 struct TurningPiece {
@@ -55,4 +55,4 @@ class SwitchPath {
   double last_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

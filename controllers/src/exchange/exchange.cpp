@@ -27,8 +27,8 @@ bool begins_with_number(std::string_view cell) {
 }
 
 /// Units and policy outside, from the comments.
-void take_notes(const detail::Exchanged& read, const detail::Place& place, TableFile& file,
-                Extrapolation& outside) {
+void take_notes(const controllers_detail::Exchanged& read, const controllers_detail::Place& place,
+                TableFile& file, Extrapolation& outside) {
   for (const auto& [key, target] :
        {std::pair{"master", &file.units.x}, {"position", &file.units.position}})
     if (const auto note = read.notes.find(key); note != read.notes.end()) {
@@ -36,14 +36,14 @@ void take_notes(const detail::Exchanged& read, const detail::Place& place, Table
       if (!is_unit(*target)) place.fail(note->second.line, key, *target, "is not a known unit");
     }
   if (const auto note = read.notes.find("outside"); note != read.notes.end())
-    outside = detail::choice(note->second.value, std::span(detail::policies),
-                             [&](const std::string& value, const std::string& rule) {
-                               place.fail(note->second.line, "outside", value, rule);
-                             });
+    outside = io_detail::choice(note->second.value, std::span(io_detail::policies),
+                                [&](const std::string& value, const std::string& rule) {
+                                  place.fail(note->second.line, "outside", value, rule);
+                                });
 }
 
-void require_whole(const detail::Exchanged& read, const detail::Place& place,
-                   const TableFile& file) {
+void require_whole(const controllers_detail::Exchanged& read,
+                   const controllers_detail::Place& place, const TableFile& file) {
   const std::size_t knots = file.table.size();
   if (const auto note = read.notes.find("knots");
       note != read.notes.end() && note->second.value != std::to_string(knots))
@@ -58,7 +58,8 @@ void require_whole(const detail::Exchanged& read, const detail::Place& place,
                    ": the file was changed after Jounce wrote it; to accept it, remove this line");
 }
 
-Table table_of(detail::Exchanged& read, Extrapolation outside, const detail::Place& place) {
+Table table_of(controllers_detail::Exchanged& read, Extrapolation outside,
+               const controllers_detail::Place& place) {
   try {
     return Table(Domain::master, read.rule, outside, std::move(read.columns));
   } catch (const InputError& error) {
@@ -68,7 +69,7 @@ Table table_of(detail::Exchanged& read, Extrapolation outside, const detail::Pla
   }
 }
 
-ExchangeCam cam_of(detail::Exchanged& read, const detail::Place& place) {
+ExchangeCam cam_of(controllers_detail::Exchanged& read, const controllers_detail::Place& place) {
   Extrapolation outside = Extrapolation::hold;
   TableFile file{
       Table(Domain::master, Interpolation::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
@@ -79,31 +80,31 @@ ExchangeCam cam_of(detail::Exchanged& read, const detail::Place& place) {
 }
 
 /// Lines of one of several cams: the comments above its last knot and below the cam before.
-std::vector<detail::Line> own_lines(const detail::Exchanged& cam,
-                                    const std::vector<detail::Exchanged>& all,
-                                    const std::vector<detail::Line>& lines) {
+std::vector<controllers_detail::Line> own_lines(
+    const controllers_detail::Exchanged& cam, const std::vector<controllers_detail::Exchanged>& all,
+    const std::vector<controllers_detail::Line>& lines) {
   int from = 0;
-  for (const detail::Exchanged& other : all)
+  for (const controllers_detail::Exchanged& other : all)
     if (other.lines.back() < cam.lines.front()) from = std::max(from, other.lines.back());
-  std::vector<detail::Line> own;
-  for (const detail::Line& line : lines)
+  std::vector<controllers_detail::Line> own;
+  for (const controllers_detail::Line& line : lines)
     if (line.number > from && line.number < cam.lines.back()) own.push_back(line);
   return own;
 }
 
-std::vector<ExchangeCam> cams_of(std::vector<detail::Exchanged> all,
-                                 const std::vector<detail::Line>& lines,
-                                 const detail::Place& place) {
-  for (detail::Exchanged& cam : all)
-    cam.notes = detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
+std::vector<ExchangeCam> cams_of(std::vector<controllers_detail::Exchanged> all,
+                                 const std::vector<controllers_detail::Line>& lines,
+                                 const controllers_detail::Place& place) {
+  for (controllers_detail::Exchanged& cam : all)
+    cam.notes = controllers_detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
   std::vector<ExchangeCam> cams;
-  for (detail::Exchanged& cam : all) cams.push_back(cam_of(cam, place));
+  for (controllers_detail::Exchanged& cam : all) cams.push_back(cam_of(cam, place));
   return cams;
 }
 
 }  // namespace
 
-namespace detail {
+namespace controllers_detail {
 
 std::string_view trimmed(std::string_view text) {
   constexpr const char* white = " \t\r";
@@ -178,7 +179,7 @@ double Place::number(int line, const std::string& key, std::string_view text) co
              : "must be a finite number");
 }
 
-}  // namespace detail
+}  // namespace controllers_detail
 
 const char* name(Format format) {
   switch (format) {
@@ -222,14 +223,16 @@ Interpolation rule_of(Format format) {
 
 std::optional<Format> format_of_text(const std::string& text) {
   if (is_table(text)) return std::nullopt;
-  if (detail::lower(text).find("smc_camxyva") != std::string::npos) return Format::codesys;
+  if (controllers_detail::lower(text).find("smc_camxyva") != std::string::npos)
+    return Format::codesys;
   if (text.find("TABLE_BEGIN") != std::string::npos) return Format::kollmorgen;
-  const auto lines = detail::lines_of(text);
-  const auto first = std::find_if(lines.begin(), lines.end(), [](const detail::Line& line) {
-    return !detail::is_comment(line.text);
-  });
+  const auto lines = controllers_detail::lines_of(text);
+  const auto first =
+      std::find_if(lines.begin(), lines.end(), [](const controllers_detail::Line& line) {
+        return !controllers_detail::is_comment(line.text);
+      });
   if (first == lines.end()) return std::nullopt;
-  const auto cells = detail::column_cells(first->text);
+  const auto cells = controllers_detail::column_cells(first->text);
   const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
   if (!header && (!begins_with_number(cells[0]) || first->text.find('=') != std::string::npos))
     return std::nullopt;
@@ -246,20 +249,22 @@ std::string exchange_text(Format format, const TableFile& file) {
     throw InputError(
         "rule", name(file.table.rule()),
         std::string("the format ") + name(format) + " needs a " + name(rule_of(format)) + " table");
-  return format == Format::codesys ? detail::st_text(file) : detail::columns_text(format, file);
+  return format == Format::codesys ? controllers_detail::st_text(file)
+                                   : controllers_detail::columns_text(format, file);
 }
 
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma) {
-  const detail::Place place(name, decimal_comma);
+  const controllers_detail::Place place(name, decimal_comma);
   const auto format = format_of_text(text);
   if (!format) place.fail(1, "", "", "is not a cam table in a known format");
   if (*format == Format::kollmorgen)
     place.fail(1, "", "",
                "is a KAS table: Kollmorgen does not document its splines, so it cannot be read");
-  const auto lines = detail::lines_of(text);
-  if (*format == Format::codesys) return cams_of(detail::parse_st(text, place), lines, place);
-  return cams_of({detail::parse_columns(*format, lines, place)}, lines, place);
+  const auto lines = controllers_detail::lines_of(text);
+  if (*format == Format::codesys)
+    return cams_of(controllers_detail::parse_st(text, place), lines, place);
+  return cams_of({controllers_detail::parse_columns(*format, lines, place)}, lines, place);
 }
 
 TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {

@@ -10,7 +10,7 @@
 
 #include "controllers/src/exchange/exchange_parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::controllers_detail {
 namespace {
 
 std::vector<std::string_view> split(std::string_view line, const char* separators, bool runs) {
@@ -185,4 +185,4 @@ std::string columns_text(Format format, const TableFile& file) {
   return rows_text(file, '\t', "\n");
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::controllers_detail

@@ -10,7 +10,7 @@
 #include "jounce/controllers/exchange/exchange.hpp"
 
 /// Parts that the formats of other makers share.
-namespace jounce::detail {
+namespace jounce::controllers_detail {
 
 /// A line of a file, counted from 1.
 struct Line {
@@ -73,4 +73,4 @@ std::vector<std::string_view> column_cells(std::string_view line);
 std::string columns_text(Format format, const TableFile& file);
 std::string st_text(const TableFile& file);
 
-}  // namespace jounce::detail
+}  // namespace jounce::controllers_detail

@@ -13,7 +13,7 @@
 
 // A cam as CODESYS SoftMotion declares it (library SM3_Basic, MC_CAM_REF and SMC_CAMXYVA): an array
 // of points, each with dX (master), dY (slave), dV = dY/dX and dA = d2Y/dX2, and a reference to it.
-namespace jounce::detail {
+namespace jounce::controllers_detail {
 namespace {
 
 constexpr std::array fields{"dx", "dy", "dv", "da"};
@@ -254,4 +254,4 @@ std::string st_text(const TableFile& file) {
          ", xStart := " + real(x.front()) + ", xEnd := " + real(x.back()) + ");\nEND_VAR\n";
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::controllers_detail

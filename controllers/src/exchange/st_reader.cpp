@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace jounce::detail {
+namespace jounce::controllers_detail {
 namespace {
 
 /// End of the comment or pragma that begins at `i`; `i` where none begins. Comments nest.
@@ -140,4 +140,4 @@ void StReader::fail(const std::string& key, std::string_view value, const std::s
   place_.fail(here_.line, key, value, rule);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::controllers_detail

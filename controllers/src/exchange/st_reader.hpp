@@ -6,7 +6,7 @@
 
 #include "controllers/src/exchange/exchange_parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::controllers_detail {
 
 /// The words and signs of Structured Text (IEC 61131-3), one after another, without comments and
 /// pragmas, and their lines. Words are compared in any letter case, as in the language.
@@ -51,4 +51,4 @@ class StReader {
   Mark here_ = {};
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::controllers_detail

@@ -83,11 +83,11 @@ template <class Law>
 Profile ramped(double from, std::int64_t pos, const Law& up, double v0, const Law& down, double v1,
                double vel, const char* key) {
   const auto to = static_cast<double>(pos);
-  const auto move = detail::ramped(up, v0, down, v1, vel, std::abs(to - from));
+  const auto move = profiles_detail::ramped(up, v0, down, v1, vel, std::abs(to - from));
   if (!move)
     throw InputError(key, std::max(v0, v1),
                      "cannot be brought to the speed at the other end over this distance");
-  return detail::profile(*move, from, to);
+  return profiles_detail::profile(*move, from, to);
 }
 
 void require_valid(const Jog& parameters) {
@@ -105,8 +105,8 @@ Profile trap(const Trap& move) {
   require_end_speed("vel_start", move.vel_start, move.vel);
   if (move.vel_start == 0) return point_to_point(move.from, static_cast<double>(move.pos), d);
   constexpr double step = std::numeric_limits<double>::infinity();
-  const detail::JerkLaw up{d.acceleration, or_else(d.jerk, step)};
-  const detail::JerkLaw down{d.deceleration, or_else(d.deceleration_jerk, step)};
+  const profiles_detail::JerkLaw up{d.acceleration, or_else(d.jerk, step)};
+  const profiles_detail::JerkLaw down{d.deceleration, or_else(d.deceleration_jerk, step)};
   return ramped(move.from, move.pos, up, move.vel_start, down, 0, move.vel, "vel_start");
 }
 
@@ -134,7 +134,7 @@ Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& 
   require_finite("velocities[1].vel", velocities[0].vel);
   if (velocities[0].vel == 0)
     throw InputError("velocities[1].vel", 0, "must not be 0: nothing moves before it");
-  detail::require_ascending("velocities", velocities);
+  profiles_detail::require_ascending("velocities", velocities);
   Trajectory running = jog({from, 0, 0}, velocities[0].vel, parameters).curve();
   running = shifted(running, velocities[0].time);
   for (const auto& [time, vel] : velocities.subspan(1))
@@ -164,8 +164,9 @@ Profile move_absolute_ex(const MoveAbsoluteEx& move) {
   require_end_speed("vel_start", move.vel_start, move.vel);
   require_end_speed("vel_end", move.vel_end, move.vel);
   const double share = move.percent / 100.0;
-  const detail::ShareLaw up{move.acc, share, move.acc_start_percent / 100.0};
-  const detail::ShareLaw down{or_else(move.dec, move.acc), share, move.dec_end_percent / 100.0};
+  const profiles_detail::ShareLaw up{move.acc, share, move.acc_start_percent / 100.0};
+  const profiles_detail::ShareLaw down{or_else(move.dec, move.acc), share,
+                                       move.dec_end_percent / 100.0};
   return ramped(move.from, move.pos, up, move.vel_start, down, move.vel_end, move.vel, "vel_end");
 }
 

@@ -41,29 +41,33 @@ template <class Use>
 auto with_laws(const Ramps& r, Use use) {
   switch (r.mode) {
     case VelocityMode::sigmoid:  // (1)
-      return use(detail::SineLaw{r.acceleration}, detail::SineLaw{r.deceleration});
+      return use(profiles_detail::SineLaw{r.acceleration},
+                 profiles_detail::SineLaw{r.deceleration});
     case VelocityMode::sigmoid_limit:  // (2)
-      return use(detail::SineLaw{2 / pi * r.acceleration},
-                 detail::SineLaw{2 / pi * r.deceleration});
+      return use(profiles_detail::SineLaw{2 / pi * r.acceleration},
+                 profiles_detail::SineLaw{2 / pi * r.deceleration});
     case VelocityMode::quadratic:
-      return use(detail::JerkLaw{r.acceleration, r.jerk}, detail::JerkLaw{r.deceleration, r.jerk});
+      return use(profiles_detail::JerkLaw{r.acceleration, r.jerk},
+                 profiles_detail::JerkLaw{r.deceleration, r.jerk});
     case VelocityMode::trapezoid:
       break;
   }
-  return use(detail::JerkLaw{r.acceleration}, detail::JerkLaw{r.deceleration});
+  return use(profiles_detail::JerkLaw{r.acceleration}, profiles_detail::JerkLaw{r.deceleration});
 }
 
-Trajectory made(const detail::RampedMove<detail::SineLaw>& move, double from, double to) {
-  return detail::curve(move, from, to);
+Trajectory made(const profiles_detail::RampedMove<profiles_detail::SineLaw>& move, double from,
+                double to) {
+  return profiles_detail::curve(move, from, to);
 }
-Trajectory made(const detail::RampedMove<detail::JerkLaw>& move, double from, double to) {
-  return detail::profile(move, from, to).curve();
+Trajectory made(const profiles_detail::RampedMove<profiles_detail::JerkLaw>& move, double from,
+                double to) {
+  return profiles_detail::profile(move, from, to).curve();
 }
 
 Trajectory curve(const Stretch& s) {
   return with_laws(s.ramps, [&](const auto& up, const auto& down) {
     const double h = std::abs(s.to - s.from);
-    const auto move = detail::ramped(up, s.v0, down, s.v1, s.ramps.velocity, h);
+    const auto move = profiles_detail::ramped(up, s.v0, down, s.v1, s.ramps.velocity, h);
     if (!move) throw InputError("to", s.to, "is too close to `from` for a move");
     return made(*move, s.from, s.to);
   });
@@ -73,7 +77,8 @@ Trajectory curve(const Stretch& s) {
 double reached_over(double h, const Ramps& ramps, bool stopping) {
   return with_laws(ramps, [&](const auto& up, const auto& down) {
     const auto& law = stopping ? down : up;
-    return detail::greatest(ramps.velocity, h, [&](double v) { return distance(law, 0, v); });
+    return profiles_detail::greatest(ramps.velocity, h,
+                                     [&](double v) { return distance(law, 0, v); });
   });
 }
 
@@ -113,20 +118,21 @@ Profile ls_move(const LsMove& move) {
   const Ramps r = completed({move.velocity, move.acceleration, move.deceleration});
   const double v0 = end_velocity("start_velocity", move.start_velocity, move.velocity);
   const double v1 = end_velocity("end_second_velocity", move.end_second_velocity, move.velocity);
-  const detail::JerkLaw up{r.acceleration};
-  const detail::JerkLaw down{r.deceleration};
+  const profiles_detail::JerkLaw up{r.acceleration};
+  const profiles_detail::JerkLaw down{r.deceleration};
   const double h = std::abs(move.to - move.from);
   // From the lower of the two, the distance may not suffice for the higher one.
   const bool brakes = v0 > v1;
   const double low = std::min(v0, v1);
   const auto covered = [&](double dv) { return distance(brakes ? down : up, low, dv); };
   if (covered(std::abs(v1 - v0)) <= h)
-    return detail::profile(*detail::ramped(up, v0, down, v1, r.velocity, h), move.from, move.to);
-  const double dv = detail::greatest(std::abs(v1 - v0), h, covered);
-  detail::RampedMove<detail::JerkLaw> ramp{up, down, low, low, 0, 0, 0};
+    return profiles_detail::profile(*profiles_detail::ramped(up, v0, down, v1, r.velocity, h),
+                                    move.from, move.to);
+  const double dv = profiles_detail::greatest(std::abs(v1 - v0), h, covered);
+  profiles_detail::RampedMove<profiles_detail::JerkLaw> ramp{up, down, low, low, 0, 0, 0};
   (brakes ? ramp.v0 : ramp.v1) += dv;
   (brakes ? ramp.dv1 : ramp.dv0) = dv;
-  return detail::profile(ramp, move.from, move.to);
+  return profiles_detail::profile(ramp, move.from, move.to);
 }
 
 Profile ls_move_velocity(double from, double velocity, double acceleration, double start_velocity) {

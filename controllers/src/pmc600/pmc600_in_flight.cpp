@@ -57,7 +57,7 @@ Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dy
   const double first = wanted(inputs[0], velocity);
   if (first == 0)
     throw InputError("inputs[1]", "", "must ask for a motion: nothing moves before it");
-  detail::require_ascending("inputs", inputs);
+  profiles_detail::require_ascending("inputs", inputs);
   Trajectory running =
       shifted(velocity_ramp({from, 0, 0}, first, dynamics).curve(), inputs[0].time);
   for (const JogInput& input : inputs.subspan(1))

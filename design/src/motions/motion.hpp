@@ -8,7 +8,7 @@
 #include "jounce/spec/spec.hpp"
 
 /// From the specs of motions over time to the motions. All functions throw InputError with keys of the document.
-namespace jounce::detail {
+namespace jounce::design_detail {
 
 /// The motion of [move]. Throws InputError if no such move exists.
 Trajectory motion_of(const MoveSpec& move);
@@ -31,4 +31,4 @@ std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart>
 /// A motion that may begin or end moving. If it does, it refuses times outside: the axis does not stand there.
 Trajectory moving_at_ends(const Trajectory& motion);
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::design_detail {
 namespace {
 
 std::string name_of(const PathPiece& piece) {
@@ -85,4 +85,4 @@ PathMotion motion_of(const PathSpec& path) {
   return made;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

@@ -8,7 +8,7 @@
 #include "jounce/path/plan.hpp"
 #include "jounce/spec/path_spec.hpp"
 
-namespace jounce::detail {
+namespace jounce::design_detail {
 
 /// A planned path as one motion an axis.
 struct PathMotion {
@@ -21,4 +21,4 @@ struct PathMotion {
 /// Throws InputError with the source and the line of the command, or with a key of the document.
 PathMotion motion_of(const PathSpec& path);
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

@@ -8,13 +8,13 @@
 #include <set>
 #include <string>
 
-namespace jounce::detail {
+namespace jounce::design_detail {
 namespace {
 
 /// Error of the `order`th derivative of a segment by rounding of its coefficients.
 double rounding_of(const Segment& f, std::size_t order) {
   const double per_length = std::max(1, f.degree) / f.length;
-  return 8 * std::numeric_limits<double>::epsilon() * magnitude(f) *
+  return 8 * std::numeric_limits<double>::epsilon() * profiles_detail::magnitude(f) *
          std::pow(per_length, static_cast<double>(order));
 }
 
@@ -56,4 +56,4 @@ void discount_rounding(const Trajectory& curve, Report& report) {
   });
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

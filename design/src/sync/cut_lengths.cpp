@@ -68,7 +68,8 @@ std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
     throw InputError("shear.sync_time", "",
                      "is missing: a map of cut lengths needs it, or sync_length (without one, no "
                      "sync remains at the fastest line)");
-  const double least = detail::in_document("shear.", [&] { return least_cut_length(spec).value; });
+  const double least =
+      spec_detail::in_document("shear.", [&] { return least_cut_length(spec).value; });
   const double scale = std::isfinite(least) ? least : spec.cut_length;
   CutLengths all;
   all.fastest = [spec](double length, const CutLimits& limits) {

@@ -9,8 +9,8 @@
 namespace jounce {
 namespace {
 
-using detail::in_document;
-using detail::of_follow;
+using spec_detail::in_document;
+using spec_detail::of_follow;
 
 SyncCam made(const GearSpec& spec) {
   const Gear gear = Gear::ratio(spec.numerator, spec.denominator);
@@ -22,11 +22,11 @@ SyncCam made(const GearSpec& spec) {
 }
 
 SyncCam made(const GearCourse& spec) {
-  return detail::made_gear(spec);
+  return design_detail::made_gear(spec);
 }
 
 SyncCam made(const GearInPosPart& spec) {
-  return detail::made_gear(spec);
+  return design_detail::made_gear(spec);
 }
 
 SyncCam made(const FollowPart& spec) {

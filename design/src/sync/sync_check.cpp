@@ -28,11 +28,11 @@ Report findings_of(const FollowPart&, const Spec& spec) {
 }
 
 Report findings_of(const GearCourse& course, const Spec& spec) {
-  return detail::check_gear(course, spec.units);
+  return design_detail::check_gear(course, spec.units);
 }
 
 Report findings_of(const GearInPosPart& part, const Spec& spec) {
-  return detail::check_gear(part, spec.units);
+  return design_detail::check_gear(part, spec.units);
 }
 
 Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {

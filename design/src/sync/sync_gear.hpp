@@ -4,7 +4,7 @@
 #include "jounce/spec/spec.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
-namespace jounce::detail {
+namespace jounce::design_detail {
 
 /// The cam of a gear that engages. Throws InputError with keys of the document, also if GearInPos is impossible.
 SyncCam made_gear(const GearCourse& spec);
@@ -15,4 +15,4 @@ SyncCam made_gear(const GearInPosPart& spec);
 Report check_gear(const GearCourse& course, const Units& units);
 Report check_gear(const GearInPosPart& part, const Units& units);
 
-}  // namespace jounce::detail
+}  // namespace jounce::design_detail

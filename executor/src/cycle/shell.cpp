@@ -189,7 +189,7 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   Claim claim = claimed(link, axes);
   const Deadline deadline(run);
   const SignalWatch watch;
-  const detail::RunRecord recording = detail::record_of(run, axes);
+  const executor_detail::RunRecord recording = executor_detail::record_of(run, axes);
   for (auto& axis : axes) axis.recorder = recording.recorder.get();
   Machine machine(machine_of(axes), run.masters.size());
   Post post(machine.size(), machine.masters());

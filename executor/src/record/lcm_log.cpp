@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 namespace {
 
 constexpr std::uint32_t sync_word = 0xEDA1DA01;
@@ -83,4 +83,4 @@ std::optional<LcmEvent> LcmLogReader::next() {
   return event;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

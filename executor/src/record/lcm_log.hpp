@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 
 /// An event of an LCM log file (LCM's eventlog.c): all numbers big-endian,
 ///
@@ -37,7 +37,7 @@ class LcmLogReader {
 
   [[nodiscard]] bool cut() const { return cut_; }
   [[nodiscard]] std::int64_t events() const { return events_; }  ///< read so far
-  [[nodiscard]] std::int64_t offset() const {
+  [[nodiscard]] std::int64_t spec_detail::offset() const {
     return offset_;
   }  ///< offset of the next one, in bytes
 
@@ -51,4 +51,4 @@ class LcmLogReader {
   std::int64_t offset_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

@@ -181,7 +181,7 @@ void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
 
 void Recorder::write(std::string_view channel, const std::string& data, std::int64_t microseconds) {
   if (!file_.is_open()) return;
-  detail::append(buffer_, number_++, microseconds, channel, data);
+  executor_detail::append(buffer_, number_++, microseconds, channel, data);
   if (buffer_.size() >= buffered) flush();
 }
 
@@ -228,10 +228,10 @@ void Recorder::write_black_box() {
   std::int64_t number = 0;
   for (RecordedAxis axis : axes_) {
     axis.whole = false;
-    detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
+    executor_detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
   }
   for (const RecordedMaster& master : masters_)
-    detail::append(bytes, number++, 0, channel_of(master), encoded(master));
+    executor_detail::append(bytes, number++, 0, channel_of(master), encoded(master));
   struct Entry {
     std::int64_t microseconds;
     std::string_view channel;
@@ -251,7 +251,7 @@ void Recorder::write_black_box() {
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.microseconds < b.microseconds; });
   for (const Entry& e : entries)
-    detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
+    executor_detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
   try {
     write_file(options_.black_box->string(), bytes);
     if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 namespace {
 
 /// Equal to the last bit; a lost master (NaN) has many bit patterns.
@@ -61,4 +61,4 @@ std::optional<TickDifference> RemadeMasters::compare(const RecordedSight& seen, 
   return difference(seen.sight, now);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/executor/record.hpp"
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 
 /// The masters of a record, reconstructed from their recorded inputs.
 ///
@@ -33,4 +33,4 @@ class RemadeMasters {
   std::vector<One> masters_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

@@ -257,7 +257,7 @@ class Replayer {
   const std::function<void(const RecordedCycle&)>& watch_;
   const std::function<void(const RecordedSight&)>& watch_master_;
   Replay result_;
-  detail::RemadeMasters masters_;
+  executor_detail::RemadeMasters masters_;
   std::vector<MasterSight> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
@@ -274,7 +274,7 @@ class Replayer {
 Replay replay(std::istream& in, const std::string& name,
               const std::function<void(const RecordedCycle&)>& watch,
               const std::function<void(const RecordedSight&)>& watch_master) {
-  detail::LcmLogReader reader(in, name);
+  executor_detail::LcmLogReader reader(in, name);
   Replayer replayer(watch, watch_master);
   while (const auto event = reader.next()) {
     try {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 namespace {
 
 RecordedMaster recorded(const MachineMaster& master, std::size_t number) {
@@ -53,4 +53,4 @@ RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& a
   return record;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

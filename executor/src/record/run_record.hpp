@@ -6,7 +6,7 @@
 
 #include "jounce/executor/shell.hpp"
 
-namespace jounce::detail {
+namespace jounce::executor_detail {
 
 /// The record of a run, and the tape to it; both null without a record.
 struct RunRecord {
@@ -21,4 +21,4 @@ RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& a
 std::vector<RecordedMaster> recorded_masters(const std::vector<MachineMaster>& masters,
                                              const std::vector<ExecutorOptions>& axes);
 
-}  // namespace jounce::detail
+}  // namespace jounce::executor_detail

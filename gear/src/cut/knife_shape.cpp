@@ -43,11 +43,11 @@
 // where nothing cancels for q0 >= 0; and as all of asin's derivatives grow there, the series at the
 // far end of a piece bounds those on all of it (fitted.hpp: certified by the twelfth).
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 namespace {
 
-Majorant asin_series(double q) {
-  Majorant a{std::asin(q), 1 / std::sqrt((1 - q) * (1 + q))};
+profiles_detail::Majorant asin_series(double q) {
+  profiles_detail::Majorant a{std::asin(q), 1 / std::sqrt((1 - q) * (1 + q))};
   for (std::size_t k = 0; k + 2 < a.size(); ++k) {
     const auto n = static_cast<double>(k);
     a[k + 2] = (q * (n + 1) * (2 * n + 1) * a[k + 1] + n * n * a[k]) /
@@ -56,16 +56,16 @@ Majorant asin_series(double q) {
   return a;
 }
 
-/// asin over [from, to], 0 <= from < to < 1, whose whole [0, 1] is `scale` m of web: for fit().
+/// asin over [from, to], 0 <= from < to < 1, whose whole [0, 1] is `scale` m of web: for profiles_detail::fit().
 struct AsinPiece {
   double from;
   double to;
   double scale;
 
   [[nodiscard]] double length() const { return (to - from) * scale; }
-  [[nodiscard]] EndSeries end(double s) const {
-    const Majorant a = asin_series(s == 0 ? from : to);
-    EndSeries series{};
+  [[nodiscard]] profiles_detail::EndSeries end(double s) const {
+    const profiles_detail::Majorant a = asin_series(s == 0 ? from : to);
+    profiles_detail::EndSeries series{};
     double power = 1;
     for (std::size_t k = 0; k < series.size(); ++k, power *= to - from) series[k] = a[k] * power;
     return series;
@@ -97,7 +97,7 @@ KnifeZone knife_zone(const KnifeSync& sync, bool horizontal, double tolerance) {
   KnifeZone zone;
   Jet error{};
   const double s = std::sin(sync.angle);
-  fit(AsinPiece{0, s, sync.length / s}, tolerance, zone.leaving, error);
+  profiles_detail::fit(AsinPiece{0, s, sync.length / s}, tolerance, zone.leaving, error);
   zone.strays = error[0];
   return zone;
 }
@@ -154,4 +154,4 @@ double KnifeShape::longest() const {
   return b;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

@@ -7,7 +7,7 @@
 
 // Parts of a rotary knife's cut; angles in rad.
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 
 /// Half of the sync zone, from the cut on: how far it goes, and with what it ends.
 struct KnifeSync {
@@ -51,4 +51,4 @@ class KnifeShape {
   bool jerk_taken_;  ///< the rise starts without jerk, so that the zone's can be taken over
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

@@ -49,8 +49,8 @@
 namespace jounce {
 namespace {
 
-using detail::KnifeShape;
-using detail::KnifeSync;
+using gear_detail::KnifeShape;
+using gear_detail::KnifeSync;
 
 using std::numbers::pi;
 constexpr double same_length = 1e-12;  ///< relative
@@ -220,7 +220,7 @@ SyncCam rotary_knife(const RotaryKnifeSpec& spec) {
   if (is_gear(spec, synchronous_length(spec)))
     return {
         Cam({line(length, 0, turn)}, 0, Extrapolation::advance), {"sync"}, {{0, length, "sync"}}};
-  const detail::KnifeZone zone = detail::knife_zone(
+  const gear_detail::KnifeZone zone = gear_detail::knife_zone(
       knife.sync, spec.matching == KnifeMatching::horizontal, spec.tolerance * knife.sync.angle);
   Parts parts;
   parts.add(zone.leaving, "sync");
@@ -253,7 +253,7 @@ RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
   f.speed_error = slips ? 2 * s * s : 0;  // 1 - cos
   if (!slips)
     f.strays =
-        unit * detail::knife_zone(knife.sync, true, spec.tolerance * knife.sync.angle).strays;
+        unit * gear_detail::knife_zone(knife.sync, true, spec.tolerance * knife.sync.angle).strays;
   return f;
 }
 

@@ -16,9 +16,9 @@
 namespace jounce {
 namespace {
 
-using detail::FollowPass;
+using gear_detail::FollowPass;
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 constexpr std::size_t most_segments = 1'000'000;
 
 std::string prefix(const FollowSpec& spec, std::size_t table) {
@@ -71,7 +71,7 @@ std::int64_t shown(const FollowTable& table, const FollowPass& first) {
 
 }  // namespace
 
-namespace detail {
+namespace gear_detail {
 
 std::string rounded(double x, int digits) {
   std::array<char, 32> text{};
@@ -104,12 +104,12 @@ bool repeats(const FollowSpec& spec, const std::vector<FollowPass>& passes) {
   return spec.tables.back().loops < 1 && passes.size() == 1;
 }
 
-}  // namespace detail
+}  // namespace gear_detail
 
 namespace {
 
 Extrapolation outside_of(const FollowSpec& spec, const std::vector<FollowPass>& passes) {
-  if (detail::repeats(spec, passes))
+  if (gear_detail::repeats(spec, passes))
     return spec.tables.back().segments.back().position == 0 ? Extrapolation::wrap
                                                             : Extrapolation::advance;
   const bool from_rest = spec.start_ratio == 0 && spec.tables.back().loops >= 1;
@@ -139,7 +139,8 @@ std::vector<SyncZone> zones_of(const Cam& cam, const std::vector<PtRate>& ratios
     if (goes_on)
       zones.back().to = cam.breaks()[i + 1];
     else
-      zones.push_back({cam.breaks()[i], cam.breaks()[i + 1], "ratio " + detail::rounded(start)});
+      zones.push_back(
+          {cam.breaks()[i], cam.breaks()[i + 1], "ratio " + gear_detail::rounded(start)});
   }
   return zones;
 }
@@ -147,7 +148,7 @@ std::vector<SyncZone> zones_of(const Cam& cam, const std::vector<PtRate>& ratios
 }  // namespace
 
 SyncCam follow(const FollowSpec& spec) {
-  const auto passes = detail::follow_passes(spec);
+  const auto passes = gear_detail::follow_passes(spec);
   std::vector<Segment> segments;
   std::vector<std::string> names;
   std::vector<PtRate> ratios;
@@ -157,7 +158,7 @@ SyncCam follow(const FollowSpec& spec) {
     for (const Segment& f : cam.segments()) segments.push_back(scaled(f, 1, pass.slave));
     for (const PtPoint& point : table.segments)
       names.push_back(table_name(spec, pass.table) + name(point.type) + " to " +
-                      detail::place(pass.master + point.x));
+                      gear_detail::place(pass.master + point.x));
     ratios.insert(ratios.end(), pass.ratios.begin(), pass.ratios.end());
   }
   Cam cam(std::move(segments), 0, outside_of(spec, passes));
@@ -167,13 +168,13 @@ SyncCam follow(const FollowSpec& spec) {
 
 std::vector<PtRate> follow_ratios(const FollowSpec& spec) {
   std::vector<PtRate> all;
-  for (const FollowPass& pass : detail::follow_passes(spec))
+  for (const FollowPass& pass : gear_detail::follow_passes(spec))
     all.insert(all.end(), pass.ratios.begin(), pass.ratios.end());
   return all;
 }
 
 std::optional<double> master_period(const FollowSpec& spec) {
-  if (!detail::repeats(spec, detail::follow_passes(spec))) return std::nullopt;
+  if (!gear_detail::repeats(spec, gear_detail::follow_passes(spec))) return std::nullopt;
   return spec.tables.back().segments.back().x;
 }
 

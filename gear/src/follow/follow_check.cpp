@@ -13,10 +13,10 @@
 namespace jounce {
 namespace {
 
-using detail::FollowPass;
-using detail::rounded;
+using gear_detail::FollowPass;
+using gear_detail::rounded;
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 
 /// The increments of a segment.
 struct Travel {
@@ -70,7 +70,8 @@ std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, dou
 
 class Inspection {
  public:
-  explicit Inspection(const FollowSpec& spec) : spec_(spec), passes_(detail::follow_passes(spec)) {
+  explicit Inspection(const FollowSpec& spec)
+      : spec_(spec), passes_(gear_detail::follow_passes(spec)) {
     for (const FollowPass& pass : passes_)
       for (const PtRate& r : pass.ratios)
         peak_ = std::max({peak_, std::abs(r.start), std::abs(r.end)});
@@ -116,7 +117,7 @@ class Inspection {
     f.advice = "the ratio steps " + ratios + ": make its travel fit, or the segment normal";
     if (start) {
       f.severity = Severity::warning;
-      f.broken = !detail::repeats(spec_, passes_);
+      f.broken = !gear_detail::repeats(spec_, passes_);
       f.advice = "the ratio steps " + ratios +
                  " at the start: give start_ratio if the slave already moves";
     } else if (i == 0 && pass.again) {

@@ -27,7 +27,7 @@
 //
 //   (5)  c = (2 S - r0 a - r1 b) / (2 L - a - b).
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 namespace {
 
 using Gap = FollowGap;
@@ -91,4 +91,4 @@ std::vector<Piece> pieces_of(const Gap& g, bool whole) {
   return {{a, first}, {b, g.travel - first}};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

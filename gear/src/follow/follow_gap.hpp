@@ -7,7 +7,7 @@
 
 #include "gear/src/follow/follow_knots.hpp"
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 
 /// Interval between two knots.
 struct FollowGap {
@@ -33,4 +33,4 @@ struct FollowPiece {
 /// `whole`: they begin and end at whole master units where the gap is long enough.
 std::vector<FollowPiece> pieces_of(const FollowGap& gap, bool whole);
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

@@ -9,12 +9,12 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/detail/local_velocities.hpp"
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 namespace {
 
 using Knot = FollowKnot;
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 
 std::string key(const char* list, std::size_t i, const char* name) {
   return std::string(list) + "[" + std::to_string(i + 1) + "]." + name;
@@ -180,8 +180,8 @@ class Knots {
       if (all_[i].ratio) continue;
       const double h0 = all_[i].master - all_[i - 1].master;
       const double h1 = all_[i + 1].master - all_[i].master;
-      all_[i].ratio = detail::between_chords(h0, (all_[i].slave - all_[i - 1].slave) / h0, h1,
-                                             (all_[i + 1].slave - all_[i].slave) / h1);
+      all_[i].ratio = pvt_detail::between_chords(h0, (all_[i].slave - all_[i - 1].slave) / h0, h1,
+                                                 (all_[i + 1].slave - all_[i].slave) / h1);
     }
   }
 
@@ -195,4 +195,4 @@ std::vector<FollowKnot> follow_knots(const FollowPlan& plan) {
   return Knots(plan).all();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

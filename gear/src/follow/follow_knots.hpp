@@ -6,7 +6,7 @@
 
 #include "jounce/gear/follow_plan.hpp"
 
-namespace jounce::detail {
+namespace jounce::gear_detail {
 
 /// A place where the slave's position and ratio are known; `zone` leads to it in step.
 struct FollowKnot {
@@ -20,4 +20,4 @@ struct FollowKnot {
 /// in. Throws InputError as follow_table() does.
 std::vector<FollowKnot> follow_knots(const FollowPlan& plan);
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

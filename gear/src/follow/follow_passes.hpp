@@ -7,7 +7,7 @@
 #include "jounce/gear/follow.hpp"
 
 /// The passes that a follow spec's cam shows, for the cam and for its check.
-namespace jounce::detail {
+namespace jounce::gear_detail {
 
 struct FollowPass {
   std::size_t table = 0;
@@ -30,4 +30,4 @@ inline std::string place(double x) {
   return rounded(x, 12);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

@@ -16,18 +16,18 @@
 namespace jounce {
 namespace {
 
-using detail::rounded;
+using gear_detail::rounded;
 
-using Gap = detail::FollowGap;
-using Knot = detail::FollowKnot;
-using Piece = detail::FollowPiece;
+using Gap = gear_detail::FollowGap;
+using Knot = gear_detail::FollowKnot;
+using Piece = gear_detail::FollowPiece;
 
-using detail::rounded_input;
+using profiles_detail::rounded_input;
 
 }  // namespace
 
 FollowTable follow_table(const FollowPlan& plan) {
-  const auto knots = detail::follow_knots(plan);
+  const auto knots = gear_detail::follow_knots(plan);
   FollowTable table;
   table.loops = plan.periodic ? 0 : 1;
   for (std::size_t i = 1; i < knots.size(); ++i) {
@@ -51,7 +51,7 @@ FollowTable follow_table(const FollowPlan& plan) {
 }
 
 CamSpec cam_spec(const FollowPlan& plan) {
-  const auto knots = detail::follow_knots(plan);
+  const auto knots = gear_detail::follow_knots(plan);
   // At a zone the line gives the ratio: the ratio of far positions differs by their rounding.
   const auto in_step = [&](std::size_t i) {
     return knots[i].zone || (i + 1 < knots.size() && knots[i + 1].zone);
@@ -81,7 +81,7 @@ CamSpec cam_spec(const FollowPlan& plan) {
 namespace {
 
 FollowSpec table_spec(const FollowPlan& plan) {
-  return {{follow_table(plan)}, *detail::follow_knots(plan).front().ratio};
+  return {{follow_table(plan)}, *gear_detail::follow_knots(plan).front().ratio};
 }
 
 std::vector<SyncZone> zones_of(const FollowPlan& plan) {
@@ -98,9 +98,9 @@ SyncCam smooth(const FollowPlan& plan) {
   for (const std::size_t i : origin) {
     const CamSegment& segment = spec.segments[i];
     names.push_back((segment.name.empty() ? name(segment.law) : segment.name) +
-                    (" to " + detail::place(segment.end.master)));
+                    (" to " + gear_detail::place(segment.end.master)));
   }
-  const bool starts_in_step = !plan.periodic && *detail::follow_knots(plan).front().ratio != 0;
+  const bool starts_in_step = !plan.periodic && *gear_detail::follow_knots(plan).front().ratio != 0;
   return {starts_in_step ? with(cam, Extrapolation::refuse) : cam, std::move(names),
           zones_of(plan)};
 }
@@ -115,7 +115,7 @@ Cam gap_cam(const Gap& g, Law law) {
 
 /// Greatest backward ratio of the slave in a gap; 0 if it does not run backwards.
 Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
-  const int s = detail::way(g);
+  const int s = gear_detail::way(g);
   if (s == 0 || (g.travel == 0 && g.r0 == 0 && g.r1 == 0)) return {};
   if (plan.form == FollowForm::table && s * g.travel > 0) return {};
   const Cam cam = plan.form == FollowForm::smooth ? gap_cam(g, plan.law) : [&] {
@@ -150,7 +150,7 @@ std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, dou
   const std::string where = "between master " + rounded(from) + " and " + rounded(to) +
                             " the slave travels " + rounded(g.travel);
   const double least = least_travel(g, plan);
-  if (plan.form == FollowForm::table || detail::way(g) * g.travel <= 0)
+  if (plan.form == FollowForm::table || gear_detail::way(g) * g.travel <= 0)
     return where +
            ", against its ratios there: give it the other sign, or add a point where it reverses";
   return where + "; from " + rounded(least) +
@@ -191,7 +191,7 @@ Report check(const FollowPlan& plan) {
     report = check(table_spec(plan));
     add_whole(report, plan);
   }
-  const auto knots = detail::follow_knots(plan);
+  const auto knots = gear_detail::follow_knots(plan);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i].zone) continue;
     const Gap g = gap(knots[i - 1], knots[i]);
@@ -215,7 +215,7 @@ Report check(const FollowPlan& plan) {
 
 std::optional<double> master_period(const FollowPlan& plan) {
   if (!plan.periodic) return std::nullopt;
-  return detail::follow_knots(plan).back().master;
+  return gear_detail::follow_knots(plan).back().master;
 }
 
 }  // namespace jounce

@@ -20,7 +20,7 @@
 namespace jounce {
 namespace {
 
-using detail::Wide;
+using gear_detail::Wide;
 
 constexpr Wide widest = Wide{1} << 62;
 
@@ -57,8 +57,8 @@ Gear nearest(const Gear& r, Wide limit) {
   const Wide k = (limit - q0) / q1;
   const bool last = 2 * d * (q0 + k * q1) <= r.denominator();
   const Wide p = last ? p1 : p0 + k * p1;
-  return Gear::ratio(detail::narrow(r.numerator() < 0 ? -p : p),
-                     detail::narrow(last ? q1 : q0 + k * q1));
+  return Gear::ratio(gear_detail::narrow(r.numerator() < 0 ? -p : p),
+                     gear_detail::narrow(last ? q1 : q0 + k * q1));
 }
 
 /// The ratio to begin with: r0 itself where counts are exact with it, else the nearest with which
@@ -102,21 +102,22 @@ std::int64_t Clutch::advance(State& state, std::int64_t master_increment) const 
     state.way = end;
   }
   gained += rest * scale_ * to_;
-  const auto [quotient, remainder] = detail::floor_divide(gained, denominator_);
+  const auto [quotient, remainder] = gear_detail::floor_divide(gained, denominator_);
   state.remainder = remainder;
-  return detail::narrow(quotient);
+  return gear_detail::narrow(quotient);
 }
 
 Gear Clutch::ratio(const State& state) const {
   if (state.engaged || distance_ == 0) return Gear::ratio(to_, common_);
   const Wide rise = (Wide{to_} - from_) * std::abs(state.way);
-  return Gear::ratio(detail::narrow(Wide{from_} * distance_ + rise),
-                     detail::narrow(Wide{common_} * distance_));
+  return Gear::ratio(gear_detail::narrow(Wide{from_} * distance_ + rise),
+                     gear_detail::narrow(Wide{common_} * distance_));
 }
 
 Clutch::State Clutch::after(const Clutch& before, const State& state) const {
   const Wide parts = Wide{state.remainder} * denominator_;
-  return {0, detail::narrow(detail::floor_divide(parts, before.denominator_).quotient), false};
+  return {0, gear_detail::narrow(gear_detail::floor_divide(parts, before.denominator_).quotient),
+          false};
 }
 
 std::int64_t DirectionMask::advance(State& state, std::int64_t master_increment) const {

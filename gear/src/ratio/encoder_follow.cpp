@@ -39,11 +39,11 @@ std::int64_t EncoderFollow::step(State& state, std::int64_t encoder_increment) c
   std::int64_t pulses = gear_.advance(state.gear, state.sum);
   if (state.cycles > 0) {
     const auto [share, part] =
-        detail::floor_divide(detail::Wide{state.part} + state.pulses, state.over);
+        gear_detail::floor_divide(gear_detail::Wide{state.part} + state.pulses, state.over);
     state.part = part;
-    state.additive -= detail::narrow(share);
+    state.additive -= gear_detail::narrow(share);
     --state.cycles;
-    pulses += detail::narrow(share);
+    pulses += gear_detail::narrow(share);
   }
   return pulses;
 }

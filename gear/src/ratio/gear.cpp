@@ -12,9 +12,9 @@
 namespace jounce {
 namespace {
 
-using detail::floor_divide;
-using detail::narrow;
-using detail::Wide;
+using gear_detail::floor_divide;
+using gear_detail::narrow;
+using gear_detail::Wide;
 
 }  // namespace
 

@@ -21,7 +21,7 @@
 namespace jounce {
 namespace {
 
-using detail::Wide;
+using gear_detail::Wide;
 
 Wide dot(std::span<const std::int64_t> numerators, std::span<const std::int64_t> counts) {
   assert(numerators.size() == counts.size());
@@ -43,28 +43,29 @@ GearSum GearSum::of(std::span<const Gear> gears) {
   for (const Gear& gear : gears) {
     const std::int64_t common = std::gcd(sum.denominator_, gear.denominator());
     const Wide least = Wide{sum.denominator_} * (gear.denominator() / common);
-    if (!detail::fits(least)) refuse(gears.size());
+    if (!gear_detail::fits(least)) refuse(gears.size());
     sum.denominator_ = static_cast<std::int64_t>(least);
   }
   Wide total = 0;
   for (const Gear& gear : gears) {
     const Wide numerator = Wide{gear.numerator()} * (sum.denominator_ / gear.denominator());  // (1)
     total += numerator < 0 ? -numerator : numerator;
-    if (!detail::fits(total)) refuse(gears.size());
+    if (!gear_detail::fits(total)) refuse(gears.size());
     sum.numerators_.push_back(static_cast<std::int64_t>(numerator));
   }
   return sum;
 }
 
 std::int64_t GearSum::slave(std::span<const std::int64_t> masters) const {
-  return detail::narrow(detail::floor_divide(dot(numerators_, masters), denominator_).quotient);
+  return gear_detail::narrow(
+      gear_detail::floor_divide(dot(numerators_, masters), denominator_).quotient);
 }
 
 std::int64_t GearSum::advance(Gear::State& state, std::span<const std::int64_t> increments) const {
   const auto [quotient, remainder] =
-      detail::floor_divide(dot(numerators_, increments) + state.remainder, denominator_);
+      gear_detail::floor_divide(dot(numerators_, increments) + state.remainder, denominator_);
   state.remainder = remainder;
-  return detail::narrow(quotient);
+  return gear_detail::narrow(quotient);
 }
 
 std::int64_t counter_increment(std::int64_t before, std::int64_t now, std::int64_t period) {

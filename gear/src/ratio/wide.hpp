@@ -6,7 +6,7 @@
 #include <limits>
 
 /// Integer division as gears need it: of 128 bits, rounded towards minus infinity.
-namespace jounce::detail {
+namespace jounce::gear_detail {
 
 __extension__ using Wide = __int128;
 
@@ -35,4 +35,4 @@ inline std::int64_t narrow(Wide a) {
   return static_cast<std::int64_t>(a);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::gear_detail

@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::io_detail {
 
 /// A word of a block: "X12.5".
 struct GcodeWord {
@@ -29,4 +29,4 @@ struct GcodeBlock {
 /// Throws InputError with line and column, without a document: text that is no word, a letter twice (but G and M).
 GcodeBlock read_block(std::string_view line, int number);
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

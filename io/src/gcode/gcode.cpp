@@ -17,7 +17,7 @@ bool begins_as_gcode(std::string_view text) {
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     if (line[line.find_first_not_of(" \t\r")] == '%' || line.front() == '(') return true;
     try {
-      if (!detail::read_block(line, 1).words.empty()) return true;
+      if (!io_detail::read_block(line, 1).words.empty()) return true;
     } catch (const InputError&) {
       return false;
     }
@@ -27,12 +27,12 @@ bool begins_as_gcode(std::string_view text) {
 
 GcodeProgram parse_gcode(std::string_view text, const std::string& document,
                          const GcodeMachine& machine) {
-  detail::GcodeInterpreter interpreter(machine);
+  io_detail::GcodeInterpreter interpreter(machine);
   bool runs = true;
   for (int line = 1; runs && !text.empty(); ++line) {
     const std::size_t end = text.find('\n');
     try {
-      runs = interpreter.execute(detail::read_block(text.substr(0, end), line));
+      runs = interpreter.execute(io_detail::read_block(text.substr(0, end), line));
     } catch (const InputError& error) {
       throw InputError(error.key(), error.value(), error.rule())
           .at(document, line, std::max(error.column(), 1));

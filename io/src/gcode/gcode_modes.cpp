@@ -8,7 +8,7 @@
 
 #include "io/src/gcode/interpreter.hpp"
 
-namespace jounce::detail {
+namespace jounce::io_detail {
 namespace {
 
 /// G numbers times 10, by modal group: two of one group contradict each other.
@@ -174,4 +174,4 @@ void GcodeInterpreter::set_rates(const GcodeBlock& block) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

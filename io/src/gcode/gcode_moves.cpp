@@ -6,7 +6,7 @@
 
 #include "io/src/gcode/interpreter.hpp"
 
-namespace jounce::detail {
+namespace jounce::io_detail {
 namespace {
 
 constexpr std::string_view center_letters = "IJK";
@@ -122,4 +122,4 @@ Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane
   return center;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

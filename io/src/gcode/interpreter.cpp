@@ -9,7 +9,7 @@
 
 #include "jounce/base/units.hpp"
 
-namespace jounce::detail {
+namespace jounce::io_detail {
 
 GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
     : machine_(machine),
@@ -107,4 +107,4 @@ void fail_at(const GcodeBlock& block, const std::string& key, const std::string&
   throw InputError(key, "", rule).at({}, block.line, block.words.front().column);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

@@ -10,7 +10,7 @@
 
 #include "io/src/gcode/block.hpp"
 
-namespace jounce::detail {
+namespace jounce::io_detail {
 
 /// Executes the blocks of a program; its state is what the blocks before have set. Throws InputError with line and
 /// column, without a document.
@@ -75,4 +75,4 @@ double gcode_scale(const std::string& from, const std::string& unit);
 [[noreturn]] void fail_at(const GcodeBlock& block, const GcodeWord& word, const std::string& rule);
 [[noreturn]] void fail_at(const GcodeBlock& block, const std::string& key, const std::string& rule);
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

@@ -8,7 +8,7 @@
 namespace jounce::optimizer {
 namespace {
 
-using detail::two_pi;
+using profiles_detail::two_pi;
 constexpr double samples_per_radian = 4;  ///< samples per radian of phase over the motion
 constexpr int narrowings = 40;
 

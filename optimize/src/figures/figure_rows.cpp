@@ -85,7 +85,7 @@ double rms_of(const LinearQuantity& q, const std::vector<Segment>& shape) {
     const Segment g = quantity_of(q, f);
     length += f.length;
     if (g.sines > 0) {
-      sum += f.length * jounce::detail::integral(
+      sum += f.length * jounce::cam_detail::integral(
                             [&](double s) { return jounce::value(g, s) * jounce::value(g, s); });
       continue;
     }

@@ -95,7 +95,7 @@ double integrated(const Pointwise& figure, const std::vector<Segment>& shape, do
       const double at = figure.g(x, wave.sign, q, slope);
       return figure.over == Pointwise::Over::rms ? at * at : at;
     };
-    total += (wave.to - wave.from) * jounce::detail::integral(g);
+    total += (wave.to - wave.from) * jounce::cam_detail::integral(g);
   }
   return total;
 }

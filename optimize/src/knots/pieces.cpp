@@ -80,7 +80,7 @@ std::vector<Gram> grams(std::span<const Piece> pieces) {
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j)
         all[piece.segment][i][j] +=
-            piece.shape[0].length * jounce::detail::integral([&](double s) {
+            piece.shape[0].length * jounce::cam_detail::integral([&](double s) {
               return evaluate(piece.shape[i], s)[2] * evaluate(piece.shape[j], s)[2];
             });
   return all;

@@ -123,7 +123,7 @@ void require_objectives(const std::vector<Objective>& minimize) {
 }
 
 double integral_of_square(const Segment& f) {
-  return f.length * detail::integral([&](double s) {
+  return f.length * cam_detail::integral([&](double s) {
            const double y = value(f, s);
            return y * y;
          });

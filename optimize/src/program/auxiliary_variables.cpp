@@ -78,7 +78,7 @@ MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
 /// (2).
 Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows) {
   const double unit = unit_of(auxiliary, rows);
-  const jounce::detail::PivotedQr qr(y.factor, rounding_tolerance);
+  const jounce::cam_detail::PivotedQr qr(y.factor, rounding_tolerance);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(rank);
   const MatrixXd t = q.transpose() * y.factor;

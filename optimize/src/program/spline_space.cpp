@@ -118,7 +118,7 @@ Form SplineSpace::derivative_at(const LinearQuantity& q, std::size_t piece, int 
 
 std::vector<Form> SplineSpace::squares(const LinearQuantity& q) const {
   std::vector<Form> all;
-  const auto rule = jounce::detail::gauss(degree_ + 1);
+  const auto rule = jounce::cam_detail::gauss(degree_ + 1);
   for (std::size_t i = 0; i < pieces(); ++i)
     for (const auto& [s, weight] : rule)
       all.push_back(scaled(at(q, i, s), std::sqrt(weight * length(i))));

@@ -8,7 +8,7 @@
 #include "jounce/optimize/cam_shape.hpp"
 
 /// A run of free segments of a cam, converted to one function to optimize, and back.
-namespace jounce::detail {
+namespace jounce::optimize_detail {
 
 /// One knot of a run: its fixed values, and the bounds of its free ones.
 struct RunKnot {
@@ -50,4 +50,4 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, 
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,
                    const std::vector<Segment>& shape);
 
-}  // namespace jounce::detail
+}  // namespace jounce::optimize_detail

@@ -4,7 +4,7 @@
 
 #include "optimize/src/shapes/cam_run.hpp"
 
-namespace jounce::detail {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double same_place =
@@ -85,7 +85,7 @@ void take(CamSpec& cam, const RunKnot& knot, const CamRunOf& run, const Jet& f) 
 
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,
                    const std::vector<Segment>& shape) {
-  const Trajectory curve(shape, problem.begin, Extrapolation::hold);
+  const Trajectory profiles_detail::curve(shape, problem.begin, Extrapolation::hold);
   const bool jerk = problem.degree > 5;
   for (std::size_t r = 0; r < run.segments.size(); ++r) {
     const std::size_t i = run.segments[r];
@@ -97,4 +97,4 @@ CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem
   return cam;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 
 #include "optimize/src/shapes/cam_run.hpp"
 
-namespace jounce::detail {
+namespace jounce::optimize_detail {
 namespace {
 
 LinearQuantity derivative_named(const char* name, std::size_t order) {
@@ -176,4 +176,4 @@ ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, 
   return p;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::optimize_detail

@@ -16,7 +16,7 @@ namespace jounce {
 namespace {
 
 using Status = OptimizeStatus;
-using detail::CamRunOf;
+using optimize_detail::CamRunOf;
 
 /// Share of the given value of a figure: permits a later stage where the least value of an earlier figure is 0.
 constexpr double least_concession = 1e-6;
@@ -101,7 +101,7 @@ CamRunOutcome optimized(const CamShapeProblem& problem, const CamRunOf& run, Sha
   CamRunOutcome outcome{run.segments, minimized(problem, shape, watch)};
   if (outcome.shape.best.empty()) return outcome;
   outcome.shape.figures = figures_of(problem, shape, outcome.shape.best);
-  for (Finding& finding : detail::kept_jerks(run))
+  for (Finding& finding : optimize_detail::kept_jerks(run))
     outcome.shape.active.push_back(std::move(finding));
   return outcome;
 }
@@ -185,12 +185,12 @@ void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
   CamRunOutcome found;
   CamSpec best = outcome.best;
   for (const double accuracy : {rounding, joints, 100 * joints}) {
-    ShapeProblem shape = detail::shape_problem(problem, run, accuracy);
+    ShapeProblem shape = optimize_detail::shape_problem(problem, run, accuracy);
     if (problem.options.budget.seconds)
       shape.options.budget.seconds = *problem.options.budget.seconds / parts;
     found = optimized(problem, run, shape, watch);
     if (found.shape.best.empty()) break;
-    best = detail::with_shape(outcome.best, run, shape, found.shape.best);
+    best = optimize_detail::with_shape(outcome.best, run, shape, found.shape.best);
     if (!found.shape.usable() || keeps_limits(best, problem, run)) break;
   }
   outcome.best = std::move(best);
@@ -201,7 +201,7 @@ void take_run(const CamShapeProblem& problem, const CamRunOf& run, Watch& watch,
 
 CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem, const KeepGoing& keep_going) {
   require_valid(problem);
-  const auto runs = detail::runs_of(problem);
+  const auto runs = optimize_detail::runs_of(problem);
   CamShapeOutcome outcome;
   outcome.best = problem.cam;
   Watch watch{.keep_going = keep_going, .runs = runs.size(), .stages = problem.minimize.size()};

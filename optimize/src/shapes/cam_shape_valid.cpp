@@ -49,10 +49,10 @@ std::string knot_key(std::size_t knot) {
 }
 
 void require_ends(const CamShapeProblem& problem) {
-  const auto runs = detail::runs_of(problem);
+  const auto runs = optimize_detail::runs_of(problem);
   for (const FreeShape& shape : problem.shapes) {
     if (shape.end_jerk == EndJerk::as_given) continue;
-    const auto at_end = [&](const detail::CamRunOf& run) {
+    const auto at_end = [&](const optimize_detail::CamRunOf& run) {
       return !run.closed &&
              (run.segments.front() == shape.segment || run.segments.back() == shape.segment);
     };
@@ -102,14 +102,14 @@ void require_knots(const CamShapeProblem& problem) {
 }
 
 void require_corridors(const CamShapeProblem& problem) {
-  const auto runs = detail::runs_of(problem);
+  const auto runs = optimize_detail::runs_of(problem);
   for (std::size_t i = 0; i < problem.corridors.size(); ++i) {
     const Corridor& c = problem.corridors[i];
     const std::string key = "corridor[" + std::to_string(i + 1) + "]";
     if (!(c.from <= c.to))
       throw InputError(key + ".from", c.from, "must not be above " + number(c.to) + ", its end");
     const bool met = std::any_of(runs.begin(), runs.end(),
-                                 [&](const auto& run) { return detail::meets(c, run); });
+                                 [&](const auto& run) { return optimize_detail::meets(c, run); });
     if (!met)
       throw InputError(key + ".from", c.from, "lies outside all segments with a free shape");
   }

@@ -75,7 +75,7 @@ Mean FixedKnots::mean_of(const SearchedFigure& part) const {
   Mean mean{.root = part.figure.over == Pointwise::Over::rms};
   const double length = problem_.end - problem_.begin;
   for (std::size_t i = 0; i < model_.space.pieces(); ++i)
-    for (const auto& [s, weight] : jounce::detail::gauss_6) {
+    for (const auto& [s, weight] : jounce::cam_detail::gauss_6) {
       mean.places.push_back(place_row(part.figure, i, s, sign_at(part, i, s)));
       mean.weight.push_back(weight * model_.space.length(i) / (mean.root ? length : 1));
     }

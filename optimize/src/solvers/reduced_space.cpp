@@ -39,7 +39,7 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
                            const Coordinates& near) {
   const auto n = static_cast<Index>(space.size());
   const MatrixXd a = dense_rows_of(equalities, space.size());
-  const jounce::detail::PivotedQr qr(a.transpose(), 1e-11);
+  const jounce::cam_detail::PivotedQr qr(a.transpose(), 1e-11);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(n);
   const VectorXd start = Eigen::Map<const VectorXd>(near.data(), n);
@@ -57,7 +57,7 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   if (free.cols() == 0) return;  // the ends leave nothing free
   // N' M N = L L', without computing it, which would square its condition. Directions that move nothing are
   // left out.
-  const jounce::detail::PivotedQr half(measure(space) * free, 1e-13);
+  const jounce::cam_detail::PivotedQr half(measure(space) * free, 1e-13);
   const Index moving = half.rank();
   const MatrixXd turned_free = (free * half.permutation()).leftCols(moving);
   const MatrixXd upper = half.r();

@@ -64,7 +64,7 @@ Turn fastest_turn(const TurnRates& rates, double offset, double length) {
   };
   if (rates.jerk == TurnRates::none) return with(0);
   if (rates.acceleration == TurnRates::none) return with(0.5);
-  const double scale = rates.jerk * rates.jerk / detail::cube(rates.acceleration);
+  const double scale = rates.jerk * rates.jerk / profiles_detail::cube(rates.acceleration);
   const double k = 24 * scale * offset;
   const double by_offset = k > 4 ? 3 / (3 + std::sqrt(3 * k - 3)) : 0.5;  // (7)
   const Turn turn = with(by_offset);
@@ -75,12 +75,12 @@ Turn fastest_turn(const TurnRates& rates, double offset, double length) {
   // Both bind: i(b) l = offset, between the two. i falls from 1/8 to 1/12.
   const double i = offset / length;
   const double half = 3 - 12 * i;  // 4 b^2 - (6 - 24 i) b + 3 - 24 i = 0
-  const double share = (half - detail::root(half * half - 4 * (3 - 24 * i))) / 4;
+  const double share = (half - profiles_detail::root(half * half - 4 * (3 - 24 * i))) / 4;
   return with(std::clamp(share, 0.0, 0.5));
 }
 
 Turn least_turn(const TurnRates& rates, double velocity) {
-  const double a2 = detail::square(rates.acceleration);
+  const double a2 = profiles_detail::square(rates.acceleration);
   double share = 0;
   if (rates.acceleration == TurnRates::none)
     share = rates.jerk == TurnRates::none ? 0 : 0.5;
@@ -88,8 +88,8 @@ Turn least_turn(const TurnRates& rates, double velocity) {
     share = std::min(0.5, a2 / (a2 + velocity * rates.jerk));  // (9)
   double length = velocity * velocity / (rates.acceleration * (1 - share));
   if (share > 0)
-    length =
-        std::max(length, std::sqrt(detail::cube(velocity) / (rates.jerk * share * (1 - share))));
+    length = std::max(
+        length, std::sqrt(profiles_detail::cube(velocity) / (rates.jerk * share * (1 - share))));
   return {share, length, velocity};
 }
 
@@ -97,7 +97,7 @@ Turn curved_turn(const TurnRates& rates, double bend, double curvature) {
   double share = 0;
   if (rates.jerk != TurnRates::none) {
     const double ratio =
-        rates.jerk * std::sqrt(bend / (curvature * detail::cube(rates.acceleration)));
+        rates.jerk * std::sqrt(bend / (curvature * profiles_detail::cube(rates.acceleration)));
     share = std::min(0.5, 1 / (1 + ratio));  // (10)
   }
   const double length = bend / ((1 - share) * curvature);

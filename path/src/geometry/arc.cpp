@@ -51,12 +51,12 @@ Point turned(const Point& e1, Plane plane, double sense) {
 /// Angle from the start to a vector from the center, in [0, 2 pi).
 double angle_to(const Arc& arc, const Point& v) {
   const double angle = std::atan2(vec::dot(v, arc.e2), vec::dot(v, arc.e1));
-  return angle < 0 ? angle + detail::two_pi : angle;
+  return angle < 0 ? angle + profiles_detail::two_pi : angle;
 }
 
 /// The arc in a plane about `center`, both ends of which have the same distance from it.
-Arc planar(const Point& from, const Point& center, const Point& to, Plane plane, ArcRotation rotation,
-           int extra_turns) {
+Arc planar(const Point& from, const Point& center, const Point& to, Plane plane,
+           ArcRotation rotation, int extra_turns) {
   const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   Arc arc;
   const Point spoke = in_plane(vec::difference(from, center), plane);
@@ -68,8 +68,9 @@ Arc planar(const Point& from, const Point& center, const Point& to, Plane plane,
   arc.center[plane.second] = center[plane.second];
   const Point chord = in_plane(vec::difference(to, from), plane);
   const bool full = vec::norm(chord) <= coincident * arc.radius;
-  arc.sweep = full ? detail::two_pi : angle_to(arc, in_plane(vec::difference(to, center), plane));
-  arc.sweep += detail::two_pi * extra_turns;
+  arc.sweep =
+      full ? profiles_detail::two_pi : angle_to(arc, in_plane(vec::difference(to, center), plane));
+  arc.sweep += profiles_detail::two_pi * extra_turns;
   arc.drift = vec::difference(to, from);
   arc.drift[plane.first] = arc.drift[plane.second] = 0;
   arc.to = to;
@@ -91,7 +92,7 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const double ab = vec::dot(a, b, axes);
   const double largest = std::max(aa, bb);
   const double area2 = aa * bb - ab * ab;  // twice the triangle's area, squared
-  if (!(area2 > detail::square(coincident * largest)) || !(std::min(aa, bb) > 0))
+  if (!(area2 > profiles_detail::square(coincident * largest)) || !(std::min(aa, bb) > 0))
     throw InputError(
         "via", number(std::sqrt(aa)),
         "start, via point and end must not coincide or lie on a line; the via point is so far "
@@ -110,7 +111,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   arc.e2 = vec::scaled(e2, 1 / vec::norm(e2));
   const double to_via = angle_to(arc, vec::difference(via, arc.center));
   if (to_via > angle_to(arc, vec::difference(to, arc.center))) arc.e2 = vec::scaled(arc.e2, -1);
-  arc.sweep = angle_to(arc, vec::difference(to, arc.center)) + detail::two_pi * extra_turns;
+  arc.sweep =
+      angle_to(arc, vec::difference(to, arc.center)) + profiles_detail::two_pi * extra_turns;
   arc.to = to;
   return arc;
 }
@@ -143,8 +145,8 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   return arc;
 }
 
-Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, ArcRotation rotation,
-                  int extra_turns) {
+Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane,
+                  ArcRotation rotation, int extra_turns) {
   require_axes(plane);
   require_turns(extra_turns);
   require_finite("radius", radius);

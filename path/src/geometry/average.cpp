@@ -199,8 +199,8 @@ bool averages(const Route& route, const Program& program, std::size_t k) {
   const std::size_t n = route.path.axes();
   double change = 0;
   for (std::size_t i = 0; i < program.path_axes(); ++i)
-    change += detail::square(route.path.numbers(k)[n + i] / pieces[k].length -
-                             route.path.numbers(k - 1)[n + i] / pieces[k - 1].length);
+    change += profiles_detail::square(route.path.numbers(k)[n + i] / pieces[k].length -
+                                      route.path.numbers(k - 1)[n + i] / pieces[k - 1].length);
   return change <= sharpest * sharpest;
 }
 

@@ -94,7 +94,7 @@ void Path::jets(std::size_t piece, double u, std::span<Jet> out) const {
     case PieceKind::blend:
     case PieceKind::curve:
       for (std::size_t i = 0; i < axes_; ++i)
-        out[i] = detail::evaluate(plain_segment(data, p.kind, p.length, axes_, i), s);
+        out[i] = profiles_detail::evaluate(plain_segment(data, p.kind, p.length, axes_, i), s);
       return;
   }
 }

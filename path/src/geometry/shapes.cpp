@@ -29,7 +29,7 @@
 namespace jounce {
 namespace {
 
-using detail::EndSeries;
+using profiles_detail::EndSeries;
 
 /// Taylor coefficients of cos and sin about t.
 std::pair<EndSeries, EndSeries> cosine_and_sine(double t) {
@@ -85,8 +85,8 @@ struct Halves {
     const EndSeries rate = inverse_root(squared);  // 1 / w by the angle
     EndSeries d{};
     for (std::size_t k = 0; k + 1 < d.size(); ++k)  // (1)
-      d[k + 1] = sense * h * detail::substituted(rate, d)[k] / static_cast<double>(k + 1);
-    return {detail::substituted(c, d), detail::substituted(s, d)};
+      d[k + 1] = sense * h * profiles_detail::substituted(rate, d)[k] / static_cast<double>(k + 1);
+    return {profiles_detail::substituted(c, d), profiles_detail::substituted(s, d)};
   }
 
   /// Arc length between two angles a thirty-second of a turn apart: Gauss, ten nodes on each of two halves.
@@ -188,9 +188,9 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   const double t0 = std::atan2(y0 / half.b, x0 / half.a);
   double sweep = sense * (std::atan2(y1 / half.b, x1 / half.a) - t0);
   if (std::hypot(x1 - x0, y1 - y0) <= 1e-9 * a) sweep = 0;
-  while (sweep <= 0) sweep += detail::two_pi;
-  sweep += detail::two_pi * extra_turns;
-  const int count = std::max(1, static_cast<int>(std::ceil(sweep / detail::two_pi * 32)));
+  while (sweep <= 0) sweep += profiles_detail::two_pi;
+  sweep += profiles_detail::two_pi * extra_turns;
+  const int count = std::max(1, static_cast<int>(std::ceil(sweep / profiles_detail::two_pi * 32)));
   PathCurve curve;
   curve.axes = axes;
   curve.from = from;
@@ -203,7 +203,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   for (const double length : planar) whole += length;
   double drift = 0;
   for (std::size_t i = 0; i < axes; ++i)
-    if (i != plane.first && i != plane.second) drift += detail::square(to[i] - from[i]);
+    if (i != plane.first && i != plane.second) drift += profiles_detail::square(to[i] - from[i]);
   const double stretch = std::hypot(1.0, std::sqrt(drift) / whole);
   double gone = 0;
   double farthest = 0;
@@ -211,8 +211,8 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
     const double h = planar[static_cast<std::size_t>(k)];
     const auto [c0, s0] = half.series(t0 + sense * sweep * k / count, sense, h);
     const auto [c1, s1] = half.series(t0 + sense * sweep * (k + 1) / count, sense, h);
-    const std::array unit{detail::hermite(h * stretch, c0, c1),
-                          detail::hermite(h * stretch, s0, s1)};
+    const std::array unit{profiles_detail::hermite(h * stretch, c0, c1),
+                          profiles_detail::hermite(h * stretch, s0, s1)};
     const auto [low, high] = hull_of_squares(unit);
     farthest = std::max({farthest, high - 1, 1 - low});
     for (std::size_t i = 0; i < axes; ++i) {

@@ -40,9 +40,10 @@ double peak_of(const Box& box, double length, double v0, double v1) {
     return std::max(
         least,
         peak_velocity(length, {v0, v1, std::max(box.velocity, least)}, up(box)).value_or(least));
-  const auto move = detail::ramped(detail::JerkLaw{box.acceleration, box.jerk}, v0,
-                                   detail::JerkLaw{box.deceleration, box.jerk}, v1,
-                                   std::max(box.velocity, least), length);
+  const auto move =
+      profiles_detail::ramped(profiles_detail::JerkLaw{box.acceleration, box.jerk}, v0,
+                              profiles_detail::JerkLaw{box.deceleration, box.jerk}, v1,
+                              std::max(box.velocity, least), length);
   return move ? v0 + move->dv0 : least;
 }
 

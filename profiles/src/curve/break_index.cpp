@@ -19,7 +19,7 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   start_ = breaks.front();
   cells_per_unit_ = scale;
   last_cell_ = static_cast<double>(cells - 1);
-  detail::reserve_large(before_, cells + 2);
+  profiles_detail::reserve_large(before_, cells + 2);
   before_.resize(cells + 2);
   // Breaks ascend, and so do their cells: up to that of break i, i - 1 interior ones lie before.
   // Two cells are always written, as many as each of equal intervals has. Surplus cells are overwritten.

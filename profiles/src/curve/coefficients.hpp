@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The coefficients over s in [0, 1] that jounce::line, cubic and quintic give a segment.
 inline std::array<double, 2> line_coefficients(double p0, double p1) {
@@ -34,4 +34,4 @@ inline std::array<double, 6> quintic_coefficients(double length, double p0, doub
           6 * h - 3 * (m0 + m1) - (k0 - k1) / 2};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -259,15 +259,17 @@ struct Fit {
   Piece p;
 
   [[nodiscard]] double length() const { return p.inner.length; }
-  [[nodiscard]] detail::EndSeries end(int s) const {
-    detail::EndSeries d = detail::taylor(p.inner, s);
+  [[nodiscard]] profiles_detail::EndSeries end(int s) const {
+    profiles_detail::EndSeries d = profiles_detail::taylor(p.inner, s);
     for (double& c : d) c /= p.outer.length;
-    return detail::substituted(detail::taylor(p.outer, s == 0 ? p.r0 : p.end()), d);
+    return profiles_detail::substituted(profiles_detail::taylor(p.outer, s == 0 ? p.r0 : p.end()),
+                                        d);
   }
   [[nodiscard]] double twelfth() const {
-    detail::Majorant d = detail::majorant(p.inner, 1);
+    profiles_detail::Majorant d = profiles_detail::majorant(p.inner, 1);
     for (double& c : d) c /= p.outer.length;
-    return detail::substituted(detail::majorant(about(p.outer, p.r0), d[1]), d).back();
+    return profiles_detail::substituted(profiles_detail::majorant(about(p.outer, p.r0), d[1]), d)
+        .back();
   }
   [[nodiscard]] std::pair<Fit, Fit> halves() const {
     Piece left = p;
@@ -317,10 +319,10 @@ Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inn
                               double tolerance) {
   double scale = 0;
   for (const Segment& f : outer.segments()) scale = std::max(scale, magnitude(f));
-  detail::require_tolerance(tolerance, scale);
+  profiles_detail::require_tolerance(tolerance, scale);
   Jet error{};
   auto curve = assembled(outer, inner, [&](const Piece& p, double, std::vector<Segment>& pieces) {
-    detail::fit(Fit{p}, tolerance, pieces, error);
+    profiles_detail::fit(Fit{p}, tolerance, pieces, error);
   });
   return {std::move(curve), error};
 }

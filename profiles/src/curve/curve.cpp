@@ -48,7 +48,7 @@ std::vector<double> running_sum(double start, const std::vector<Segment>& segmen
 
 /// The segment that begins at `start`, at x on the axis.
 [[gnu::always_inline]] inline Jet inside(const Segment& f, double start, double x) {
-  return detail::evaluate(f, std::clamp((x - start) / f.length, 0.0, 1.0));
+  return profiles_detail::evaluate(f, std::clamp((x - start) / f.length, 0.0, 1.0));
 }
 
 }  // namespace
@@ -198,13 +198,13 @@ Curve<Over> repeated(const Curve<Over>& f, int times) {
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g) {
   const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
-  if (!detail::same_place(f.start(), g.start(), scale) ||
-      !detail::same_place(f.end(), g.end(), scale))
+  if (!profiles_detail::same_place(f.start(), g.start(), scale) ||
+      !profiles_detail::same_place(f.end(), g.end(), scale))
     throw InputError("interval", number(g.start()) + " to " + number(g.end()),
                      "a sum needs equal intervals; the other curve has " + number(f.start()) +
                          " to " + number(f.end()));
   std::vector<Segment> segments;
-  detail::for_common_pieces(
+  profiles_detail::for_common_pieces(
       f, g, [&](double x, const Segment& a, std::size_t, const Segment& b, std::size_t) {
         const auto added = sum(a, b);
         if (!added)

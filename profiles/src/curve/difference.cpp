@@ -122,7 +122,7 @@ Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after)
   std::vector<Segment> segments;
   std::vector<Jet> rounding;
   std::optional<double> start;
-  detail::for_common_pieces(
+  profiles_detail::for_common_pieces(
       before, after,
       [&](double x, const Segment& f, std::size_t i, const Segment& g, std::size_t k) {
         if (!start) start = x;
@@ -200,7 +200,7 @@ class Matching {
     std::size_t i = 0;  // first knot of a without a pair; k: the same of b
     std::size_t k = 0;
     for (std::size_t m = 0, n = 0; m < a_.size() && n < b_.size();) {
-      if (detail::same_place(a_[m].where, b_[n].where, scale_)) {
+      if (profiles_detail::same_place(a_[m].where, b_[n].where, scale_)) {
         gap(i, m, k, n);
         pair(a_[m], b_[n]);
         i = ++m;
@@ -245,7 +245,7 @@ class Matching {
 
   void pair(const Knot& a, const Knot& b) {
     KnotChange change{.before = a, .after = b};
-    change.moved = !detail::same_place(a.where, b.where, scale_);
+    change.moved = !profiles_detail::same_place(a.where, b.where, scale_);
     const Jet rounding = added(rounding_at(before_, a.where), rounding_at(after_, b.where));
     bool any = change.moved;
     for (std::size_t order = 0; order < change.changed.size(); ++order) {

@@ -24,10 +24,11 @@ void widen(Range& range, const Extremum& candidate, double noise = 0) {
 bool keeps_sign(const Segment& f, double flat) {
   if (f.sines > 0) return false;
   bool keeps = false;
-  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+  profiles_detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
     double above = 0;
     double below = 0;
-    for (const double beta : detail::to_bernstein<n>(f)) (beta > 0 ? above : below) += beta;
+    for (const double beta : profiles_detail::to_bernstein<n>(f))
+      (beta > 0 ? above : below) += beta;
     keeps = std::min(above, -below) <= flat * static_cast<double>(n + 1);
   });
   return keeps;

@@ -25,7 +25,7 @@
 // that rounding cannot spoil it by more than its own share, which the factor `slack` covers.
 
 namespace jounce {
-namespace detail {
+namespace profiles_detail {
 
 EndSeries taylor(const Segment& f, double s) {
   auto c = f.c;
@@ -108,7 +108,7 @@ void require_fitting(std::size_t pieces) {
     throw InputError("tolerance", "too small", "needs more than 1e6 pieces: increase it");
 }
 
-}  // namespace detail
+}  // namespace profiles_detail
 
 namespace {
 
@@ -117,8 +117,10 @@ struct Whole {
   Segment f;
 
   [[nodiscard]] double length() const { return f.length; }
-  [[nodiscard]] detail::EndSeries end(double s) const { return detail::taylor(f, s); }
-  [[nodiscard]] double twelfth() const { return detail::majorant(f, 1).back(); }
+  [[nodiscard]] profiles_detail::EndSeries end(double s) const {
+    return profiles_detail::taylor(f, s);
+  }
+  [[nodiscard]] double twelfth() const { return profiles_detail::majorant(f, 1).back(); }
   [[nodiscard]] std::pair<Whole, Whole> halves() const {
     return {{part(f, 0, 0.5)}, {part(f, 0.5, 1)}};
   }
@@ -130,12 +132,12 @@ template <class Over>
 Fitted<Over> polynomial_within(const Curve<Over>& f, double tolerance) {
   double scale = 0;
   for (const Segment& piece : f.segments()) scale = std::max(scale, magnitude(piece));
-  detail::require_tolerance(tolerance, scale);
+  profiles_detail::require_tolerance(tolerance, scale);
   std::vector<Segment> segments;
   Jet error{};
   for (const Segment& piece : f.segments()) {
     if (piece.sines > 0) {
-      detail::fit(Whole{piece}, tolerance, segments, error);
+      profiles_detail::fit(Whole{piece}, tolerance, segments, error);
     } else {
       segments.push_back(piece);
     }

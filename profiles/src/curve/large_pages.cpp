@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 void prefer_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) noexcept {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -21,4 +21,4 @@ void prefer_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size
 #endif
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

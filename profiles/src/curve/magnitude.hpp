@@ -7,7 +7,7 @@
 
 #include "profiles/src/solver/span.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Throws InputError unless a value that may be zero is at most the greatest.
 inline void require_moderate(const std::string& key, double value) {
@@ -21,4 +21,4 @@ inline void require_limit(const std::string& key, double value) {
   if (!is_magnitude(value)) throw InputError(key, value, "must be between 1e-30 and 1e30");
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -23,7 +23,7 @@ namespace jounce {
 namespace {
 
 bool valid(const Ramp& ramp) {
-  return detail::is_magnitude(ramp.acceleration) && detail::is_limit(ramp.jerk);
+  return profiles_detail::is_magnitude(ramp.acceleration) && profiles_detail::is_limit(ramp.jerk);
 }
 
 /// A state that moves along under constant jerk.
@@ -54,34 +54,37 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
 /// The fastest motion. If the distance is too short for the direct ramp only by rounding of the velocities
 /// that entry_velocity() returns, it is that ramp.
 constexpr double rounding = 1e-15;
-std::optional<detail::Way<double>> way(double distance, const SpanEnds& ends, const Ramp& ramp) {
-  const bool possible = valid(ramp) && detail::is_magnitude(distance) && ends.entry >= 0 &&
+std::optional<profiles_detail::Way<double>> way(double distance, const SpanEnds& ends,
+                                                const Ramp& ramp) {
+  const bool possible = valid(ramp) && profiles_detail::is_magnitude(distance) && ends.entry >= 0 &&
                         ends.exit >= 0 && ends.entry <= ends.velocity &&
-                        ends.exit <= ends.velocity && detail::is_limit(ends.velocity) &&
-                        detail::is_moderate(std::max(ends.entry, ends.exit));
+                        ends.exit <= ends.velocity && profiles_detail::is_limit(ends.velocity) &&
+                        profiles_detail::is_moderate(std::max(ends.entry, ends.exit));
   if (!possible) return std::nullopt;
-  const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
-  const detail::Span<double> span(distance, ends.entry, ends.exit, rates);
-  if (!span.mirrored) return detail::fastest(span, ends.velocity);
+  const profiles_detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
+  const profiles_detail::Span<double> span(distance, ends.entry, ends.exit, rates);
+  if (!span.mirrored) return profiles_detail::fastest(span, ends.velocity);
   const double faster = std::max(ends.entry, ends.exit);
   const double spared = rates.ramp(std::max(span.d - rounding * faster, 0.0));
   const double shortest = 0.5 * (ends.entry + ends.exit) * spared;
   if (distance < shortest * (1 - rounding)) return std::nullopt;
-  return detail::Way<double>{rates.ramp(span.d), faster};
+  return profiles_detail::Way<double>{rates.ramp(span.d), faster};
 }
 
 }  // namespace
 
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept {
-  if (!valid(ramp) || !detail::is_moderate(v0) || !detail::is_moderate(v1)) return std::nullopt;
+  if (!valid(ramp) || !profiles_detail::is_moderate(v0) || !profiles_detail::is_moderate(v1))
+    return std::nullopt;
   const double duration =
-      detail::Rates<double>(ramp.acceleration, ramp.jerk).ramp(std::abs(v1 - v0));
+      profiles_detail::Rates<double>(ramp.acceleration, ramp.jerk).ramp(std::abs(v1 - v0));
   return Extent{duration, 0.5 * (v0 + v1) * duration};
 }
 
 std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept {
   const auto [v, a] = now;
-  if (!valid(ramp) || !detail::is_moderate(v) || !detail::is_moderate(a)) return std::nullopt;
+  if (!valid(ramp) || !profiles_detail::is_moderate(v) || !profiles_detail::is_moderate(a))
+    return std::nullopt;
   if (std::isinf(ramp.jerk)) {
     const double duration = std::abs(v) / ramp.acceleration;
     return Extent{duration, v * duration / 2};
@@ -94,17 +97,17 @@ std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept {
 
 std::optional<double> entry_velocity(double distance, double exit_velocity,
                                      const Ramp& ramp) noexcept {
-  const bool possible = valid(ramp) && distance >= 0 && detail::is_way(distance) &&
-                        exit_velocity >= 0 && detail::is_moderate(exit_velocity);
+  const bool possible = valid(ramp) && distance >= 0 && profiles_detail::is_way(distance) &&
+                        exit_velocity >= 0 && profiles_detail::is_moderate(exit_velocity);
   if (!possible) return std::nullopt;
   if (distance == 0) return exit_velocity;
-  const detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
+  const profiles_detail::Rates<double> rates(ramp.acceleration, ramp.jerk);
   const double b = 2 * exit_velocity + rates.threshold;
   const double r = 2 * (distance - exit_velocity * rates.tau);
-  const double z = 2 * r / (b + detail::square_root(b * b + 4 * rates.a * r));  // (6)
+  const double z = 2 * r / (b + profiles_detail::square_root(b * b + 4 * rates.a * r));  // (6)
   if (z >= rates.tau) return exit_velocity + rates.a * z;
-  const double cubic = 1.04 * detail::rough_cube_root(distance * rates.inv_j);
-  const double x = detail::largest_root(
+  const double cubic = 1.04 * profiles_detail::rough_cube_root(distance * rates.inv_j);
+  const double x = profiles_detail::largest_root(
       {{0, rates.j, 0, 2 * exit_velocity, -distance},  // (7)
        2 * exit_velocity * cubic > distance ? distance / (2 * exit_velocity) : cubic});
   return exit_velocity + rates.j * x * x;

@@ -56,7 +56,7 @@ void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
   }
   double s = a + (b - a) * fa / (fa - fb);
   for (int i = 0; i < 100; ++i) {
-    const Jet g = detail::evaluate(f, s);
+    const Jet g = profiles_detail::evaluate(f, s);
     if (g[0] == 0) break;
     ((g[0] > 0) == (fa > 0) ? a : b) = s;
     const double newton = s - g[0] / (g[1] * f.length);
@@ -77,8 +77,8 @@ struct Isolation {
   std::vector<double>& out;
 
   /// f over [a, b], where beta is its Bernstein form.
-  void run(double a, double b, const detail::Bernstein<n>& beta) const {
-    const auto [lo, hi] = detail::hull<n>(beta);
+  void run(double a, double b, const profiles_detail::Bernstein<n>& beta) const {
+    const auto [lo, hi] = profiles_detail::hull<n>(beta);
     if (lo > remainder || hi < -remainder) return;
     if ((lo >= -flat && hi <= flat) || b - a < 1e-13) {
       out.push_back((a + b) / 2);
@@ -92,15 +92,15 @@ struct Isolation {
       out.push_back((a + b) / 2);
       return;
     }
-    detail::Bernstein<n> left;
-    detail::Bernstein<n> right;
-    detail::halve<n>(beta, left, right);
+    profiles_detail::Bernstein<n> left;
+    profiles_detail::Bernstein<n> right;
+    profiles_detail::halve<n>(beta, left, right);
     const double middle = (a + b) / 2;
     run(a, middle, left);
     run(middle, b, right);
   }
 
-  [[nodiscard]] bool is_monotone(const detail::Bernstein<n>& beta) const {
+  [[nodiscard]] bool is_monotone(const profiles_detail::Bernstein<n>& beta) const {
     bool rises = true;
     bool falls = true;
     for (std::size_t i = 0; i < n; ++i) {
@@ -129,14 +129,14 @@ void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
   for (int i = 0; i < static_cast<int>(pieces); ++i) {
     const double a = i / pieces;
     const double b = (i + 1) / pieces;
-    isolation.run(a, b, detail::to_bernstein<n>(as_polynomial(part(f, a, b))));
+    isolation.run(a, b, profiles_detail::to_bernstein<n>(as_polynomial(part(f, a, b))));
   }
 }
 
 void isolate(const Segment& f, double flat, std::vector<double>& out) {
   if (f.sines > 0) return isolate_sines(f, flat, out);
-  detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
-    Isolation<n>{f, flat, 0, noise_of(f), out}.run(0, 1, detail::to_bernstein<n>(f));
+  profiles_detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
+    Isolation<n>{f, flat, 0, noise_of(f), out}.run(0, 1, profiles_detail::to_bernstein<n>(f));
   });
 }
 

@@ -36,7 +36,7 @@ SineTerm merged(const SineTerm& a, const SineTerm& b) {
 
 }  // namespace
 
-Jet detail::evaluate_with_sines(const Segment& f, double s) {
+Jet profiles_detail::evaluate_with_sines(const Segment& f, double s) {
   auto [p, d1, d2, d3] = polynomial(f, s);
   for (int i = 0; i < f.sines; ++i) {
     const auto& [amplitude, w, phase] = f.sine[static_cast<std::size_t>(i)];
@@ -51,7 +51,7 @@ Jet detail::evaluate_with_sines(const Segment& f, double s) {
 }
 
 Jet evaluate(const Segment& f, double s) {
-  return detail::evaluate(f, s);
+  return profiles_detail::evaluate(f, s);
 }
 
 double value(const Segment& f, double s) {
@@ -185,15 +185,16 @@ Segment with_coefficients(double length, const std::array<double, n>& c) {
 }  // namespace
 
 Segment line(double length, double p0, double p1) {
-  return with_coefficients(length, detail::line_coefficients(p0, p1));
+  return with_coefficients(length, profiles_detail::line_coefficients(p0, p1));
 }
 
 Segment cubic(double length, double p0, double v0, double p1, double v1) {
-  return with_coefficients(length, detail::cubic_coefficients(length, p0, v0, p1, v1));
+  return with_coefficients(length, profiles_detail::cubic_coefficients(length, p0, v0, p1, v1));
 }
 
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1) {
-  return with_coefficients(length, detail::quintic_coefficients(length, p0, v0, a0, p1, v1, a1));
+  return with_coefficients(length,
+                           profiles_detail::quintic_coefficients(length, p0, v0, a0, p1, v1, a1));
 }
 
 }  // namespace jounce

@@ -8,14 +8,14 @@ namespace jounce {
 template <class Over>
 std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limits) {
   require_valid(limits);
-  const Range travel = detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
-  const detail::LimitCheck check(limits, Over::names, travel.max.value - travel.min.value);
+  const Range travel = profiles_detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
+  const profiles_detail::LimitCheck check(limits, Over::names, travel.max.value - travel.min.value);
   std::vector<LimitMargin> rooms;
-  for (const detail::Bound& bound : check.bounds()) {
+  for (const profiles_detail::Bound& bound : check.bounds()) {
     LimitMargin& room = rooms.emplace_back(LimitMargin{bound.rule.text(), {}});
     for (std::size_t i = 0; i < f.segments().size(); ++i)
       room.segments.push_back(
-          detail::room_of(bound, segment_range(f, i, static_cast<int>(bound.order))));
+          profiles_detail::room_of(bound, segment_range(f, i, static_cast<int>(bound.order))));
   }
   return rooms;
 }

@@ -12,7 +12,7 @@
 namespace jounce {
 namespace {
 
-using detail::Bound;
+using profiles_detail::Bound;
 
 std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
                              double stroke) {
@@ -60,7 +60,8 @@ double margin_of(const Bound& bound, double value) {
 /// A limit that is met exactly is not exceeded: a smaller excess is rounding of the evaluation.
 bool is_broken(const Bound& bound, double value) {
   const double room = bound.upper ? bound.limit - value : value - bound.limit;
-  return room < -detail::forgiven * std::max({std::abs(bound.limit), std::abs(value), bound.scale});
+  return room < -profiles_detail::forgiven *
+                    std::max({std::abs(bound.limit), std::abs(value), bound.scale});
 }
 
 /// A peak on a break belongs to both segments beside it: the first is named.
@@ -109,7 +110,7 @@ void sort(Report& report) {
                    });
 }
 
-namespace detail {
+namespace profiles_detail {
 
 double room_of(const Bound& bound, const Range& range) {
   return margin_of(bound, worst_of(bound, range).value);
@@ -187,13 +188,13 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
   return report;
 }
 
-}  // namespace detail
+}  // namespace profiles_detail
 
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits) {
   require_valid(limits);
-  const Range travel = detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
-  detail::LimitCheck found(limits, Over::names, travel.max.value - travel.min.value);
+  const Range travel = profiles_detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
+  profiles_detail::LimitCheck found(limits, Over::names, travel.max.value - travel.min.value);
   const auto& bounds = found.bounds();
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     Range range;
@@ -210,7 +211,7 @@ template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
   std::array<Jump, 4> jumps;
   for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
-  return detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
+  return profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                            \

@@ -15,16 +15,16 @@
 namespace jounce {
 namespace {
 
-using detail::Block;
-const detail::Kernels& best_kernels() {
+using profiles_detail::Block;
+const profiles_detail::Kernels& best_kernels() {
 #ifdef JOUNCE_WIDE_KERNELS
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl"))
-    return detail::kernels_avx512;
-  if (avx2) return detail::kernels_avx2;
+    return profiles_detail::kernels_avx512;
+  if (avx2) return profiles_detail::kernels_avx2;
 #endif
-  return detail::kernels_anywhere;
+  return profiles_detail::kernels_anywhere;
 }
 
 /// Values [first, first + n) of a column that has one value a move, one for all, or none (zero); the
@@ -40,23 +40,23 @@ void fill(std::span<const double> column, std::size_t first, std::size_t n, doub
 
 bool sound(const Block& b, std::size_t i) {
   const double ends = std::max(std::abs(b.entry[i]), std::abs(b.exit[i]));
-  return detail::is_way(b.distance[i]) && detail::is_moderate(b.entry[i]) &&
-         detail::is_moderate(b.exit[i]) && ends <= b.velocity[i] &&
-         detail::is_limit(b.velocity[i]) && detail::is_magnitude(b.acceleration[i]) &&
-         detail::is_limit(b.jerk[i]);
+  return profiles_detail::is_way(b.distance[i]) && profiles_detail::is_moderate(b.entry[i]) &&
+         profiles_detail::is_moderate(b.exit[i]) && ends <= b.velocity[i] &&
+         profiles_detail::is_limit(b.velocity[i]) &&
+         profiles_detail::is_magnitude(b.acceleration[i]) && profiles_detail::is_limit(b.jerk[i]);
 }
 
-detail::Way<double> one_by_one(const Block& b, std::size_t i) {
-  const detail::Rates<double> rates(b.acceleration[i], b.jerk[i]);
-  const detail::Span<double> s(b.distance[i], b.entry[i], b.exit[i], rates);
-  const auto [duration, peak] = detail::fastest(s, b.velocity[i]);
+profiles_detail::Way<double> one_by_one(const Block& b, std::size_t i) {
+  const profiles_detail::Rates<double> rates(b.acceleration[i], b.jerk[i]);
+  const profiles_detail::Span<double> s(b.distance[i], b.entry[i], b.exit[i], rates);
+  const auto [duration, peak] = profiles_detail::fastest(s, b.velocity[i]);
   return {duration, s.mirrored ? -peak : peak};
 }
 
-detail::Way<double> answer(const Block& b, std::size_t i) {
+profiles_detail::Way<double> answer(const Block& b, std::size_t i) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (b.settled[i] > 0) return {b.duration[i], b.peak[i]};
-  return sound(b, i) ? one_by_one(b, i) : detail::Way<double>{none, none};
+  return sound(b, i) ? one_by_one(b, i) : profiles_detail::Way<double>{none, none};
 }
 
 [[maybe_unused]] bool fits(std::span<const double> column, std::size_t size, bool optional) {
@@ -72,7 +72,7 @@ void minimum_durations(const MoveColumns& moves, std::span<double> durations,
          fits(moves.acceleration, size, false) && fits(moves.jerk, size, false));
   assert(fits(moves.entry, size, true) && fits(moves.exit, size, true));
   assert(peak.empty() || peak.size() == size);
-  static const detail::Kernels& best = best_kernels();
+  static const profiles_detail::Kernels& best = best_kernels();
   const auto solve = moves.entry.empty() && moves.exit.empty() ? best.rests : best.ways;
   Block block;
   for (std::size_t first = 0; first < size; first += Block::size) {

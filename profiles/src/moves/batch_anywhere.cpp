@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profiles/src/moves/batch_kernel.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 void ways(Block& block) noexcept {
@@ -15,4 +15,4 @@ void rests(Block& block) noexcept {
 
 const Kernels kernels_anywhere{ways, rests};
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -5,7 +5,7 @@
 
 #include "profiles/src/solver/span.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// A block of moves in columns, and their results.
 struct Block {
@@ -94,4 +94,4 @@ JOUNCE_INLINE void each_rest(Block& block) {
   for (std::size_t i = 0; i < Block::size; i += lanes<Real>) solve_rests<Real>(block, i);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -236,7 +236,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
   const double low = std::min(left_alone, d.velocity);
   if (covered(low) > h + rounding) return std::nullopt;
   const double rise =
-      detail::greatest(d.velocity - low, h, [&](double x) { return covered(low + x); });
+      profiles_detail::greatest(d.velocity - low, h, [&](double x) { return covered(low + x); });
   const double rest = h - covered(low + rise);
   return made(low + rise, rest > rounding ? rest / (low + rise) : 0);
 }

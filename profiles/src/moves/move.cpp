@@ -41,7 +41,7 @@ bool are_bounds(const Bounds& b) {
                        is_pair(b.acceleration_min, b.acceleration_max) &&
                        is_pair(b.jerk_min, b.jerk_max) && is_either(b.jerk_min, b.jerk_max) &&
                        b.position_min < b.position_max;
-  const int order = detail::order_of(b);
+  const int order = profiles_detail::order_of(b);
   if (!limited || order == 3) return limited;
   return is_either(b.acceleration_min, b.acceleration_max) &&
          (order == 2 || (std::isfinite(b.velocity_min) && std::isfinite(b.velocity_max)));
@@ -59,14 +59,14 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
   const MotionState before{to.position, to.velocity, -to.acceleration};
   const Bounds backwards{b.velocity_min,      b.velocity_max, -b.acceleration_max,
                          -b.acceleration_min, b.jerk_min,     b.jerk_max};
-  return detail::is_inside(before, backwards, forgiven) ? MoveStatus::ok
-                                                        : MoveStatus::target_unreachable;
+  return profiles_detail::is_inside(before, backwards, forgiven) ? MoveStatus::ok
+                                                                 : MoveStatus::target_unreachable;
 }
 
 // The same checks without branches, for downwards and upwards at once in the two lanes of a vector.
-using detail::Both;
-using detail::every;
-using detail::Vector2;
+using profiles_detail::Both;
+using profiles_detail::every;
+using profiles_detail::Vector2;
 
 /// A signed number measured downwards and upwards.
 JOUNCE_INLINE Vector2 directed(double x) {
@@ -86,7 +86,8 @@ struct Magnitudes {
   JOUNCE_INLINE static Both finite(Vector2 m) { return Both::at_most(m, every<Vector2>(most)); }
   /// Sound, without position limits: the bounds of a second order, which steps, or a third.
   JOUNCE_INLINE Both limit(bool steps) const {
-    const Vector2 lowest = detail::least(velocity, detail::least(acceleration, jerk));
+    const Vector2 lowest =
+        profiles_detail::least(velocity, profiles_detail::least(acceleration, jerk));
     const Both common = Both::at_most(every<Vector2>(least), lowest) &
                         (finite(velocity) | none(velocity)) & none(position);
     if (steps) return common & finite(acceleration) & none(jerk);
@@ -107,8 +108,8 @@ struct Magnitudes {
 
 }  // namespace
 
-detail::Form detail::form(const MotionState& from, const MotionState& to,
-                          const Bounds& b) noexcept {
+profiles_detail::Form profiles_detail::form(const MotionState& from, const MotionState& to,
+                                            const Bounds& b) noexcept {
   const Magnitudes m(b);
   const bool steps = b.jerk_max == Bounds::none;
   const Both limits = m.limit(steps);
@@ -131,8 +132,8 @@ detail::Form detail::form(const MotionState& from, const MotionState& to,
 }
 
 // Each motion is constructed in `out`: a copy would take as long as the solution of a trapezoid.
-bool detail::shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& b,
-                      Profile& out) noexcept {
+bool profiles_detail::shortest(Form form, const MotionState& from, const MotionState& to,
+                               const Bounds& b, Profile& out) noexcept {
   if (form == Form::point_to_point) {
     ::new (&out) Profile(PointToPoint(from, to, b).shortest(from, to));
   } else if (form == Form::even_rest) {
@@ -147,8 +148,8 @@ bool detail::shortest(Form form, const MotionState& from, const MotionState& to,
   return form > Form::outside;
 }
 
-MoveStatus detail::status_of(const MotionState& from, const MotionState& to,
-                             const Bounds& b) noexcept {
+MoveStatus profiles_detail::status_of(const MotionState& from, const MotionState& to,
+                                      const Bounds& b) noexcept {
   if (!is_state(from) || !is_state(to)) return MoveStatus::not_finite;
   if (!are_bounds(b)) return MoveStatus::invalid_bounds;
   return target_status(to, b, order_of(b));
@@ -181,31 +182,33 @@ const char* explain(MoveStatus status) noexcept {
 }
 
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
-  using detail::Form;
-  const Form form = detail::form(from, to, bounds);
+  using profiles_detail::Form;
+  const Form form = profiles_detail::form(from, to, bounds);
   if (form == Form::point_to_point)
-    return {MoveStatus::ok, detail::PointToPoint(from, to, bounds).shortest(from, to)};
+    return {MoveStatus::ok, profiles_detail::PointToPoint(from, to, bounds).shortest(from, to)};
   if (form == Form::even_rest)
-    return {MoveStatus::ok, detail::profile_of(detail::EvenRest(from, to, bounds).shortest(),
-                                               bounds.jerk_max, from, to)};
+    return {MoveStatus::ok,
+            profiles_detail::profile_of(profiles_detail::EvenRest(from, to, bounds).shortest(),
+                                        bounds.jerk_max, from, to)};
   if (form == Form::rest_to_rest)
-    if (detail::RestToRest move(to.position - from.position, bounds); move.solve_shortest())
+    if (profiles_detail::RestToRest move(to.position - from.position, bounds);
+        move.solve_shortest())
       return {MoveStatus::ok, move.profile(from, to)};
   if (form == Form::second_order)
-    return {MoveStatus::ok, detail::shortest_second_order(from, to, bounds)};
+    return {MoveStatus::ok, profiles_detail::shortest_second_order(from, to, bounds)};
   MoveResult move;
-  if (form == Form::any) move.status = detail::status_of(from, to, bounds);
-  if (move) move.status = detail::Solver(from, to, bounds).shortest(move.profile);
+  if (form == Form::any) move.status = profiles_detail::status_of(from, to, bounds);
+  if (move) move.status = profiles_detail::Solver(from, to, bounds).shortest(move.profile);
   return move;
 }
 
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept {
   MoveResult move;
-  move.status =
-      !std::isfinite(duration) ? MoveStatus::not_finite : detail::status_of(from, to, bounds);
+  move.status = !std::isfinite(duration) ? MoveStatus::not_finite
+                                         : profiles_detail::status_of(from, to, bounds);
   if (!move) return move;
-  const detail::Solver solver(from, to, bounds);
+  const profiles_detail::Solver solver(from, to, bounds);
   const double minimum = solver.minimum();
   if (duration < minimum * (1 - forgiven))
     move.status = MoveStatus::too_short;
@@ -223,15 +226,16 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
 
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
   Durations d;
-  d.status = detail::status_of(from, to, bounds);
-  return d.status == MoveStatus::ok ? detail::Solver(from, to, bounds).durations() : d;
+  d.status = profiles_detail::status_of(from, to, bounds);
+  return d.status == MoveStatus::ok ? profiles_detail::Solver(from, to, bounds).durations() : d;
 }
 
 MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                          double acceleration) noexcept {
   MoveResult move;
-  move.status = detail::status_of(from, {from.position, velocity, acceleration}, bounds);
-  if (move) move.status = detail::to_velocity(from, velocity, acceleration, bounds, move.profile);
+  move.status = profiles_detail::status_of(from, {from.position, velocity, acceleration}, bounds);
+  if (move)
+    move.status = profiles_detail::to_velocity(from, velocity, acceleration, bounds, move.profile);
   return move;
 }
 

@@ -61,16 +61,16 @@ JOUNCE_INLINE double peak_both_reach(const Limit& r1, const Limit& r2, double h)
 JOUNCE_INLINE double peak_none_reaches(const Limit& r1, const Limit& r2, double h) {  // (5)
   const double ratio = r1.j == r2.j ? 1 : std::sqrt(r1.j / r2.j);
   const double k = r1.j * (1 + ratio);
-  const double t = detail::cube_root(h / k, k / h);
+  const double t = profiles_detail::cube_root(h / k, k / h);
   return r1.j * t * t;
 }
 
 double peak_mixed(const Limit& reaching, const Limit& other, double h) {  // (6)
-  const detail::Quartic<double> f{reaching.per_a / 2, 1 / std::sqrt(other.j),
-                                  reaching.jerk_time / 2, 0, -h};
+  const profiles_detail::Quartic<double> f{reaching.per_a / 2, 1 / std::sqrt(other.j),
+                                           reaching.jerk_time / 2, 0, -h};
   // Without the cubic term the root is larger.
   const double s = 2 * h / (f.c2 + std::sqrt(f.c2 * f.c2 + 4 * f.c4 * h));
-  const double w = detail::largest_root({f, std::sqrt(s)});
+  const double w = profiles_detail::largest_root({f, std::sqrt(s)});
   return w * w;
 }
 

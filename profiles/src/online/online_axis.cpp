@@ -8,7 +8,7 @@
 #include "profiles/src/solver/solver.hpp"
 #include "profiles/src/solver/travel.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// The rounding error of a number of this size after its way through a user's program and a plan.
@@ -327,4 +327,4 @@ void OnlineAxis::advance(double dt) noexcept {
   now_ = at(elapsed_);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -5,7 +5,7 @@
 
 #include "profiles/src/solver/axis_task.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 OnlineStep OnlineGroup::step(double dt) noexcept {
   OnlineStep result{.arrived = true, .planned = regroup};
@@ -190,4 +190,4 @@ void OnlineGroup::stop() noexcept {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -37,7 +37,7 @@
 // Where they are equal, the same bounds hold both ways and the reversal is one move. Where they differ, the
 // axis stops with its deceleration and moves back from rest, as with_target() (dynamics.hpp) does.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
@@ -180,4 +180,4 @@ std::vector<Profile> between(const MotionState& from, double target, const Exit&
   return {solved(move_to(from, {target, exit.velocity, 0}, bounds))};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

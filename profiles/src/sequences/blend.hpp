@@ -9,7 +9,7 @@
 // Plans one move of a queue between two junctions. All functions look *forward*: the
 // target lies at a greater position; callers mirror a move in the other direction.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The dynamics as bounds for a move in the positive direction.
 Bounds forward(const Dynamics& dynamics);
@@ -47,4 +47,4 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
 std::vector<Profile> between(const MotionState& from, double target, const Exit& exit,
                              const Dynamics& dynamics);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -14,8 +14,8 @@
 namespace jounce {
 namespace {
 
-using detail::Clock;
-using detail::Path;
+using profiles_detail::Clock;
+using profiles_detail::Path;
 
 void require_factor(const std::string& key, double factor, double maximum) {
   require_not_negative(key.c_str(), factor);
@@ -97,7 +97,7 @@ Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> 
   Clock clock{path.start(), path.start(), {}, path.start(), spec.factor};
   std::vector<FactorRamp> ramps;
   for (const FactorRequest& request : spec.requests) {
-    const auto ramp = detail::earliest_ramp(path, clock, request, spec.maximum);
+    const auto ramp = profiles_detail::earliest_ramp(path, clock, request, spec.maximum);
     if (!ramp) {
       ramps.push_back({request.time, request.time, clock.rate, false});
       continue;

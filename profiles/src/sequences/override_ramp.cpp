@@ -26,7 +26,7 @@
 // an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds. Where f accelerates at its
 // limit, no ramp that speeds up holds; where it brakes at its limit, none that slows down.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 constexpr int steepest = -20;  // k = 2^(-20/4) is the steepest ramp tried,
@@ -230,4 +230,4 @@ std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
   return Search(path, clock, request, maximum).run();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -8,7 +8,7 @@
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/sequences/override.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// One answer to a request: at `begin` the clock leaves its old course and follows `pieces`.
 struct Ramp {
@@ -56,4 +56,4 @@ struct Path {
 std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
                                   const FactorRequest& request, double maximum);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

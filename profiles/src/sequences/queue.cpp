@@ -85,7 +85,7 @@ class Planner {
   MotionState start_;
   std::vector<CommandRecord> records_;
   std::vector<Place> places_ = std::vector<Place>(records_.size());
-  detail::Sequence path_;
+  profiles_detail::Sequence path_;
 };
 
 template <class Add>
@@ -124,16 +124,17 @@ void Planner::plan(std::size_t first, std::size_t last) {
 }
 
 void Planner::halt(std::size_t command) {
-  path_.add(detail::halt(path_.state(), commands_[command].dynamics), 1);
+  path_.add(profiles_detail::halt(path_.state(), commands_[command].dynamics), 1);
 }
 
 void Planner::change_velocity(std::size_t command, double direction, double velocity) {
   const Dynamics& dynamics = commands_[command].dynamics;
   record(command, [&] {
-    if (detail::stops_to_turn(dynamics) &&
-        detail::runs_backwards(times(direction, path_.state()), dynamics))
+    if (profiles_detail::stops_to_turn(dynamics) &&
+        profiles_detail::runs_backwards(times(direction, path_.state()), dynamics))
       halt(command);
-    path_.add(detail::ramp(times(direction, path_.state()), velocity, detail::forward(dynamics)),
+    path_.add(profiles_detail::ramp(times(direction, path_.state()), velocity,
+                                    profiles_detail::forward(dynamics)),
               direction);
   });
 }
@@ -187,8 +188,9 @@ double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::s
   if (legs[k].planned == 0) return 0;
   if (k + 1 == legs.size()) return cap;
   const Leg& next = legs[k + 1];
-  return detail::highest_entry(std::abs(next.length), next.exit, cap,
-                               detail::forward(commands_[first + k + 1].dynamics));
+  return profiles_detail::highest_entry(
+      std::abs(next.length), next.exit, cap,
+      profiles_detail::forward(commands_[first + k + 1].dynamics));
 }
 
 void Planner::plan_run(std::size_t first, std::size_t last) {
@@ -210,14 +212,17 @@ void Planner::travel(const std::vector<Leg>& run, std::size_t k, std::size_t fir
   const MotionState from = times(direction, path_.state());
   const double target = direction * run[k].target;
   const double fastest =
-      std::max({wanted, from.velocity, detail::natural_velocity(from, detail::forward(dynamics))});
+      std::max({wanted, from.velocity,
+                profiles_detail::natural_velocity(from, profiles_detail::forward(dynamics))});
   const double cap = k == 0 ? highest_exit(run, k, first, fastest) : wanted;
-  const detail::Exit exit = detail::reachable_exit(from, target, wanted, cap, dynamics);
-  if (exit.turns && detail::stops_to_turn(dynamics)) {
+  const profiles_detail::Exit exit =
+      profiles_detail::reachable_exit(from, target, wanted, cap, dynamics);
+  if (exit.turns && profiles_detail::stops_to_turn(dynamics)) {
     halt(first + k);
     return travel(run, k, first);
   }
-  for (const Profile& p : detail::between(from, target, exit, dynamics)) path_.add(p, direction);
+  for (const Profile& p : profiles_detail::between(from, target, exit, dynamics))
+    path_.add(p, direction);
 }
 
 void Planner::abort(std::size_t first, std::size_t next, double time) {
@@ -251,7 +256,7 @@ QueuedMotion Planner::finish() && {
 }  // namespace
 
 QueuedMotion queue(const QueueSpec& spec) {
-  detail::require_valid(spec);
+  profiles_detail::require_valid(spec);
   Planner planner(spec);
   std::size_t first = 0;
   if (const auto& issued = spec.commands.front().issued) planner.abort(0, 0, *issued);

@@ -8,7 +8,7 @@
 
 #include "profiles/src/curve/magnitude.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 void require_time(const std::string& key, double value) {
@@ -83,4 +83,4 @@ void require_valid(const QueueSpec& spec) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

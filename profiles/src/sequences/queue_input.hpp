@@ -3,9 +3,9 @@
 
 #include "jounce/profiles/sequences/queue.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Throws InputError for input that queue() rejects; keys count commands from 1.
 void require_valid(const QueueSpec& spec);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

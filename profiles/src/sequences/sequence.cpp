@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 void Sequence::append(const Segment& f) {
   if (end_ + f.length == end_) return;  // shorter than the rounding of the time
@@ -53,4 +53,4 @@ std::size_t Sequence::end_at(double time) {
   return whole;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

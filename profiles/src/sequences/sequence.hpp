@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/moves/profile.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// A motion under construction, profile after profile; ends with the state in which the next one begins.
 class Sequence {
@@ -39,4 +39,4 @@ class Sequence {
   double end_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

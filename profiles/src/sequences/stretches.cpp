@@ -34,7 +34,7 @@
 // The search takes no state that makes a phase so short that (6) is above a thousandth of the jerk j of the
 // axis. A phase below 2^-44 of its stretch counts as none: its knot can be left out.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
@@ -101,7 +101,7 @@ class Search {
       : bounds_(bounds),
         axes_(knots.front().size()),
         knots_(knots),
-        rest_(detail::durations(bounds, knots)),
+        rest_(profiles_detail::durations(bounds, knots)),
         time_(rest_),
         largest_(axes_, 0) {
     for (const Knot& knot : knots)
@@ -222,7 +222,7 @@ bool Search::advance(std::size_t knot, const Knot& direction, double step) {
 
 double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
   const auto& bounds = bounds_[stretch];
-  const Hop hop = detail::stretch(bounds, from, to);
+  const Hop hop = profiles_detail::stretch(bounds, from, to);
   for (std::size_t i = 0; i < hop.profiles.size(); ++i)
     if (has_short_phase(hop.profiles[i], shortest_phase(bounds[i], largest_[i]))) return none;
   return hop.duration;
@@ -275,4 +275,4 @@ void shorten(const StretchBounds& bounds, std::span<Knot> knots) {
   search.refine(true);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/sequences/synchronise.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The state of every axis at one knot.
 using Knot = std::vector<MotionState>;
@@ -32,4 +32,4 @@ std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot>
 /// halved until none helps).
 void shorten(const StretchBounds& bounds, std::span<Knot> knots);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-using detail::AxisTask;
+using profiles_detail::AxisTask;
 
 /// The condition on the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
 struct Timing {
@@ -176,17 +176,17 @@ bool resting_in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
                      double& t) {
   constexpr std::size_t capacity = 16;
   if (axes.size() > capacity) return false;
-  std::array<detail::EvenRest, capacity> rests;
-  std::array<detail::EvenCourse, capacity> courses;
+  std::array<profiles_detail::EvenRest, capacity> rests;
+  std::array<profiles_detail::EvenCourse, capacity> courses;
   double least = timing.minimum;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto& [from, to, bounds, goal, enabled, under_way] = axes[i];
     if (!enabled || goal != MoveGoal::state || under_way ||
-        detail::form(from, to, bounds) != detail::Form::even_rest)
+        profiles_detail::form(from, to, bounds) != profiles_detail::Form::even_rest)
       return false;
     rests[i] = {from, to, bounds};
     courses[i] = rests[i].shortest();
-    least = detail::greatest(least, courses[i].duration());
+    least = profiles_detail::greatest(least, courses[i].duration());
   }
   t = on_grid(least, timing.grid);
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -251,7 +251,7 @@ Leader leader(std::span<const AxisMove> axes) {
     double most = 0;
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (!axes[i].enabled) continue;
-      const double rate = std::abs(component(detail::posed(axes[i]), which));
+      const double rate = std::abs(component(profiles_detail::posed(axes[i]), which));
       if (rate > most) {
         most = rate;
         l = {i, which};
@@ -308,16 +308,16 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
 Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
                              const Bounds& line) {
   constexpr double forgiven = 1e-12;
-  if (detail::order_of(line) < 3) return {};
-  const double peak = detail::natural_velocity(lead.from, line);
+  if (profiles_detail::order_of(line) < 3) return {};
+  const double peak = profiles_detail::natural_velocity(lead.from, line);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;
-    const AxisMove axis = detail::posed(axes[i]);
+    const AxisMove axis = profiles_detail::posed(axes[i]);
     const double v = component(axis, which) / component(lead, which) * peak;
     const bool outside = v > axis.bounds.velocity_max * (1 + forgiven) ||
                          v < axis.bounds.velocity_min * (1 + forgiven);
     // An axis that is outside comes inside as the line does.
-    if (outside && detail::is_inside(axis.from, axis.bounds, forgiven))
+    if (outside && profiles_detail::is_inside(axis.from, axis.bounds, forgiven))
       return {MoveStatus::not_straight, i, 0};
   }
   return {};
@@ -340,12 +340,12 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
   if (const Synchronised s = one_kind(axes, axes[lead.axis].goal); s.status != MoveStatus::ok)
     return s;
   if (lead.which == 5) return each(axes, out, timing);
-  AxisMove first = detail::posed(axes[lead.axis]);
+  AxisMove first = profiles_detail::posed(axes[lead.axis]);
   const double scale = component(first, lead.which);
   Bounds bounds = first.bounds;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;
-    const AxisMove axis = detail::posed(axes[i]);
+    const AxisMove axis = profiles_detail::posed(axes[i]);
     const double ratio = component(axis, lead.which) / scale;
     for (int k = 0; k < 5; ++k)
       if (!on_line(axis, first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
@@ -361,10 +361,10 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
   for (std::size_t i = 0; i < axes.size(); ++i) {
     out[i] = left_out(axes[i]);
     if (!axes[i].enabled) continue;
-    const AxisMove axis = detail::posed(axes[i]);
+    const AxisMove axis = profiles_detail::posed(axes[i]);
     const double ratio = component(axis, lead.which) / scale;
     const MoveStatus status =
-        detail::answered(axes[i], along.scaled(ratio, axis.from, axis.to), out[i]);
+        profiles_detail::answered(axes[i], along.scaled(ratio, axis.from, axis.to), out[i]);
     if (status != MoveStatus::ok) return {status, i, 0};
   }
   return {MoveStatus::ok, 0, along.duration()};

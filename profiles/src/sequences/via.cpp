@@ -24,7 +24,7 @@
 namespace jounce {
 namespace {
 
-using detail::Knot;
+using profiles_detail::Knot;
 
 std::string key(std::size_t point) {
   return "points[" + std::to_string(point + 1) + "]";
@@ -38,7 +38,7 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
         "must have a position for each axis, " + std::to_string(spec.axes.size()) + " in all");
   for (std::size_t i = 0; i < point.size(); ++i) {
     const std::string name = key(k) + "[" + std::to_string(i + 1) + "]";
-    detail::require_moderate(name, point[i]);
+    profiles_detail::require_moderate(name, point[i]);
     if (point[i] < spec.axes[i].position_min || point[i] > spec.axes[i].position_max)
       throw InputError(name, point[i], "must lie within the position bounds of its axis");
   }
@@ -55,7 +55,7 @@ void require_magnitudes(const Bounds& b, const std::string& axis) {
                                                    {"jerk_min", b.jerk_min},
                                                    {"jerk_max", b.jerk_max}};
   for (const auto& [name, value] : values) {
-    if (std::isfinite(value) && value != 0 && !detail::is_magnitude(std::abs(value)))
+    if (std::isfinite(value) && value != 0 && !profiles_detail::is_magnitude(std::abs(value)))
       throw InputError(axis + "." + name, value,
                        "must be between 1e-30 and 1e30 in magnitude, or infinite");
   }
@@ -67,7 +67,7 @@ void require_one_each(const ViaSpec& spec, const std::vector<double>& rates,
     throw InputError(
         name, "",
         "must have a number for each axis, " + std::to_string(spec.axes.size()) + " in all");
-  for (const double rate : rates) detail::require_moderate(name, rate);
+  for (const double rate : rates) profiles_detail::require_moderate(name, rate);
 }
 
 void require_valid_stretches(const ViaSpec& spec) {
@@ -87,7 +87,7 @@ void require_valid_norm(const ViaNorm& norm) {
   for (const auto& [name, value] : {std::pair{"norm.velocity", norm.velocity},
                                     {"norm.acceleration", norm.acceleration},
                                     {"norm.jerk", norm.jerk}})
-    if (!(value > 0) || (std::isfinite(value) && !detail::is_magnitude(value)))
+    if (!(value > 0) || (std::isfinite(value) && !profiles_detail::is_magnitude(value)))
       throw InputError(name, value, "must be between 1e-30 and 1e30, or infinite");
 }
 
@@ -120,8 +120,8 @@ Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
 }
 
 /// The bounds of each axis on each stretch.
-detail::StretchBounds stretch_bounds(const ViaSpec& spec) {
-  detail::StretchBounds all;
+profiles_detail::StretchBounds stretch_bounds(const ViaSpec& spec) {
+  profiles_detail::StretchBounds all;
   for (std::size_t k = 0; k + 1 < spec.points.size(); ++k) {
     all.push_back(spec.stretches.empty() ? spec.axes : spec.stretches[k]);
     double way = 0;
@@ -155,7 +155,8 @@ std::vector<Knot> stopping(const ViaSpec& spec) {
 
 /// The points between which the motion is the shortest one: all points for several axes; the turning points and
 /// both ends for one axis.
-std::vector<std::size_t> essential(const ViaSpec& spec, const detail::StretchBounds& bounds) {
+std::vector<std::size_t> essential(const ViaSpec& spec,
+                                   const profiles_detail::StretchBounds& bounds) {
   std::vector<std::size_t> points;
   const auto& p = spec.points;
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -169,7 +170,7 @@ std::vector<std::size_t> essential(const ViaSpec& spec, const detail::StretchBou
 }
 
 /// The motion with a stop at each point between; infinite where one is impossible without turning back.
-double stopping_duration(const ViaSpec& spec, const detail::StretchBounds& bounds) {
+double stopping_duration(const ViaSpec& spec, const profiles_detail::StretchBounds& bounds) {
   const std::vector<Knot> knots = stopping(spec);
   double total = 0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
@@ -182,7 +183,7 @@ double stopping_duration(const ViaSpec& spec, const detail::StretchBounds& bound
       throw InputError("axes[" + std::to_string(all.axis + 1) + "]", "", explain(all.status));
     if (!(all.duration > 0))
       throw InputError("axes", "", "must limit the motion: without limits it takes no time");
-    total += detail::stretch(bounds[k], knots[k], knots[k + 1]).duration;
+    total += profiles_detail::stretch(bounds[k], knots[k], knots[k + 1]).duration;
   }
   return total;
 }
@@ -223,11 +224,12 @@ struct Built {
   std::vector<double> times{0};
 };
 
-Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots) {
+Built build(const profiles_detail::StretchBounds& bounds, const std::vector<Knot>& knots) {
   Built built;
-  std::vector<detail::Sequence> paths(knots.front().begin(), knots.front().end());
+  std::vector<profiles_detail::Sequence> paths(knots.front().begin(), knots.front().end());
   for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const detail::Hop stretch = detail::stretch(bounds[k], knots[k], knots[k + 1]);
+    const profiles_detail::Hop stretch =
+        profiles_detail::stretch(bounds[k], knots[k], knots[k + 1]);
     built.times.push_back(built.times.back() + stretch.duration);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const Profile& profile = stretch.profiles[i];
@@ -235,7 +237,7 @@ Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots)
       if (profile.phases() == 0) paths[i].hold(stretch.duration);
     }
   }
-  for (detail::Sequence& path : paths)
+  for (profiles_detail::Sequence& path : paths)
     built.axes.emplace_back(std::move(path).segments(), 0, Extrapolation::hold);
   const auto moves = [](const MotionState& s) { return s.velocity != 0 || s.acceleration != 0; };
   if (std::any_of(knots.back().begin(), knots.back().end(), moves))
@@ -246,9 +248,9 @@ Built build(const detail::StretchBounds& bounds, const std::vector<Knot>& knots)
 
 /// From the first state to the last: at rest at the points between, or at part of the velocity of
 /// the end beside them where they cannot rest there.
-std::vector<Knot> feasible(const detail::StretchBounds& bounds, std::vector<Knot> knots) {
+std::vector<Knot> feasible(const profiles_detail::StretchBounds& bounds, std::vector<Knot> knots) {
   const auto fits = [&] {
-    const std::vector<double> all = detail::durations(bounds, knots);
+    const std::vector<double> all = profiles_detail::durations(bounds, knots);
     return std::all_of(all.begin(), all.end(), [](double t) { return std::isfinite(t); });
   };
   const std::size_t last = knots.size() - 1;
@@ -276,18 +278,18 @@ std::vector<Knot> feasible(const detail::StretchBounds& bounds, std::vector<Knot
 ViaMotion via(const ViaSpec& spec) {
   require_valid(spec);
   ViaMotion motion;
-  const detail::StretchBounds all_bounds = stretch_bounds(spec);
+  const profiles_detail::StretchBounds all_bounds = stretch_bounds(spec);
   motion.stopping_duration = stopping_duration(spec, all_bounds);
   const std::vector<std::size_t> points = essential(spec, all_bounds);
   const std::vector<Knot> stops = stopping(spec);
   std::vector<Knot> knots;
-  detail::StretchBounds bounds;
+  profiles_detail::StretchBounds bounds;
   for (const std::size_t p : points) {
     knots.push_back(stops[p]);
     if (p > 0) bounds.push_back(all_bounds[p - 1]);
   }
   knots = feasible(bounds, std::move(knots));
-  detail::shorten(bounds, knots);
+  profiles_detail::shorten(bounds, knots);
 
   Built built = build(bounds, knots);
   motion.axes = std::move(built.axes);

@@ -11,7 +11,7 @@
 #include "profiles/src/solver/span.hpp"
 #include "profiles/src/solver/travel.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// Durations that differ by less than this share are the same.
@@ -139,7 +139,8 @@ MoveStatus AxisTask::shortest(Profile& out) const noexcept {
     ::new (&out) Profile(inside_->shortest(axis_.from, axis_.to));
     return MoveStatus::ok;
   }
-  if (detail::shortest(form_, axis_.from, axis_.to, axis_.bounds, out)) return MoveStatus::ok;
+  if (profiles_detail::shortest(form_, axis_.from, axis_.to, axis_.bounds, out))
+    return MoveStatus::ok;
   if (steps()) return lasting(0, out);
   const MoveStatus status = solver().shortest(out);
   const Profile* kept = axis_.under_way;
@@ -215,4 +216,4 @@ MoveStatus AxisTask::lasting(double t, Profile& out) const noexcept {
   return MoveStatus::ok;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

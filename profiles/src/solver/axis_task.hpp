@@ -7,7 +7,7 @@
 
 #include "profiles/src/solver/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 // Every goal is a move between two states, in its own coordinates:
 //
@@ -63,4 +63,4 @@ class AxisTask {
   std::optional<AxisMove> posed_;       ///< for goals other than a state
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -3,7 +3,7 @@
 
 #include "jounce/profiles/detail/lanes.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Two results at once, one from each lane of a comparison. It uses SSE2 instructions: without SSE4, GCC
 /// separates the lanes of a Mask<Vector2>.
@@ -51,4 +51,4 @@ class Both {
   Bits bits_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -8,7 +8,7 @@
 
 #include "profiles/src/solver/velocity_change.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// A violation by less than this share of the limit is rounding, not a violation.
@@ -123,4 +123,4 @@ Bounds extended(Bounds b, double acceleration) noexcept {
   return b;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

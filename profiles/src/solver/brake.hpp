@@ -6,7 +6,7 @@
 // Starts outside the bounds, third order. docs/generators/move.md derives the rule, equations (7) to
 // (10).
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// True if a state keeps the bounds now and can keep them from there on, but for a share of the limits.
 bool is_inside(const MotionState& s, const Bounds& bounds, double tolerance) noexcept;
@@ -39,4 +39,4 @@ Braking braking_under_way(const MotionState& from, const MotionState& to,
 /// Bounds with another limit of acceleration on the side of `acceleration`.
 Bounds extended(Bounds bounds, double acceleration) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -6,7 +6,7 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 // From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak velocity vp takes the
 // times x (rising acceleration), h (held) and x (falling), the ramp down is its mirror image, and the cruise lasts c:
@@ -131,4 +131,4 @@ class EvenRest {
          EvenRest::solves(std::abs(distance), b.jerk_max);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

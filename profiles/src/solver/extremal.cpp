@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 Extremals::Extremals(const End& from, const End& to, double dv, const Limits& limits,
                      const Jerks& jerks, int degenerate) noexcept
     : vmax_(limits.velocity),
@@ -297,4 +297,4 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
   return e;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

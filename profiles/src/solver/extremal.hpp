@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/detail/lanes.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 // The motions that go farthest in a given time under a limited jerk: the family of motions on which the
 // general solver is based. docs/generators/move.md derives it in detail.
@@ -192,4 +192,4 @@ class Extremals {
   int first_;  ///< the half that is degenerate at the start of the main branch
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -25,7 +25,7 @@
 // While both hold, vp runs: (7) d = d1 + (1/L1 + 1/L2) ((vp1 + L1 L2/(2 jd)) y + y^2/2), y = vp - vp1.
 // K = -sum of c s/jp + s^3/(6 jp^2) over both halves; K' is (3) of both halves at x = 0.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// A power of two within a factor of 4 of the cube root. Units that differ by powers of two give the same result,
@@ -311,4 +311,4 @@ bool Extremals::cruising(double t, double d, double slack, Extremal& out) const 
   return true;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -27,7 +27,7 @@
 //
 //   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L)        c' of the half that holds
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 bool Extremals::is_timed(const Stretch& p) const noexcept {
   if (p.held == Stretch::Held::one) return rises_slowly_ || p.hi <= 0;
@@ -126,4 +126,4 @@ Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const no
   return timed(p, zero(f, lo, hi, rising, hi));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -11,7 +11,7 @@
 
 #include "profiles/src/solver/velocity_change.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// 1/jp, 1/jd and the like of the upward family.
@@ -33,7 +33,7 @@ double velocity_difference(const MotionState& from, const MotionState& to,
   // For jerks far apart the larger one: it corrects the rounding error of the velocity.
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
                        2 * (a0 * a0 + af * af) * std::min(j.per_rise, j.per_fall);
-  return std::abs(dv - ramp) <= detail::rounding * scale ? ramp : dv;
+  return std::abs(dv - ramp) <= profiles_detail::rounding * scale ? ramp : dv;
 }
 
 /// The natural velocity of an end less its velocity: the acceleration a (forwards in time from the
@@ -83,7 +83,8 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
 
 /// The rounding error of a distance that is covered in t.
 double PointToPoint::rounding(double t) const noexcept {
-  return detail::rounding * (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
+  return profiles_detail::rounding *
+         (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
 }
 
 Extremals PointToPoint::family(bool upwards) const noexcept {
@@ -309,13 +310,14 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
   if (cruises(t, out)) return true;
   const Families both = families();
   const double main = both.up.duration(both.up.first(Branch::main));
-  const bool is_early = both.early && t < main &&
-                        t <= both.up.duration(both.up.last_early()) * (1 + detail::rounding);
-  if (!is_early && t < main * (1 - detail::rounding)) return false;
+  const bool is_early =
+      both.early && t < main &&
+      t <= both.up.duration(both.up.last_early()) * (1 + profiles_detail::rounding);
+  if (!is_early && t < main * (1 - profiles_detail::rounding)) return false;
   // At the edge of a blocked interval both sides are rounded, also the change by the accelerations at the ends.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
-  const double slack = 3 * (rounding(t) + detail::rounding * std::abs(d_)) +
-                       detail::rounding * cube(scale_.acceleration) * square(per_jerk);
+  const double slack = 3 * (rounding(t) + profiles_detail::rounding * std::abs(d_)) +
+                       profiles_detail::rounding * cube(scale_.acceleration) * square(per_jerk);
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
   for (const bool upwards : {true, false}) {
@@ -345,7 +347,7 @@ bool PointToPoint::reachable(const Families& both, double t) const noexcept {
   const bool is_main = t >= up.duration(up.first(Branch::main));
   if (!is_main && !(both.early && t <= up.duration(up.last_early()))) return false;
   const Branch b = is_main ? Branch::main : Branch::early;
-  const double slack = rounding(t) + detail::rounding * std::abs(d_);
+  const double slack = rounding(t) + profiles_detail::rounding * std::abs(d_);
   return up.distance(up.lasting(b, t)) >= d_ - slack &&
          -both.down.distance(both.down.lasting(b, t)) <= d_ + slack;
 }
@@ -368,7 +370,8 @@ void PointToPoint::find_blocked(Events events, Durations& out, Possible possible
   for (std::size_t i = 0; i + 1 < events.count; ++i) {
     const double from = std::max(events.at[i], out.minimum);
     const double to = events.at[i + 1];
-    if (!(to > from * (1 + detail::rounding)) || possible(from + (to - from) / 2)) continue;
+    if (!(to > from * (1 + profiles_detail::rounding)) || possible(from + (to - from) / 2))
+      continue;
     block({from, to}, out);
   }
 }
@@ -403,4 +406,4 @@ Durations PointToPoint::early_durations() const noexcept {
   return out;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -7,7 +7,7 @@
 
 #include "profiles/src/solver/extremal.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// One move between two states inside the bounds, third order, from two families of extremals: one
 /// goes as far up as possible in every duration, the other as far down (as the
@@ -98,4 +98,4 @@ class PointToPoint {
 /// (so that no blocked duration is promised).
 void block(const Durations::Interval& interval, Durations& out) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

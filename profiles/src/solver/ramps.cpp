@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -100,4 +100,4 @@ Trajectory curve(const RampedMove<SineLaw>& move, double from, double to) {
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
   // Up and down change places where the way leads down.
   const bool down = distance < 0;
@@ -119,4 +119,4 @@ Profile RestToRest::profile(const MotionState& from, const MotionState& to) cons
                   {last * p_, 1}});
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -4,7 +4,7 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 // From rest to rest, third order, in magnitudes along the way: each half has s = 0 and c = 0
 // (extremal.hpp), with p = 1/jp, q = 1/jd, k = p + q. Up to the peak velocity vp a half takes t and
@@ -50,4 +50,4 @@ class RestToRest {
   double vp_ = 0, cruise_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -7,7 +7,7 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// The rounding of the distance that the direct change covers.
@@ -178,4 +178,4 @@ Durations SecondOrder::durations() const noexcept {
   return out;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

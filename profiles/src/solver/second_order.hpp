@@ -3,7 +3,7 @@
 
 #include "jounce/profiles/moves/move.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 // If the acceleration may step, a motion rises to a peak velocity p, holds it and falls (or is the
 // mirror image of that). With rise r and fall f of the velocity, both > 0,
@@ -81,4 +81,4 @@ class SecondOrder {
   double rounding_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -8,7 +8,7 @@
 #include "profiles/src/solver/second_order.hpp"
 #include "profiles/src/solver/velocity_change.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// The first two orders have no acceleration, and the first no velocity.
@@ -322,4 +322,4 @@ MoveStatus to_velocity(const MotionState& from, double velocity, double accelera
   return keeps_positions(out, bounds) ? MoveStatus::ok : MoveStatus::position_limit;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

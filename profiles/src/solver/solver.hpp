@@ -9,7 +9,7 @@
 #include "profiles/src/solver/brake.hpp"
 #include "profiles/src/solver/point_to_point.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The highest derivative that is limited: 3, 2 or 1.
 inline int order_of(const Bounds& b) {
@@ -83,4 +83,4 @@ class Solver {
 MoveStatus to_velocity(const MotionState& from, double velocity, double acceleration,
                        const Bounds& bounds, Profile& out) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

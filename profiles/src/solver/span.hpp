@@ -26,7 +26,7 @@
 //
 // The root meant is the largest: where h < 0, D(p) dips before it grows. The polynomials are convex
 // beyond it.
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Magnitudes for which no product or quotient in these formulas overflows or underflows, at any
 /// ratio; move_to(), which accepts a wider range, is exact for them.
@@ -230,4 +230,4 @@ inline Way<double> fastest(const Span<double>& s, double velocity) {
                   : one_way(s, largest_root(s.one_start()));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

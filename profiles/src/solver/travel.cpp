@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// c0 + c1 u + c2 u^2/2 + c3 u^3/6 over a phase of length `t`.
@@ -103,14 +103,14 @@ bool keeps(const Profile& profile, const Bounds& b) noexcept {
   const double x = profile.start().position;
   const Travel speed = travelled_in_velocity(profile);
   const Travel way = travelled(profile);
-  const double rounding = 0x1p-46 * (std::abs(x) + std::abs(profile.end().position));
+  const double tolerance = 0x1p-46 * (std::abs(x) + std::abs(profile.end().position));
   return keeps_accelerations(profile, b) &&
          lies_within(v + speed.lowest, v + speed.highest, b.velocity_min, b.velocity_max, 0) &&
-         lies_within(x + way.lowest, x + way.highest, b.position_min, b.position_max, rounding);
+         lies_within(x + way.lowest, x + way.highest, b.position_min, b.position_max, tolerance);
 }
 
-bool turns_round(const Travel& travel, double share, double rounding) noexcept {
-  return travel.path - std::abs(travel.distance) > share * travel.path + rounding;
+bool turns_round(const Travel& travel, double share, double tolerance) noexcept {
+  return travel.path - std::abs(travel.distance) > share * travel.path + tolerance;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

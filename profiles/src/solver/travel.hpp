@@ -3,7 +3,7 @@
 
 #include "jounce/profiles/moves/move.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The range of a profile's position relative to a frame that moves at a constant
 /// velocity, from its start, u.
@@ -19,9 +19,9 @@ Travel travelled_in_velocity(const Profile& profile) noexcept;
 
 /// True if a motion reverses on its way, by more than a share of it and rounding: it then passes its
 /// end or goes back.
-bool turns_round(const Travel& travel, double share, double rounding) noexcept;
+bool turns_round(const Travel& travel, double share, double tolerance) noexcept;
 
 /// True if a profile keeps every bound from its start on, to a share of 1e-12.
 bool keeps(const Profile& profile, const Bounds& bounds) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -12,7 +12,7 @@
 // gives z^2 - a0^2 and z^2 - a1^2 without z: where the jerks are far apart, z may agree with one of both to
 // its last digits.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 namespace {
 
 /// z - a, given z^2 - a^2.
@@ -77,4 +77,4 @@ MotionState change_velocity(const MotionState& from, double velocity, double acc
   return {from.position + change.distance(), velocity, acceleration};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

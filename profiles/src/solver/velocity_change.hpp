@@ -3,7 +3,7 @@
 
 #include "jounce/profiles/moves/move.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The fastest change from a state inside the bounds to a velocity and acceleration, third order.
 class VelocityChange {
@@ -31,4 +31,4 @@ class VelocityChange {
 MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
                             const Bounds& bounds, Profile& profile) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Newton's step; none (NaN) where f does not go the way that it does at the zero.
 inline double newton(double f, double slope, bool rising) {
@@ -39,4 +39,4 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
   return x;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -33,7 +33,7 @@
 namespace jounce {
 namespace {
 
-using detail::two_pi;
+using profiles_detail::two_pi;
 constexpr double widest_step = 0.125;  // rad, of the filter and of any sine in f
 constexpr std::size_t kept = 11;       // to degree 10, so that the result can still be integrated
 constexpr std::size_t terms = 32;      // beyond, (1/8)^32 / 32! is nothing

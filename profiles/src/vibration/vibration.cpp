@@ -41,7 +41,7 @@ namespace jounce {
 namespace {
 
 using Complex = std::complex<double>;
-using detail::two_pi;
+using profiles_detail::two_pi;
 constexpr std::size_t moments = Segment::max_degree + 1;
 
 Complex pole(const Mode& mode) {
@@ -144,7 +144,7 @@ WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, 
                              double high) {
   const auto residual = [&](double f) { return residual_vibration(impulses, {f, damping}); };
   WorstResidual worst{residual(low), low};
-  require_valid({high, damping});
+  require_valid(Mode{high, damping});
   if (low > high) throw InputError("low", low, "must not be greater than high = " + number(high));
   const double last = impulses.back().time;
   double slope = 0;  // (2), by frequency

@@ -32,7 +32,7 @@
 namespace jounce {
 namespace {
 
-using detail::two_pi;
+using profiles_detail::two_pi;
 
 /// M_0, M_1, M_2: a step of the position counts at its instant.
 struct Moments {

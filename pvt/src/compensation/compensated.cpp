@@ -59,21 +59,22 @@ struct Piece {
   }
 
   template <std::size_t n, class Of>
-  [[nodiscard]] detail::Terms<n> of(const Cell& with, Of terms) const {
-    std::array<detail::Terms<n>, 3> each{};
+  [[nodiscard]] pvt_detail::Terms<n> of(const Cell& with, Of terms) const {
+    std::array<pvt_detail::Terms<n>, 3> each{};
     for (std::size_t j = 0; j < references; ++j) each[j] = terms(s[j]);
-    return detail::evaluated(with, each, references);
+    return pvt_detail::evaluated(with, each, references);
   }
 
-  // The piece as detail::fit needs it.
+  // The piece as profiles_detail::fit needs it.
   [[nodiscard]] double length() const { return s[0].length; }
-  [[nodiscard]] detail::EndSeries end(double at) const {
-    return of<6>(cell, [at](const Segment& f) { return detail::taylor(f, at); });
+  [[nodiscard]] profiles_detail::EndSeries end(double at) const {
+    return of<6>(cell, [at](const Segment& f) { return profiles_detail::taylor(f, at); });
   }
   [[nodiscard]] double twelfth() const {
     Cell positive = cell;
     for (double& k : positive.k) k = std::abs(k);
-    return of<13>(positive, [](const Segment& f) { return detail::majorant(f, 1); }).back();
+    return of<13>(positive, [](const Segment& f) { return profiles_detail::majorant(f, 1); })
+        .back();
   }
   [[nodiscard]] std::pair<Piece, Piece> halves() const {
     return {Piece(*this, 0, 0.5), Piece(*this, 0.5, 1)};
@@ -140,8 +141,8 @@ void require_references(const Trajectory& motion, const Compensation& compensati
     require_one_pass(references[j], "references[" + std::to_string(j + 1) + "]");
   const double scale = std::max(std::abs(motion.start()), std::abs(motion.end()));
   for (std::size_t j = 0; j < references.size(); ++j)
-    if (!detail::same_place(references[j].start(), motion.start(), scale) ||
-        !detail::same_place(references[j].end(), motion.end(), scale))
+    if (!profiles_detail::same_place(references[j].start(), motion.start(), scale) ||
+        !profiles_detail::same_place(references[j].end(), motion.end(), scale))
       throw InputError(
           "references[" + std::to_string(j + 1) + "]",
           number(references[j].start()) + " to " + number(references[j].end()),
@@ -153,7 +154,7 @@ void require_references(const Trajectory& motion, const Compensation& compensati
 Fitted<OverTime> compensated(const Trajectory& motion, const Compensation& compensation,
                              std::span<const Trajectory> references, double tolerance) {
   require_references(motion, compensation, references);
-  detail::require_tolerance(tolerance, compensation.peak());
+  profiles_detail::require_tolerance(tolerance, compensation.peak());
   const std::vector<double> at = cuts(motion, compensation, references);
   std::vector<Segment> out;
   std::vector<Segment> fitted;
@@ -169,7 +170,7 @@ Fitted<OverTime> compensated(const Trajectory& motion, const Compensation& compe
         continue;
       }
     fitted.clear();
-    detail::fit(piece, tolerance, fitted, error);
+    profiles_detail::fit(piece, tolerance, fitted, error);
     double from = 0;
     for (const Segment& c : fitted) {
       const double to = std::min(1.0, from + c.length / y.length);

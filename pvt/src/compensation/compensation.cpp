@@ -179,10 +179,10 @@ double Compensation::peak() const {
 
 double Compensation::at(std::span<const double> references) const {
   const Cell here = cell(references);
-  std::array<detail::Terms<1>, most_references> s{};
+  std::array<pvt_detail::Terms<1>, most_references> s{};
   for (std::size_t j = 0; j < references.size(); ++j)
     s[j] = {(references[j] - here.start[j]) * here.per_interval[j]};
-  return detail::evaluated(here, s, references.size())[0];
+  return pvt_detail::evaluated(here, s, references.size())[0];
 }
 
 }  // namespace jounce

@@ -6,7 +6,7 @@
 
 #include "jounce/pvt/compensation.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// Coefficients of a polynomial or a series, cut off after the n-th term; n = 1: a number.
 template <std::size_t n>
@@ -38,4 +38,4 @@ Terms<n> evaluated(const Compensation::Cell& cell, const std::array<Terms<n>, 3>
   return sum;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

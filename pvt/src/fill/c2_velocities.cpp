@@ -24,7 +24,7 @@
 // times that. So a chain that starts with zeros 64 rows early gives the same result to 2^-63: long tables are
 // cut into four chains that run side by side.
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 constexpr std::size_t chains = 4;
@@ -161,4 +161,4 @@ void c2_periodic_velocities(std::span<const double> x, std::span<const double> p
   v[end] = v[0];
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// A condition on the velocity at one end of a stretch and its neighbour: v_end + ratio v_next = value.
 struct EndRow {
@@ -34,4 +34,4 @@ void c2_velocities(std::span<const double> x, std::span<const double> p, EndRow 
 void c2_periodic_velocities(std::span<const double> x, std::span<const double> p,
                             std::span<double> v);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -17,7 +17,7 @@
 // local_velocities.cpp times D. The same holds with V - v and V - d. The polygon below is inscribed: its
 // corners lie on the region's edge.
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -152,4 +152,4 @@ std::vector<Gap> monotone_gaps(const Chords& chords, bool periodic) {
   return gaps;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -9,7 +9,7 @@
 
 #include "pvt/src/sample/corridor.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// The direction in which the data demand that a piece turns.
 enum class Turn { any, left, right, neither };
@@ -35,4 +35,4 @@ std::vector<Turn> turns_of(const Chords& chords, const std::vector<double>& roun
 /// and three times the smaller chord; 0 where the chords differ in sign.
 std::vector<Gap> monotone_gaps(const Chords& chords, bool periodic);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -106,7 +106,7 @@ struct Pieces {
       chord[i] = (spec.p[i + 1] - spec.p[i]) / length[i];
     }
   }
-  [[nodiscard]] detail::Chords view() const { return {length, chord}; }
+  [[nodiscard]] pvt_detail::Chords view() const { return {length, chord}; }
 };
 
 bool is_given(const Given& given, std::size_t i) {
@@ -128,16 +128,16 @@ void keep(const Given& given, std::span<double> v) {
 
 // ---- splines with continuous acceleration ----------------------------------------------------
 
-using detail::EndRow;
+using pvt_detail::EndRow;
 
 EndRow open_end(std::span<const double> x, std::span<const double> p, Filling ends, bool at_start) {
   const std::size_t last = x.size() - 1;
   const auto chord = [&](std::size_t i) { return (p[i + 1] - p[i]) / (x[i + 1] - x[i]); };
   const std::size_t i = at_start ? 0 : last - 1;
-  if (ends == Filling::clamped) return detail::given_end(0);
-  if (ends != Filling::not_a_knot || last < 2) return detail::natural_end(chord(i));
+  if (ends == Filling::clamped) return pvt_detail::given_end(0);
+  if (ends != Filling::not_a_knot || last < 2) return pvt_detail::natural_end(chord(i));
   const std::size_t j = at_start ? 1 : last - 2;
-  return detail::not_a_knot_end(x[i + 1] - x[i], chord(i), x[j + 1] - x[j], chord(j));
+  return pvt_detail::not_a_knot_end(x[i + 1] - x[i], chord(i), x[j + 1] - x[j], chord(j));
 }
 
 /// Through three points: the parabola. Both conditions at the ends demand it.
@@ -159,8 +159,8 @@ void spline_between(const FillSpec& spec, const Given& given, Filling ends, std:
     while (to < last && !is_given(given, to));
     const std::size_t count = to - from + 1;
     c2_velocities(x.subspan(from, count), p.subspan(from, count),
-                  is_given(given, from) ? detail::given_end(*given[from]) : first_open,
-                  is_given(given, to) ? detail::given_end(*given[to]) : last_open,
+                  is_given(given, from) ? pvt_detail::given_end(*given[from]) : first_open,
+                  is_given(given, to) ? pvt_detail::given_end(*given[to]) : last_open,
                   v.subspan(from, count));
   }
 }
@@ -218,14 +218,14 @@ void report_turning_back(const FillSpec& spec, const Pieces& pieces, std::span<c
                          Report& report) {
   for (std::size_t i = 0; i < pieces.chord.size(); ++i) {
     const double d = pieces.chord[i];
-    if (detail::is_monotone(d, v[i], v[i + 1])) continue;
+    if (pvt_detail::is_monotone(d, v[i], v[i + 1])) continue;
     const double worse = std::abs(v[i] - d) > std::abs(v[i + 1] - d) ? v[i] : v[i + 1];
     add(report, spec, "fill/monotone", i, worse, 3 * d, false,
         "the velocities at both knots may be between 0 and this limit");
   }
 }
 
-void fix(const Given& given, std::vector<detail::Gap>& gaps) {
+void fix(const Given& given, std::vector<pvt_detail::Gap>& gaps) {
   for (std::size_t i = 0; i < given.size(); ++i)
     if (given[i]) gaps[i] = {*given[i], *given[i]};
 }
@@ -244,19 +244,19 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
                     std::span<double> v, Report& report) {
   const bool around = looks_across(spec);
   spline(spec, given, around ? Filling::periodic : Filling::natural, v);
-  std::vector<detail::Gap> gaps = detail::monotone_gaps(pieces.view(), around);
+  std::vector<pvt_detail::Gap> gaps = pvt_detail::monotone_gaps(pieces.view(), around);
   fix(given, gaps);
   if (around) {  // the seam first: follows a chain, not a ring
     const double seam = std::clamp(v[0], gaps[0].lo, gaps[0].hi);
     gaps.front() = gaps.back() = {seam, seam};
   }
   const std::vector<double> rounding = rounding_of(spec, pieces);
-  const std::vector<detail::Turn> turns = turns_of(pieces.view(), rounding, around);
+  const std::vector<pvt_detail::Turn> turns = turns_of(pieces.view(), rounding, around);
   const auto demand = [&](std::size_t i) {
-    return detail::turning(turns[i], pieces.chord[i], rounding[i]);
+    return pvt_detail::turning(turns[i], pieces.chord[i], rounding[i]);
   };
-  const detail::Corridor way = detail::corridor(std::move(gaps), demand);
-  detail::follow(way, demand, v);
+  const pvt_detail::Corridor way = pvt_detail::corridor(std::move(gaps), demand);
+  pvt_detail::follow(way, demand, v);
   for (const std::size_t i : way.closed)
     add(report, spec, "fill/convex", i, v[i], pieces.chord[i], false, "add a knot in this piece");
   if (any_given(given)) report_turning_back(spec, pieces, v, report);
@@ -291,29 +291,29 @@ Limits less_rounding(const FillSpec& spec, std::size_t i, double h) {
 
 void keep_limits(const FillSpec& spec, const Pieces& pieces, std::span<double> v, Report& report) {
   const double bound = far_beyond(spec, pieces);
-  std::vector<detail::Gap> gaps(v.size(), {-bound, bound});
+  std::vector<pvt_detail::Gap> gaps(v.size(), {-bound, bound});
   gaps.front() = gaps.back() = {0, 0};
   fix(spec.v, gaps);
   spline(spec, spec.v, Filling::clamped, v);
   const auto demand = [&](std::size_t i) {
     const double h = pieces.length[i];
-    return detail::within_limits(less_rounding(spec, i, h), h, pieces.chord[i]);
+    return pvt_detail::within_limits(less_rounding(spec, i, h), h, pieces.chord[i]);
   };
-  const std::vector<detail::Gap> before = gaps;
-  const detail::Corridor way = detail::corridor(std::move(gaps), demand);
-  detail::follow(way, demand, v);
+  const std::vector<pvt_detail::Gap> before = gaps;
+  const pvt_detail::Corridor way = pvt_detail::corridor(std::move(gaps), demand);
+  pvt_detail::follow(way, demand, v);
   for (const std::size_t i : way.closed) {
     const double h = pieces.length[i];
     const double stretch =
-        detail::needed_stretch(spec.limits, h, pieces.chord[i], way.gaps[i], before[i + 1]);
+        pvt_detail::needed_stretch(spec.limits, h, pieces.chord[i], way.gaps[i], before[i + 1]);
     add(report, spec, "fill/limits", i, h, stretch * h, true, advice_for(stretch, h));
   }
 }
 
 // ---- all together ----------------------------------------------------------------------------
 
-std::vector<detail::JerkKnot> jerk_knots(const Given& v, const Given& a, std::size_t size) {
-  std::vector<detail::JerkKnot> knots(size);
+std::vector<pvt_detail::JerkKnot> jerk_knots(const Given& v, const Given& a, std::size_t size) {
+  std::vector<pvt_detail::JerkKnot> knots(size);
   for (std::size_t i = 0; i < size; ++i) {
     knots[i].fixed = {is_given(v, i), is_given(a, i)};
     if (knots[i].fixed[0]) knots[i].state[0] = *v[i];
@@ -324,8 +324,8 @@ std::vector<detail::JerkKnot> jerk_knots(const Given& v, const Given& a, std::si
 
 void least_jerk(const FillSpec& spec, const Given& given, Columns& columns) {
   const std::size_t size = spec.x.size();
-  std::vector<detail::JerkKnot> knots = jerk_knots(given, spec.a, size);
-  detail::least_jerk(spec.x, spec.p, looks_across(spec), knots);
+  std::vector<pvt_detail::JerkKnot> knots = jerk_knots(given, spec.a, size);
+  pvt_detail::least_jerk(spec.x, spec.p, looks_across(spec), knots);
   if (spec.rule == Interpolation::quintic_hermite) columns.a.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
     columns.v[i] = knots[i].state[0];
@@ -342,7 +342,7 @@ void choose_velocities(const FillSpec& spec, const Given& given, Columns& column
       return spline(spec, given, spec.filling, columns.v);
     case Filling::monotone: {
       const Pieces pieces(spec);
-      detail::monotone_velocities(pieces.view(), looks_across(spec), columns.v);
+      pvt_detail::monotone_velocities(pieces.view(), looks_across(spec), columns.v);
       keep(given, columns.v);
       if (any_given(given)) report_turning_back(spec, pieces, columns.v, report);
       return;
@@ -398,9 +398,9 @@ Filled filled(const FillSpec& spec) {
 void spline_velocities(std::span<const double> x, std::span<const double> p, Filling ends,
                        std::span<double> v) {
   assert(ends <= Filling::not_a_knot && x.size() >= 2);
-  if (ends == Filling::periodic) return detail::c2_periodic_velocities(x, p, v);
+  if (ends == Filling::periodic) return pvt_detail::c2_periodic_velocities(x, p, v);
   if (ends == Filling::not_a_knot && x.size() == 3) return parabola(x, p, v);
-  detail::c2_velocities(x, p, open_end(x, p, ends, true), open_end(x, p, ends, false), v);
+  pvt_detail::c2_velocities(x, p, open_end(x, p, ends, true), open_end(x, p, ends, false), v);
 }
 
 }  // namespace jounce

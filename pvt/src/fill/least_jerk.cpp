@@ -24,7 +24,7 @@
 // A fixed state is an equation 1 * x = value, its column carried over to the right. The system is positive
 // definite: it needs no pivots at any scale of the unknowns. The unit of length is the mean piece.
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 using Vector = std::array<double, 2>;
@@ -212,4 +212,4 @@ void least_jerk(std::span<const double> x, std::span<const double> p, bool perio
       if (!knots[i].fixed[k]) knots[i].state[k] = found[i < found.size() ? i : 0][k];
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// Velocity and acceleration at a knot, and which of them are fixed.
 struct JerkKnot {
@@ -19,4 +19,4 @@ struct JerkKnot {
 void least_jerk(std::span<const double> x, std::span<const double> p, bool periodic,
                 std::span<JerkKnot> knots);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -19,7 +19,7 @@
 //
 // and 0 elsewhere. v <= (w0 + w1) / w0 |d0| < 3 |d0|, and the same with d1: inside the square.
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 /// The end of the parabola through three points, inside the square.
@@ -63,4 +63,4 @@ bool is_monotone(double chord, double v0, double v1) {
   return a * a + a * b + b * b - 6 * a - 6 * b + 9 <= rounding;  // (1)
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

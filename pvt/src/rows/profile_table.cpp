@@ -94,8 +94,8 @@ std::vector<double> velocities(const Stages& stages, double first) {
   for (std::size_t i = 1; i < length.size(); ++i) {
     const double h = length[i - 1];
     const double k = length[i];
-    v[i] =
-        detail::between_chords(h, (value[i] - value[i - 1]) / h, k, (value[i + 1] - value[i]) / k);
+    v[i] = pvt_detail::between_chords(h, (value[i] - value[i - 1]) / h, k,
+                                      (value[i + 1] - value[i]) / k);
   }
   return v;
 }

@@ -21,7 +21,7 @@
 namespace jounce {
 namespace {
 
-using Link = detail::PtLink;
+using Link = pvt_detail::PtLink;
 
 template <class Over>
 std::string key(std::size_t i, bool of_x) {
@@ -69,7 +69,7 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
   PtPoint before;
   double rate = start_rate;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Link link = detail::pt_link(before, points[i], i == 0, rate);
+    const Link link = pvt_detail::pt_link(before, points[i], i == 0, rate);
     if (!std::isfinite(link.rate.end) || !std::isfinite(2 * link.distance))
       throw InputError(key<Over>(i, false), points[i].position,
                        "is too far from the point before, " + number(before.position) + ", in " +
@@ -82,7 +82,7 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
 
 }  // namespace
 
-namespace detail {
+namespace pvt_detail {
 
 PtLink pt_link(const PtPoint& before, const PtPoint& point, bool first, double rate) {
   const double length = point.x - before.x;
@@ -104,7 +104,7 @@ Segment segment_of(const PtLink& link) {
   return f;
 }
 
-}  // namespace detail
+}  // namespace pvt_detail
 
 template <class Over>
 std::vector<PtRate> pt_rates(std::span<const PtPoint> points, double start_rate) {
@@ -130,7 +130,7 @@ Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_ra
     const double begin = pass * (points.empty() ? 0 : points.back().position);
     double end = rate;
     for_each_link<Over>(points, rate, [&](const Link& link) {
-      segments.push_back(scaled(detail::segment_of(link), 1, begin));
+      segments.push_back(scaled(pvt_detail::segment_of(link), 1, begin));
       end = link.rate.end;
     });
     rate = end;

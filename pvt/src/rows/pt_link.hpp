@@ -4,7 +4,7 @@
 #include "jounce/pvt/pt.hpp"
 
 /// One segment of a PT chain, for pt(), which makes whole curves, and for the player, which takes one at a time.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// A segment: its increments, and the rates by equation (2) of pt.cpp.
 struct PtLink {
@@ -21,4 +21,4 @@ PtLink pt_link(const PtPoint& before, const PtPoint& point, bool first, double r
 /// Equation (1) of pt.cpp.
 Segment segment_of(const PtLink& link);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

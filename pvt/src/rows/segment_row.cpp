@@ -52,14 +52,14 @@ template <int degree>
 Jet hermite(const SegmentRow& row, const RowStart& from, double x) {
   const std::array<double, 2> at{from.x, row.x_end}, p{from.position, row.p_end},
       v{row.v_start, row.v_end}, a{row.a_start, row.a_end};
-  const auto f = detail::piece<degree>({at.data(), p.data(), v.data(), a.data(), 2}, 0);
-  const double s = detail::place(f, x, row.x_end);
-  return {detail::position(f, s), detail::velocity(f, s), detail::acceleration(f, s),
-          detail::jerk(f, s)};
+  const auto f = pvt_detail::piece<degree>({at.data(), p.data(), v.data(), a.data(), 2}, 0);
+  const double s = pvt_detail::place(f, x, row.x_end);
+  return {pvt_detail::position(f, s), pvt_detail::velocity(f, s), pvt_detail::acceleration(f, s),
+          pvt_detail::jerk(f, s)};
 }
 
 int degree_of(Interpolation rule) {
-  return detail::degree_of(rule);
+  return pvt_detail::degree_of(rule);
 }
 
 }  // namespace

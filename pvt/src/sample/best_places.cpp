@@ -20,7 +20,7 @@
 // each knot. h is halved several times.
 //
 // No interval passes an end of a stretch that the table keeps, and no place lies inside one.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 constexpr int refinements = 8;
@@ -44,7 +44,8 @@ class Places {
     places.push_back(held_at(f_, target_, f_.start(), Side::right));
     for (const Straight& each : kept_) places.insert(places.end(), {each.begin, each.end});
     for (const double x : f_.breaks()) add(places, x);
-    const double steps_in = target_.x_step > 0 ? std::round(f_.length() / target_.x_step) : inf;
+    const double steps_in =
+        target_.x_step > 0 ? std::round(f_.length() / target_.x_step) : profiles_detail::inf;
     const auto parts = static_cast<std::size_t>(std::min(steps_in, most_parts));
     for (std::size_t i = 1; i < parts; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(parts);
@@ -60,15 +61,15 @@ class Places {
     const std::size_t n = places.size();
     const std::vector<double> shares = all_shares(places);
     std::vector<std::vector<std::size_t>> from;
-    std::vector<double> now(n, inf);
+    std::vector<double> now(n, profiles_detail::inf);
     now[0] = 0;
-    double least = inf;
+    double least = profiles_detail::inf;
     std::size_t best_count = 0;
     for (std::size_t count = 1; count < most && !(fewest && least <= 1); ++count) {
-      std::vector<double> next(n, inf);
+      std::vector<double> next(n, profiles_detail::inf);
       from.emplace_back(n, 0);
       for (std::size_t i = 0; i + 1 < n; ++i)
-        for (std::size_t j = i + 1; j < n && now[i] < inf; ++j)
+        for (std::size_t j = i + 1; j < n && now[i] < profiles_detail::inf; ++j)
           if (const double e = std::max(now[i], shares[i * n + j]); e < next[j]) {
             next[j] = e;
             from.back()[j] = i;
@@ -95,7 +96,7 @@ class Places {
     std::vector<std::vector<std::size_t>> from;
     std::vector<double> now{0};
     for (std::size_t k = 1; k < layers.size(); ++k) {
-      std::vector<double> next(layers[k].size(), inf);
+      std::vector<double> next(layers[k].size(), profiles_detail::inf);
       from.emplace_back(layers[k].size(), 0);
       for (std::size_t i = 0; i < now.size(); ++i)
         for (std::size_t j = 0; j < next.size(); ++j) {
@@ -147,16 +148,16 @@ class Places {
 
   [[nodiscard]] double share_of(const Knot& a, const Knot& b) const {
     const double spacing = target_.spacing * (1 - 1e-12);
-    if (!(b.x > a.x) || b.x - a.x < spacing) return inf;
+    if (!(b.x > a.x) || b.x - a.x < spacing) return profiles_detail::inf;
     const auto limit = std::upper_bound(fixed_.begin(), fixed_.end(), a.x);
-    if (limit != fixed_.end() && b.x > *limit) return inf;
+    if (limit != fixed_.end() && b.x > *limit) return profiles_detail::inf;
     const double e = share(f_, target_.rule, a, b, tolerances_);
-    return e <= 1 ? e : inf;
+    return e <= 1 ? e : profiles_detail::inf;
   }
 
   [[nodiscard]] std::vector<double> all_shares(const std::vector<Knot>& places) const {
     const std::size_t n = places.size();
-    std::vector<double> shares(n * n, inf);
+    std::vector<double> shares(n * n, profiles_detail::inf);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j) shares[i * n + j] = share_of(places[i], places[j]);
     return shares;
@@ -204,4 +205,4 @@ JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -10,7 +10,7 @@
 #include "pvt/src/sample/interval.hpp"
 #include "pvt/src/sample/stretches.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// The knots of a table, and the greatest share of the tolerances that one of its intervals uses up.
 struct BestTable {
@@ -35,4 +35,4 @@ std::optional<BestTable> best_over_places(const Curve<Over>& f, const Target& ta
                                           const std::vector<Knot>& known, std::size_t most,
                                           bool fewest);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -8,7 +8,7 @@
 // velocity for which the other one exists. Because each set is the exact projection, a way through
 // the last gap leads back through all of them (dynamic programming; nothing is tried twice).
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 struct Corner {
@@ -85,4 +85,4 @@ Gap leading_to(const Demand& demand, Gap from, double v1) {
   return {middle, middle};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// lo <= v <= hi.
 struct Gap {
@@ -85,4 +85,4 @@ void follow(const Corridor& corridor, const DemandOf& demand_of, std::span<doubl
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -8,7 +8,7 @@
 
 #include "pvt/src/sample/whole_steps.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 bool is_one_quadratic(const Knot& a, const Knot& b) {
   const double h = b.x - a.x;
@@ -34,7 +34,7 @@ double share(const Curve<Over>& f, const Target& target, const Knot& a, const Kn
              const Tolerances& tolerances) {
   if (!target.quadratic || is_one_quadratic(a, b)) return share(f, target.rule, a, b, tolerances);
   const auto between = knot_between(target, a, b);
-  if (!between) return inf;
+  if (!between) return profiles_detail::inf;
   const double first = share(f, target.rule, a, *between, tolerances);
   return first > 1 ? first : std::max(first, share(f, target.rule, *between, b, tolerances));
 }
@@ -44,4 +44,4 @@ template double share(const Curve<OverTime>&, const Target&, const Knot&, const 
 template double share(const Curve<OverMaster>&, const Target&, const Knot&, const Knot&,
                       const Tolerances&);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

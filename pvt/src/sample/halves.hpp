@@ -10,7 +10,7 @@
 /// Intervals of quadratic pieces: a controller's segments of linear velocity, one after another without
 /// a step. One piece has a position and a velocity too few for an interval between two knots; two meet
 /// at the knot between.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// True if one quadratic piece leads from a to b, with the velocities of both.
 bool is_one_quadratic(const Knot& a, const Knot& b);
@@ -27,4 +27,4 @@ template <class Over>
 double share(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& b,
              const Tolerances& tolerances);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

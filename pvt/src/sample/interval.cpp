@@ -18,7 +18,7 @@
 //        far adds nothing;
 //   (3)  otherwise the error of the piece is the greatest of its values at its ends and where its
 //        derivative vanishes.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 Segment between(Interpolation rule, const Knot& a, const Knot& b) {
@@ -38,8 +38,8 @@ Segment between(Interpolation rule, const Knot& a, const Knot& b) {
 bool hull_within(const Segment& d, double bound) {
   if (d.sines > 0) return false;
   bool within = false;
-  with_degree(static_cast<std::size_t>(d.degree), [&](auto n) {
-    const auto [lo, hi] = hull<n>(to_bernstein<n>(d));
+  profiles_detail::with_degree(static_cast<std::size_t>(d.degree), [&](auto n) {
+    const auto [lo, hi] = profiles_detail::hull<n>(profiles_detail::to_bernstein<n>(d));
     within = std::max(-lo, hi) <= bound;
   });
   return within;
@@ -117,4 +117,4 @@ template double share(const Curve<OverTime>&, Interpolation, const Knot&, const 
 template double share(const Curve<OverMaster>&, Interpolation, const Knot&, const Knot&,
                       const Tolerances&);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -4,7 +4,7 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/pvt/table.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// A knot of a table to be: its place, the side of the curve there whose limits it takes, and the
 /// numbers that the table will hold.
@@ -27,4 +27,4 @@ template <class Over>
 double share(const Curve<Over>& f, Interpolation rule, const Knot& a, const Knot& b,
              const Tolerances& tolerances);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -29,7 +29,7 @@
 // the curve enters with a step of a derivative, the last interval must be short:
 //
 //   (3)  an interval that ends just before the limit ends where the limit can be reached from.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 int order(const Target& target) {
   if (target.quadratic) return 3;
@@ -82,7 +82,7 @@ class Search {
       const double e = tried(x);
       if (x == limit_.x && e <= 1) return best_;
       if (e >= 1 - 1e-4 && e <= 1) break;
-      if (hi_ < inf && hi_ - lo() <= 1e-6 * (hi_ - a_.x)) break;
+      if (hi_ < profiles_detail::inf && hi_ - lo() <= 1e-6 * (hi_ - a_.x)) break;
       h = next(x - a_.x, e, i);
     }
     return at_break();
@@ -105,7 +105,7 @@ class Search {
   /// (1), within the bracket.
   [[nodiscard]] double next(double h, double e, int i) const {
     const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(target_));
-    if (hi_ == inf) return h * std::clamp(factor, 1.01, 8.0);
+    if (hi_ == profiles_detail::inf) return h * std::clamp(factor, 1.01, 8.0);
     const double from = lo() - a_.x;
     const double to = hi_ - a_.x;
     const double length = h * factor;
@@ -119,7 +119,7 @@ class Search {
   /// rest of that segment.
   std::optional<Knot> at_break() {
     const auto breaks = f_.breaks();
-    const double last = hi_ == inf ? lo() : hi_;
+    const double last = hi_ == profiles_detail::inf ? lo() : hi_;
     const auto above = std::upper_bound(breaks.begin(), breaks.end(), last);
     if (above == breaks.begin()) return best_;
     const double x = *(above - 1);
@@ -137,7 +137,7 @@ class Search {
   const Knot& a_;
   const Knot& limit_;
   const Tolerances& tolerances_;
-  double hi_ = inf;  ///< the least end that was found to be too far
+  double hi_ = profiles_detail::inf;  ///< the least end that was found to be too far
   std::optional<Knot> best_;
 };
 
@@ -292,4 +292,4 @@ JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

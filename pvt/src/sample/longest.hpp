@@ -8,7 +8,7 @@
 #include "pvt/src/sample/interval.hpp"
 #include "pvt/src/sample/stretches.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// The curve's own numbers at x, from one side (at the ends from within).
 template <class Over>
@@ -31,4 +31,4 @@ std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Kn
 /// pieces.
 int order(const Target& target);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -41,10 +41,10 @@
 namespace jounce {
 namespace {
 
-using detail::inf;
-using detail::Knot;
-using detail::Straight;
-using detail::Tolerances;
+using profiles_detail::inf;
+using pvt_detail::Knot;
+using pvt_detail::Straight;
+using pvt_detail::Tolerances;
 
 constexpr std::size_t many = 1'000'000;
 /// Above so many knots a last interval that is too short changes the others by too little.
@@ -69,7 +69,7 @@ template <class Over>
 class Reduction {
  public:
   Reduction(const Curve<Over>& f, const Target& target)
-      : f_(f), target_(target), stretches_(detail::kept_stretches(f, target)) {
+      : f_(f), target_(target), stretches_(pvt_detail::kept_stretches(f, target)) {
     for (const Segment& segment : f.segments()) floor_ = std::max(floor_, magnitude(segment));
     floor_ *= 1e-15;
     const Range travel = extrema(f, 0);
@@ -97,7 +97,7 @@ class Reduction {
   }
 
  private:
-  [[nodiscard]] int order() const { return detail::order(target_); }
+  [[nodiscard]] int order() const { return pvt_detail::order(target_); }
 
   /// Knots at the ends of intervals, of which quadratic pieces take twice as many, less the first.
   [[nodiscard]] std::size_t most_ends() const {
@@ -115,14 +115,14 @@ class Reduction {
     const Tolerances allowed = tolerances(scale);
     const std::vector<Straight> kept = kept_within(allowed);
     std::vector<Node> nodes{
-        {detail::held_at(f_, target_, f_.start(), Side::right), 0, f_.length()}};
+        {pvt_detail::held_at(f_, target_, f_.start(), Side::right), 0, f_.length()}};
     std::size_t first = 0;  // first node of the last layer
     for (std::size_t count = 2; count <= most; ++count) {
       const std::size_t last = nodes.size();
       for (std::size_t i = first; i < last; ++i) {
         const Node node = nodes[i];
         for (const Knot& next :
-             detail::followers(f_, target_, node.knot, allowed, kept, node.length))
+             pvt_detail::followers(f_, target_, node.knot, allowed, kept, node.length))
           nodes.push_back({next, i, next.x - node.knot.x});
       }
       if (nodes.size() == last) return {path(nodes, first), scale, false, true};
@@ -138,7 +138,7 @@ class Reduction {
                                                 std::size_t most, bool fewest) const {
     const Tolerances allowed = tolerances(scale);
     const std::vector<Straight> kept = kept_within(allowed);
-    auto best = detail::best_over_places(f_, target_, allowed, kept, known, most, fewest);
+    auto best = pvt_detail::best_over_places(f_, target_, allowed, kept, known, most, fewest);
     if (!best) return std::nullopt;
     return Attempt{std::move(best->knots), scale * best->share, true, false};
   }
@@ -156,7 +156,7 @@ class Reduction {
   [[nodiscard]] std::vector<Straight> kept_within(const Tolerances& allowed) const {
     std::vector<Straight> kept = stretches_;
     std::erase_if(kept, [&](const Straight& each) {
-      return !each.dwell && detail::share(f_, target_, each.begin, each.end, allowed) > 1;
+      return !each.dwell && pvt_detail::share(f_, target_, each.begin, each.end, allowed) > 1;
     });
     return kept;
   }
@@ -213,7 +213,7 @@ class Reduction {
       std::vector<Knot> kept{knots.front()};
       for (std::size_t i = 1; i + 1 < knots.size(); ++i)
         if (std::binary_search(fixed.begin(), fixed.end(), knots[i].x) ||
-            detail::share(f_, target_, kept.back(), knots[i + 1], allowed) > 1)
+            pvt_detail::share(f_, target_, kept.back(), knots[i + 1], allowed) > 1)
           kept.push_back(knots[i]);
       kept.push_back(knots.back());
       knots = std::move(kept);
@@ -226,8 +226,9 @@ class Reduction {
     if (!target_.quadratic) return ends;
     std::vector<Knot> all{ends.front()};
     for (std::size_t i = 1; i < ends.size(); ++i) {
-      const bool one = detail::is_one_quadratic(ends[i - 1], ends[i]);
-      if (const auto between = detail::knot_between(target_, ends[i - 1], ends[i]); between && !one)
+      const bool one = pvt_detail::is_one_quadratic(ends[i - 1], ends[i]);
+      if (const auto between = pvt_detail::knot_between(target_, ends[i - 1], ends[i]);
+          between && !one)
         all.push_back(*between);
       all.push_back(ends[i]);
     }
@@ -237,7 +238,7 @@ class Reduction {
   [[nodiscard]] Sampled made(const std::vector<Knot>& ends) const {
     Columns columns;
     for (const Knot& knot : all_of(ends)) {
-      columns.x.push_back(detail::rounded_to(knot.x, target_.x_step));
+      columns.x.push_back(pvt_detail::rounded_to(knot.x, target_.x_step));
       columns.p.push_back(knot.jet[0]);
       if (target_.rule != Interpolation::linear) columns.v.push_back(knot.jet[1]);
       if (target_.rule == Interpolation::quintic_hermite) columns.a.push_back(knot.jet[2]);
@@ -260,7 +261,7 @@ class Reduction {
   /// A tolerance times `scale`, in three digits that are not below it.
   static std::string digits(double value) {
     const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
-    return number(detail::steps(std::ceil(value / unit), unit));
+    return number(pvt_detail::steps(std::ceil(value / unit), unit));
   }
 
   [[nodiscard]] std::string tolerances_times(double scale) const {
@@ -358,12 +359,12 @@ void require_valid(const Target& target) {
 template <class Over>
 Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
   const double x_step = target.x_step;
-  const auto whole = [&](double x) { return x_step == 0 || detail::is_whole(x, x_step); };
+  const auto whole = [&](double x) { return x_step == 0 || pvt_detail::is_whole(x, x_step); };
   if (!whole(f.start()))
     throw InputError(
         "x_step", x_step,
         "the curve begins at " + number(f.start()) + ", which is not a multiple of it");
-  if (target.p_step > 0 && !detail::is_whole(f.advance(), target.p_step))
+  if (target.p_step > 0 && !pvt_detail::is_whole(f.advance(), target.p_step))
     throw InputError("p_step", target.p_step,
                      "a period advances by " + number(f.advance()) +
                          ", which is not a multiple of it: the slave would drift");
@@ -374,7 +375,7 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
                          number(f.end()) + ", which is not a multiple of it");
   std::vector<Segment> segments(f.segments().begin(), f.segments().end());
   const double last = value(segments.back(), 1);
-  const double end = detail::steps(std::ceil(f.end() / x_step), x_step);
+  const double end = pvt_detail::steps(std::ceil(f.end() / x_step), x_step);
   segments.push_back(line(end - f.end(), last, last));
   return Curve<Over>(std::move(segments), f.start(), f.outside());
 }

@@ -117,7 +117,7 @@ class Spread {
   Spread(const Curve<Over>& f, Interpolation rule, double wanted)
       : f_(f),
         rule_(rule),
-        allowed_{wanted, detail::inf},
+        allowed_{wanted, profiles_detail::inf},
         least_(noisy_length(f, rule)),
         peaks_(peaks_of(extrema(f))) {}
 
@@ -130,9 +130,10 @@ class Spread {
 
  private:
   [[nodiscard]] bool fits(double a, double b) const {
-    const detail::Knot from = detail::knot_at(f_, a, Side::right);
-    const detail::Knot to = detail::knot_at(f_, b, b == f_.end() ? Side::left : Side::right);
-    return detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
+    const pvt_detail::Knot from = pvt_detail::knot_at(f_, a, Side::right);
+    const pvt_detail::Knot to =
+        pvt_detail::knot_at(f_, b, b == f_.end() ? Side::left : Side::right);
+    return pvt_detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
   }
 
   /// (2) of this interval is what its rounding may add to the jerk, and d^2 / 12 of it to the velocity.
@@ -144,7 +145,7 @@ class Spread {
     const double noise = 24 * std::numeric_limits<double>::epsilon() * peaks_[0];
     const std::array factors{0.0, length * length / 12, length / 6, 1.0};
     for (std::size_t k = 1; k < here.size(); ++k)
-      if (here[k] > peaks_[k] * (1 + 1e-12) + factors[k] * noise / detail::cube(length))
+      if (here[k] > peaks_[k] * (1 + 1e-12) + factors[k] * noise / profiles_detail::cube(length))
         return false;
     return true;
   }
@@ -174,7 +175,7 @@ class Spread {
 
   const Curve<Over>& f_;
   Interpolation rule_;
-  detail::Tolerances allowed_;
+  pvt_detail::Tolerances allowed_;
   double least_;
   std::array<double, 4> peaks_;
 };

@@ -16,7 +16,7 @@
 //        table itself, which may have been recorded in whole counts: its steps are no dwells.
 //
 // The ends move inwards to steps of x. A stretch without two such steps is not kept.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 namespace {
 
 constexpr double least_part = 1.0 / 64;
@@ -118,4 +118,4 @@ std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target)
 template std::vector<Straight> kept_stretches(const Curve<OverTime>&, const Target&);
 template std::vector<Straight> kept_stretches(const Curve<OverMaster>&, const Target&);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -7,7 +7,7 @@
 
 #include "pvt/src/sample/interval.hpp"
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// A straight line of the curve, which a reduced table keeps: from knot to knot.
 struct Straight {
@@ -22,4 +22,4 @@ struct Straight {
 template <class Over>
 std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// k steps. Where a unit is a whole number of steps, such as 1 s of 0.001 s, it divides: 9 / 1000 is the
 /// double nearest to 0.009, 9 * 0.001 is not.
@@ -24,4 +24,4 @@ inline bool is_whole(double x, double step) {
   return std::abs(k - std::round(k)) <= 1e-9 + 4e-16 * std::abs(k);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -13,7 +13,7 @@
 namespace jounce {
 namespace {
 
-using detail::Samples;
+using pvt_detail::Samples;
 
 void one_by_one(const Table& table, const auto& at, std::size_t first, std::size_t last,
                 Samples out) {
@@ -27,25 +27,25 @@ void one_by_one(const Table& table, const auto& at, std::size_t first, std::size
 
 template <class Instants>
 std::size_t first_not_before(const Instants& at, double bound, std::size_t low, std::size_t high) {
-  return detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
+  return pvt_detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
 }
 
 /// `size` ascending samples.
 template <class Instants>
 void sample_block(const Table& table, const Instants& at, std::size_t size, Samples out,
-                  void (*kernel)(const detail::KnotColumns&, Interpolation, Instants, std::size_t,
-                                 std::size_t, Samples)) {
+                  void (*kernel)(const pvt_detail::KnotColumns&, Interpolation, Instants,
+                                 std::size_t, std::size_t, Samples)) {
   const std::size_t enters = first_not_before(at, table.start(), 0, size);
   const std::size_t leaves = first_not_before(at, table.end(), enters, size);
   one_by_one(table, at, 0, enters, out);
   if (enters < leaves)
-    kernel(detail::knots_of(table.columns()), table.rule(), at, enters, leaves, out);
+    kernel(pvt_detail::knots_of(table.columns()), table.rule(), at, enters, leaves, out);
   one_by_one(table, at, leaves, size, out);
 }
 
 }  // namespace
 
-const detail::SampleKernels& detail::sample_kernels() {
+const pvt_detail::SampleKernels& pvt_detail::sample_kernels() {
 #ifdef JOUNCE_WIDE_KERNELS
   static const SampleKernels& best = __builtin_cpu_supports("avx512f") ? sample_avx512
                                      : __builtin_cpu_supports("avx2")  ? sample_avx2
@@ -59,9 +59,9 @@ const detail::SampleKernels& detail::sample_kernels() {
 void Table::sample(std::span<const double> x, std::span<double> p, std::span<double> v,
                    std::span<double> a) const noexcept {
   assert(p.size() == x.size() && v.size() == x.size() && a.size() == x.size());
-  const detail::Listed at{x.data()};
+  const pvt_detail::Listed at{x.data()};
   const Samples out{p.data(), v.data(), a.data()};
-  const detail::SampleKernels& kernels = detail::sample_kernels();
+  const pvt_detail::SampleKernels& kernels = pvt_detail::sample_kernels();
   if (!kernels.ascends(x.data(), x.size())) return one_by_one(*this, at, 0, x.size(), out);
   sample_block(*this, at, x.size(), out, kernels.listed);
 }
@@ -69,8 +69,8 @@ void Table::sample(std::span<const double> x, std::span<double> p, std::span<dou
 void Table::sample(const Grid& grid, std::span<double> p, std::span<double> v,
                    std::span<double> a) const noexcept {
   assert(grid.step > 0 && v.size() == p.size() && a.size() == p.size());
-  sample_block(*this, detail::Uniform{grid.start, grid.step}, p.size(),
-               {p.data(), v.data(), a.data()}, detail::sample_kernels().uniform);
+  sample_block(*this, pvt_detail::Uniform{grid.start, grid.step}, p.size(),
+               {p.data(), v.data(), a.data()}, pvt_detail::sample_kernels().uniform);
 }
 
 }  // namespace jounce

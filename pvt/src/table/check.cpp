@@ -30,7 +30,7 @@
 namespace jounce {
 namespace {
 
-using detail::Hulls;
+using pvt_detail::Hulls;
 
 /// One goal of the search: the greatest value of f (side 0) or -f (side 1) of an order.
 struct Sought {
@@ -80,8 +80,8 @@ Intervals all_of(const Table& table) {
 /// raises its `best`. The goals of one order are adjacent.
 template <class Visit>
 void search(const Table& table, const Intervals& within, std::vector<Sought>& sought, Visit visit) {
-  const detail::KnotColumns knots = detail::knots_of(table.columns());
-  const detail::HullKernel kernel = detail::hull_kernel();
+  const pvt_detail::KnotColumns knots = pvt_detail::knots_of(table.columns());
+  const pvt_detail::HullKernel kernel = pvt_detail::hull_kernel();
   const auto visit_interval = [&](std::size_t i, const Hulls& hulls, std::size_t k) {
     Range range;
     std::size_t known = 4;  // the order of that range
@@ -132,11 +132,12 @@ Ranges ranges_of(const Table& table, const Intervals& within, std::size_t first,
   return ranges;
 }
 
-std::vector<Sought> sought_for(const detail::LimitCheck& found) {
+std::vector<Sought> sought_for(const profiles_detail::LimitCheck& found) {
   std::vector<Sought> sought;
-  for (const detail::Bound& bound : found.bounds()) {
+  for (const profiles_detail::Bound& bound : found.bounds()) {
     const double limit = bound.upper ? bound.limit : -bound.limit;
-    const double forgiven = 0.999 * detail::forgiven * std::max(std::abs(limit), bound.scale);
+    const double forgiven =
+        0.999 * profiles_detail::forgiven * std::max(std::abs(limit), bound.scale);
     sought.push_back({.order = bound.order,
                       .side = bound.upper ? 0U : 1U,
                       .rounding = std::abs(limit),
@@ -165,8 +166,8 @@ class Steps {
 };
 
 std::array<Jump, 4> largest_jumps(const Table& table) {
-  const auto at_end = [](const Segment& f) { return detail::evaluate(f, 1); };
-  const auto at_start = [](const Segment& f) { return detail::evaluate(f, 0); };
+  const auto at_end = [](const Segment& f) { return profiles_detail::evaluate(f, 1); };
+  const auto at_start = [](const Segment& f) { return profiles_detail::evaluate(f, 0); };
   const auto& x = table.columns().x;
   const std::size_t last = table.size() - 2;
   Steps steps;
@@ -189,7 +190,7 @@ std::array<Jump, 4> largest_jumps(const Table& table) {
 
 }  // namespace
 
-detail::HullKernel detail::hull_kernel() {
+pvt_detail::HullKernel pvt_detail::hull_kernel() {
 #ifdef JOUNCE_WIDE_KERNELS
   static const HullKernel best = __builtin_cpu_supports("avx512f") ? hulls_avx512
                                  : __builtin_cpu_supports("avx2")  ? hulls_avx2
@@ -211,9 +212,9 @@ Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last) 
 
 Report check(const Table& table, const Limits& limits) {
   require_valid(limits);
-  const bool one_end = detail::LimitCheck::needs_stroke(limits);
+  const bool one_end = profiles_detail::LimitCheck::needs_stroke(limits);
   const Range travel = one_end ? ranges_of(table, all_of(table), 0, 0)[0] : Range{};
-  detail::LimitCheck found(limits, names_of(table), travel.max.value - travel.min.value);
+  profiles_detail::LimitCheck found(limits, names_of(table), travel.max.value - travel.min.value);
   std::vector<Sought> sought = sought_for(found);
   if (sought.empty()) return {};
   search(table, all_of(table), sought, [&](std::size_t b, const Range& range, std::size_t i) {
@@ -225,8 +226,8 @@ Report check(const Table& table, const Limits& limits) {
 }
 
 Report check_continuity(const Table& table, int order, double tolerance) {
-  return detail::continuity_report(extrema(table), largest_jumps(table), names_of(table), order,
-                                   tolerance);
+  return profiles_detail::continuity_report(extrema(table), largest_jumps(table), names_of(table),
+                                            order, tolerance);
 }
 
 }  // namespace jounce

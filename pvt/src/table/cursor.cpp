@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-using detail::horner;
+using pvt_detail::horner;
 
 /// The next interval if x is in it; otherwise the one that the table finds.
 std::size_t interval_of(const Table& table, double x, std::size_t before) {
@@ -19,7 +19,7 @@ std::size_t interval_of(const Table& table, double x, std::size_t before) {
 
 }  // namespace
 
-Cursor::Cursor(const Table& table) : table_(&table), degree_(detail::degree_of(table.rule())) {}
+Cursor::Cursor(const Table& table) : table_(&table), degree_(pvt_detail::degree_of(table.rule())) {}
 
 Jet Cursor::jet(double x) {
   if (!(x >= from_ && x < to_)) [[unlikely]] {
@@ -38,7 +38,7 @@ Jet Cursor::jet(double x) {
 }
 
 void Cursor::enter(std::size_t interval) {
-  const detail::KnotColumns knots = detail::knots_of(table_->columns());
+  const pvt_detail::KnotColumns knots = pvt_detail::knots_of(table_->columns());
   const auto keep = [&](const auto& f) {
     per_length_ = f.per_length;
     std::copy(std::begin(f.p), std::end(f.p), p_.begin());
@@ -46,9 +46,9 @@ void Cursor::enter(std::size_t interval) {
     std::copy(std::begin(f.a), std::end(f.a), a_.begin());
     std::copy(std::begin(f.j), std::end(f.j), j_.begin());
   };
-  if (degree_ == 1) keep(detail::piece<1>(knots, interval));
-  if (degree_ == 3) keep(detail::piece<3>(knots, interval));
-  if (degree_ == 5) keep(detail::piece<5>(knots, interval));
+  if (degree_ == 1) keep(pvt_detail::piece<1>(knots, interval));
+  if (degree_ == 3) keep(pvt_detail::piece<3>(knots, interval));
+  if (degree_ == 5) keep(pvt_detail::piece<5>(knots, interval));
   interval_ = interval;
   from_ = knots.x[interval];
   to_ = knots.x[interval + 1];

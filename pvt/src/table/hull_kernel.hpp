@@ -16,7 +16,7 @@
 // which covers the rounding of Horner's rule, of (1), and of the coefficients. The addition of c_0 comes
 // last in both and rounds monotonically. So the bound of a constant is exactly that constant, and none of a
 // million intervals at rest exceeds the first.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// For at most `size` intervals, for the value and three derivatives: the bounds of f [0] and of -f [1],
 /// and the greatest values among all that are certainly taken.
@@ -55,29 +55,30 @@ struct Maxima {
 template <int n, class Real>
 JOUNCE_INLINE void enclose(const Real* c, int order, std::size_t i, Hulls& out, Maxima<Real>& max) {
   Real b[n + 1];
-  Real size = every<Real>(0);
-  b[0] = every<Real>(0);
+  Real size = profiles_detail::every<Real>(0);
+  b[0] = profiles_detail::every<Real>(0);
   for (int k = 1; k <= n; ++k) {
     b[k] = c[k] * (1 / binomial(n, k));
-    size = size + magnitude(c[k]);
+    size = size + profiles_detail::magnitude(c[k]);
   }
   for (int k = 1; k <= n; ++k)
     for (int m = n; m >= k; --m) b[m] = b[m] + b[m - 1];
   Real high = b[0];
   Real low = b[0];
   for (int k = 1; k <= n; ++k) {
-    high = greatest(b[k], high);
-    low = least(b[k], low);
+    high = profiles_detail::greatest(b[k], high);
+    low = profiles_detail::least(b[k], low);
   }
   const Real e = size * (64 * 0x1p-53);
   const Real bound[2]{c[0] + (high + e), -(c[0] + (low - e))};
-  const Real taken[2]{greatest(c[0], c[0] + (b[n] - e)), -least(c[0], c[0] + (b[n] + e))};
+  const Real taken[2]{profiles_detail::greatest(c[0], c[0] + (b[n] - e)),
+                      -profiles_detail::least(c[0], c[0] + (b[n] + e))};
   for (int side = 0; side < 2; ++side) {
-    store(out.bound[order][side] + i, bound[side]);
+    profiles_detail::store(out.bound[order][side] + i, bound[side]);
     // "not less": NaN wins, and is seen.
     max.greatest[order][side] =
         bound[side] <= max.greatest[order][side] ? max.greatest[order][side] : bound[side];
-    max.taken[order][side] = greatest(taken[side], max.taken[order][side]);
+    max.taken[order][side] = profiles_detail::greatest(taken[side], max.taken[order][side]);
   }
 }
 
@@ -87,15 +88,15 @@ template <class Real, int degree>
 JOUNCE_INLINE void enclose_interval(const KnotColumns& t, std::size_t i, std::size_t at, Hulls& out,
                                     Maxima<Real>& max) {
   const auto column = [&](const double* c, std::size_t k) __attribute__((always_inline)) {
-    if constexpr (lanes<Real> == 1)
+    if constexpr (profiles_detail::lanes<Real> == 1)
       return c[k];
     else
-      return load<Real>(c + k);
+      return profiles_detail::load<Real>(c + k);
   };
   const Real length = column(t.x, i + 1) - column(t.x, i);
   const Real p0 = column(t.p, i);
   const Real h = column(t.p, i + 1) - p0;
-  const Real zero[1]{every<Real>(0)};
+  const Real zero[1]{profiles_detail::every<Real>(0)};
   if constexpr (degree == 1) {
     const Real p[2]{p0, h};
     const Real v[1]{h / length};
@@ -135,20 +136,20 @@ JOUNCE_INLINE void enclose_interval(const KnotColumns& t, std::size_t i, std::si
 
 template <class Real, int degree>
 JOUNCE_INLINE void enclose_all(const KnotColumns& t, std::size_t first, std::size_t n, Hulls& out) {
-  constexpr std::size_t width = lanes<Real>;
+  constexpr std::size_t width = profiles_detail::lanes<Real>;
   Maxima<Real> max;
   for (auto& order : max.greatest)
-    for (Real& side : order) side = every<Real>(-__builtin_inf());
+    for (Real& side : order) side = profiles_detail::every<Real>(-__builtin_inf());
   for (auto& order : max.taken)
-    for (Real& side : order) side = every<Real>(-__builtin_inf());
+    for (Real& side : order) side = profiles_detail::every<Real>(-__builtin_inf());
   for (std::size_t k = 0; k + width <= n; k += width)
     enclose_interval<Real, degree>(t, first + k, k, out, max);
   if (n % width != 0) enclose_interval<Real, degree>(t, first + n - width, n - width, out, max);
   for (int order = 0; order < 4; ++order)
     for (int side = 0; side < 2; ++side) {
       double g[width], s[width];
-      store(g, max.greatest[order][side]);
-      store(s, max.taken[order][side]);
+      profiles_detail::store(g, max.greatest[order][side]);
+      profiles_detail::store(s, max.taken[order][side]);
       for (std::size_t k = 1; k < width; ++k) {
         g[0] = g[k] <= g[0] ? g[0] : g[k];
         s[0] = s[k] > s[0] ? s[k] : s[0];
@@ -173,10 +174,10 @@ JOUNCE_INLINE void hulls(const KnotColumns& t, Interpolation rule, std::size_t f
 template <class Real>
 JOUNCE_INLINE void hulls_in(const KnotColumns& t, Interpolation rule, std::size_t first,
                             std::size_t n, Hulls& out) {
-  if (n < lanes<Real>)
+  if (n < profiles_detail::lanes<Real>)
     hulls<double>(t, rule, first, n, out);
   else
     hulls<Real>(t, rule, first, n, out);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

@@ -18,7 +18,7 @@
 // No operation here is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times 1/L, so
 // that a sample costs no division. There are only plain arrays and inlined functions: kernels for wide vectors
 // include this file, and a linker must find no code to share between them.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// The columns that a kernel reads: size knots; v and a where the rule has them.
 struct KnotColumns {
@@ -50,7 +50,7 @@ struct Piece {
 
 template <int n, class Real>
 JOUNCE_INLINE Real horner(const double* c, Real s) {
-  Real f = every<Real>(c[n]);
+  Real f = profiles_detail::every<Real>(c[n]);
   for (int k = n - 1; k >= 0; --k) f = f * s + c[k];
   return f;
 }
@@ -137,4 +137,4 @@ JOUNCE_INLINE Real jerk(const Piece<degree>& f, Real s) {
   return horner<(degree > 2 ? degree - 3 : 0)>(f.j, s);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

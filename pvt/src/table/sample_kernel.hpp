@@ -6,7 +6,7 @@
 // Block sampling, segment by segment: the coefficients once an interval, then a loop over the samples
 // in it, in vectors of the width that the including file is compiled for. Every sample is the result of
 // the same operations, in any lane of any width.
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// The places of the samples: given instants, or start + k step, rounded twice.
 struct Listed {
@@ -19,8 +19,8 @@ struct Listed {
     const double* next;
 
     JOUNCE_INLINE Stream(const Listed& at, std::size_t k) : next(at.x + k) {}
-    [[nodiscard]] JOUNCE_INLINE Real get() const { return load<Real>(next); }
-    JOUNCE_INLINE void advance() { next += lanes<Real>; }
+    [[nodiscard]] JOUNCE_INLINE Real get() const { return profiles_detail::load<Real>(next); }
+    JOUNCE_INLINE void advance() { next += profiles_detail::lanes<Real>; }
   };
   /// About how many samples lie between sample k and `end`, if they are as dense as the n before k.
   [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t n, double end) const {
@@ -38,12 +38,13 @@ struct Uniform {
     Real start, step, k;  // k: whole numbers, exact
 
     JOUNCE_INLINE Stream(const Uniform& at, std::size_t first)
-        : start(every<Real>(at.start)), step(every<Real>(at.step)) {
+        : start(profiles_detail::every<Real>(at.start)),
+          step(profiles_detail::every<Real>(at.step)) {
       constexpr double count[8]{0, 1, 2, 3, 4, 5, 6, 7};
-      k = load<Real>(count) + static_cast<double>(static_cast<long long>(first));
+      k = profiles_detail::load<Real>(count) + static_cast<double>(static_cast<long long>(first));
     }
     [[nodiscard]] JOUNCE_INLINE Real get() const { return start + k * step; }
-    JOUNCE_INLINE void advance() { k += static_cast<double>(lanes<Real>); }
+    JOUNCE_INLINE void advance() { k += static_cast<double>(profiles_detail::lanes<Real>); }
   };
   [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t, double end) const {
     return (end - at(k)) / step;
@@ -120,9 +121,9 @@ JOUNCE_INLINE std::size_t run_end(const Instants& at, std::size_t k, std::size_t
 template <class Real, int degree>
 JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, const Samples& out) {
   const Real s = (x - f.x0) * f.per_length;
-  store(out.p + k, position(f, s));
-  store(out.v + k, velocity(f, s));
-  store(out.a + k, acceleration(f, s));
+  profiles_detail::store(out.p + k, position(f, s));
+  profiles_detail::store(out.v + k, velocity(f, s));
+  profiles_detail::store(out.a + k, acceleration(f, s));
 }
 
 /// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that are aligned
@@ -131,7 +132,7 @@ JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, cons
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
                               std::size_t last, const Samples& out) {
-  constexpr std::size_t n = lanes<Real>;
+  constexpr std::size_t n = profiles_detail::lanes<Real>;
   using Stream = typename Instants::template Stream<Real>;
   if (last - first < n) {
     for (std::size_t k = first; k < last; ++k) sample_at<double>(f, at.at(k), k, out);
@@ -166,12 +167,12 @@ JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::
 /// Compares every pair of neighbors, without stopping early.
 template <class Real>
 JOUNCE_INLINE bool all_ascend(const double* x, std::size_t size) {
-  Mask<Real> good = Real{} <= Real{};
+  profiles_detail::Mask<Real> good = Real{} <= Real{};
   std::size_t k = 0;
-  for (; k + lanes<Real> < size; k += lanes<Real>)
-    good &= load<Real>(x + k) <= load<Real>(x + k + 1);
+  for (; k + profiles_detail::lanes<Real> < size; k += profiles_detail::lanes<Real>)
+    good &= profiles_detail::load<Real>(x + k) <= profiles_detail::load<Real>(x + k + 1);
   bool all = true;
-  for (std::size_t i = 0; i < lanes<Real>; ++i) all &= good[i] != 0;
+  for (std::size_t i = 0; i < profiles_detail::lanes<Real>; ++i) all &= good[i] != 0;
   for (; k + 1 < size; ++k) all &= x[k] <= x[k + 1];
   return all;
 }
@@ -187,4 +188,4 @@ JOUNCE_INLINE void sample_table(const KnotColumns& t, Interpolation rule, const 
     sample_pieces<Real, 5>(t, at, first, last, out);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

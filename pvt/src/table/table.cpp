@@ -142,14 +142,15 @@ double Table::advance() const {
 }
 
 template <int degree>
-[[gnu::always_inline]] inline Jet jet_in(const detail::KnotColumns& t, std::size_t i, double at) {
-  const detail::Piece<degree> f = detail::piece<degree>(t, i);
-  const double s = detail::place(f, at, t.x[i + 1]);
+[[gnu::always_inline]] inline Jet jet_in(const pvt_detail::KnotColumns& t, std::size_t i,
+                                         double at) {
+  const pvt_detail::Piece<degree> f = pvt_detail::piece<degree>(t, i);
+  const double s = pvt_detail::place(f, at, t.x[i + 1]);
   return {position(f, s), velocity(f, s), acceleration(f, s), jerk(f, s)};
 }
 
 [[gnu::always_inline]] inline Jet Table::inside(std::size_t i, double at) const {
-  const detail::KnotColumns t = detail::knots_of(columns());
+  const pvt_detail::KnotColumns t = pvt_detail::knots_of(columns());
   switch (rule_) {
     case Interpolation::linear:
       return jet_in<1>(t, i, at);

@@ -6,13 +6,13 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 std::optional<Bound> read_bound(TomlReader& free, const char* key, const std::string& unit) {
   const auto pair = free.optional_pair(key, unit);
   if (!pair) return std::nullopt;
-  return Bound{pair->first, pair->second};
+  return profiles_detail::Bound{pair->first, pair->second};
 }
 
 void read_free(TomlReader& owner, std::size_t knot, const Units& units, OptimizeSpec& optimize) {
@@ -154,4 +154,4 @@ void read_optimize(TomlReader& top, Spec& spec) {
   table->finish();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -6,7 +6,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::optional<CouplingSpec> read_coupling(TomlReader& top, const Units& units,
                                           const std::string& time_unit) {
@@ -44,4 +44,4 @@ std::optional<CouplingSpec> read_coupling(TomlReader& top, const Units& units,
   return c;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

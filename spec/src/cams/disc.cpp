@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
@@ -86,4 +86,4 @@ std::optional<DiscPart> read_disc(TomlReader& top, const Units& units) {
   return disc;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

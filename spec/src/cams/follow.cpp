@@ -8,7 +8,7 @@
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
@@ -178,4 +178,4 @@ FollowPart read_follow(TomlReader& top, const Units& units) {
   return part;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

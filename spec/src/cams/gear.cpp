@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 struct Ratio {
@@ -119,4 +119,4 @@ SyncSpec read_gear(TomlReader gear, const Units& units) {
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

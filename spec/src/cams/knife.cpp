@@ -6,7 +6,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 std::optional<double> factor(const std::string& from, const std::string& to) {
@@ -59,4 +59,4 @@ RotaryKnifeSpec read_knife(TomlReader knife, const Units& units) {
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

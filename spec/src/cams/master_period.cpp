@@ -18,7 +18,7 @@ std::optional<double> period(const GearInPosPart&) {
 }
 
 std::optional<double> period(const FollowPart& spec) {
-  return detail::of_follow(spec, [](const auto& slave) { return master_period(slave); });
+  return spec_detail::of_follow(spec, [](const auto& slave) { return master_period(slave); });
 }
 
 std::optional<double> period(const RotaryKnifeSpec& spec) {

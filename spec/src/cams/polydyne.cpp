@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::optional<Mode> read_polydyne(TomlReader& top) {
   auto table = top.optional_table("polydyne");
@@ -16,4 +16,4 @@ std::optional<Mode> read_polydyne(TomlReader& top) {
   return mode;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -8,7 +8,7 @@
 #include "spec/src/cams/shape_figures.hpp"
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 ShapeWords words_of(const Spec& spec) {
@@ -163,4 +163,4 @@ void read_shape_optimize(TomlReader& table, Spec& spec) {
     table.fail("tolerance", number(*t), "must be between 0 and 1");
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

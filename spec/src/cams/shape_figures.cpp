@@ -22,7 +22,7 @@ double computed(const ShapeFigureSpec& figure, double shown) {
   return figure.squared ? std::sqrt(value) : value;
 }
 
-namespace detail {
+namespace spec_detail {
 namespace {
 
 const std::array<std::string, 5> over_master{"slave", "geo_velocity", "geo_acceleration",
@@ -217,5 +217,5 @@ ShapeFigureSpec read_figure(TomlReader& table, const ShapeWords& words) {
   return {"residual " + shown, words.units.position, residual};
 }
 
-}  // namespace detail
+}  // namespace spec_detail
 }  // namespace jounce

@@ -9,7 +9,7 @@
 #include "jounce/spec/spec.hpp"
 
 /// From the words of [optimize] on shapes to figures over the master.
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// Data for figures beside their own words.
 struct ShapeWords {
@@ -36,4 +36,4 @@ ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::str
 /// The same from a table with `figure`, and `at` and `damping` of a residual.
 ShapeFigureSpec read_figure(TomlReader& table, const ShapeWords& words);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -5,7 +5,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 /// Slave units that are one master unit, where both are lengths.
@@ -83,4 +83,4 @@ Indexer read_indexer(TomlReader indexer, const Units& units) {
   return made;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -6,7 +6,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> directions{"both", "positive", "negative"};
@@ -80,4 +80,4 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
   return read;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

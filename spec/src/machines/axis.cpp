@@ -6,7 +6,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite"};
@@ -96,4 +96,4 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
   return limits;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

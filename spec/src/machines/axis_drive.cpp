@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::array<std::string, 3> types{"null", "simulated", "shared_memory"};
@@ -62,16 +62,16 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
   return drive;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail
 
 namespace jounce {
 
 std::optional<AxisDriveSpec> axis_drive(const Spec& spec) {
   Document document = spec.document;
-  const toml::table root = detail::parse_toml(document);
-  detail::TomlReader top(root, "", document);
+  const toml::table root = spec_detail::parse_toml(document);
+  spec_detail::TomlReader top(root, "", document);
   try {
-    return detail::read_axis_drive(top, spec.units);
+    return spec_detail::read_axis_drive(top, spec.units);
   } catch (const InputError& error) {
     throw document.located(error);
   }

@@ -3,7 +3,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units) {
   auto homing = top.optional_table("homing");
@@ -28,4 +28,4 @@ std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units)
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

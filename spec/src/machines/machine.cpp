@@ -12,13 +12,13 @@
 namespace jounce {
 namespace {
 
-using detail::TomlReader;
+using spec_detail::TomlReader;
 
 const std::vector<std::string> sides{"setpoint", "actual"};
 
 bool is_machine(const Document& document) {
   try {
-    const toml::table root = detail::parse_toml(document);
+    const toml::table root = spec_detail::parse_toml(document);
     return root["kind"].value<std::string>() == "machine";
   } catch (const InputError&) {
     return false;  // the reader of another kind reports the error
@@ -30,7 +30,7 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
   axis.key.erase(axis.key.rfind('.'));
   if (const std::filesystem::path given(axis.spec); given.is_relative())
     axis.spec = (folder / given).string();
-  axis.follow = detail::read_whom(reader);
+  axis.follow = spec_detail::read_whom(reader);
   reader.finish();
   return axis;
 }
@@ -44,13 +44,13 @@ std::optional<double> read_watchdog(TomlReader& top) {
 }
 
 void read_body(TomlReader& top, MachineSpec& machine) {
-  detail::require_version(top);
+  spec_detail::require_version(top);
   (void)top.text("kind");
   (void)top.optional_text("name");
   machine.watchdog = read_watchdog(top);
   const auto folder = std::filesystem::path(machine.document.name).parent_path();
   for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
-  machine.masters = detail::read_masters(top);
+  machine.masters = spec_detail::read_masters(top);
   if (machine.axes.empty())
     top.fail("axis", "", "is missing: a machine needs an [[axis]] with a spec for each axis");
   top.finish();
@@ -58,7 +58,7 @@ void read_body(TomlReader& top, MachineSpec& machine) {
 
 }  // namespace
 
-std::optional<FollowWhom> detail::read_whom(TomlReader& owner) {
+std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
   auto table = owner.optional_table("follow");
   if (!table) return std::nullopt;
   FollowWhom whom;
@@ -78,7 +78,7 @@ std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
   MachineSpec machine{
       .document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
   if (!is_machine(machine.document)) return std::nullopt;
-  const toml::table root = detail::parse_toml(machine.document);
+  const toml::table root = spec_detail::parse_toml(machine.document);
   TomlReader top(root, "", machine.document);
   try {
     read_body(top, machine);

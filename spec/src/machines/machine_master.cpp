@@ -10,7 +10,7 @@
 #include "spec/src/axis_drive.hpp"
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::array<std::string, 3> kinds{"external", "encoder", "table"};
@@ -122,4 +122,4 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
   return masters;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

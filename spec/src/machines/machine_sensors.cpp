@@ -6,7 +6,7 @@
 
 #include "spec/src/axis_drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 double read_magnitude(TomlReader& reader, const char* key, const std::string& unit,
@@ -75,4 +75,4 @@ std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const 
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

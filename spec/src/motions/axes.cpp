@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 // In the order of Sync.
@@ -168,4 +168,4 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
   return axes;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

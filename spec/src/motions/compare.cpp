@@ -8,7 +8,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareMode::greater,
@@ -84,4 +84,4 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   return read;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

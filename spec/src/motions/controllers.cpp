@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 void require_unit(const char* key, const std::string& given, const std::string& wanted,
                   const std::string& who) {
@@ -303,4 +303,4 @@ std::span<const ProfileReader> controller_profiles() {
   return controllers;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

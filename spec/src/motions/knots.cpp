@@ -11,7 +11,7 @@
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> fillings{"natural",      "clamped",      "periodic",
@@ -188,4 +188,4 @@ Table read_knots(TomlReader& top, Spec& spec, Interpolation rule) {
   return table;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 MoveSpec read_trapezoid(MotionFields& f) {
@@ -129,4 +129,4 @@ Dynamics read_dynamics(MotionFields& f, bool with_velocity) {
   return d;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -3,7 +3,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> types{"absolute", "relative", "velocity", "halt", "dwell"};
@@ -79,4 +79,4 @@ QueueSpec read_queue(TomlReader& top, const Units& units) {
   return queue;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -7,7 +7,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 /// Throws InputError if the controller that the operator names does not accept the filter.
@@ -174,4 +174,4 @@ std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
   return all;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -3,7 +3,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 namespace {
 
@@ -57,4 +57,4 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -13,7 +13,7 @@
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> controllers{"googol", "pmc600"};
@@ -173,4 +173,4 @@ TimeTableSpec read_time_table(TomlReader& top, const Units& units) {
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

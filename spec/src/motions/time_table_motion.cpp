@@ -96,7 +96,7 @@ Trajectory motion_of(const TimeTableSpec& spec) {
     return std::visit([](const auto& each) { return made(each); }, spec);
   } catch (const InputError& error) {
     if (error.key().starts_with("point")) throw;
-    throw detail::renamed(error, "pt." + error.key());
+    throw spec_detail::renamed(error, "pt." + error.key());
   }
 }
 

@@ -10,7 +10,7 @@
 #include "spec/src/axis_drive.hpp"
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 /// The new names of keys that the first version of format 1 had. The error for an old key names the new one.
@@ -172,4 +172,4 @@ std::optional<DriveSpec> read_drive(TomlReader& owner, const Units& units) {
   return read_drive_table(*table, units);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -3,7 +3,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 std::optional<double> not_negative(TomlReader& table, const char* key, const char* unit) {
@@ -59,4 +59,4 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   return found;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

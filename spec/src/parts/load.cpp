@@ -78,7 +78,7 @@ EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit) 
   return energy;
 }
 
-namespace detail {
+namespace spec_detail {
 namespace {
 
 struct LoadKey {
@@ -155,5 +155,5 @@ std::optional<LoadSpec> read_load(TomlReader& top, const Units& units) {
   return load;
 }
 
-}  // namespace detail
+}  // namespace spec_detail
 }  // namespace jounce

@@ -9,7 +9,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 /// The unit of a number that the spec has read. Throws InputError if no number has this name.
@@ -108,4 +108,4 @@ std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -4,7 +4,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 std::optional<double> positive(TomlReader& table, const std::string& key, const std::string& unit) {
@@ -62,4 +62,4 @@ void read_target(TomlReader& table, const Units& units, Domain axis, TableOption
   options.target = target;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -8,7 +8,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
@@ -55,4 +55,4 @@ std::optional<ToleranceSpec> read_tolerances(TomlReader& drive_table, const Driv
   return spec;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -7,7 +7,7 @@
 
 #include "spec/src/path/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> command_types{"line", "arc", "ellipse", "spline", "dwell"};
@@ -149,4 +149,4 @@ void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& 
   command.finish();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -12,7 +12,7 @@
 
 #include "spec/src/toml/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// Names and units of the axes of a path. The first `path_axes` measure its length, the others follow.
 struct PathAxes {
@@ -43,4 +43,4 @@ void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& 
 /// [[command]], points, or [gcode] with a file. Without any of them the path is a machine for a program.
 void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -6,7 +6,7 @@
 
 #include "spec/src/path/parts.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> corners{"stop"};
@@ -142,4 +142,4 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   return path;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -12,7 +12,7 @@
 #include "spec/src/path/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> feed_times{"min", "s"};
@@ -103,7 +103,7 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail
 
 namespace jounce {
 

@@ -3,7 +3,7 @@
 
 #include "jounce/base/units.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::string MotionFields::unit(int order) const {
   return rate_unit(units_->position, units_->x, order);
@@ -60,4 +60,4 @@ Bounds MotionFields::bounds() {
   return b;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

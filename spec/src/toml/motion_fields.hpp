@@ -8,7 +8,7 @@
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/spec/detail/toml_reader.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// One table of the document whose keys are positions and their rates. Each is read, by the order of its derivative (0:
 /// position), into the field of its struct.
@@ -40,4 +40,4 @@ class MotionFields {
   const Units* units_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

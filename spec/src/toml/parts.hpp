@@ -11,7 +11,7 @@
 #include "spec/src/toml/motion_fields.hpp"
 
 /// The parts of a spec, each read from its own tables of the document.
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// start, [[segment]] (its free values go to spec.optimize), periodic, slave_period, boundaries.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
@@ -136,4 +136,4 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
 /// A unit of a position: of length, of angle, or pulses.
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

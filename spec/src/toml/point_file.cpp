@@ -5,7 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 [[noreturn]] void fail(const Points& points, std::size_t point, const std::string& key,
@@ -91,4 +91,4 @@ InputError placed(const InputError& error, const Points& points) {
       .at(points.document, static_cast<int>(points.lines[point - 1]));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

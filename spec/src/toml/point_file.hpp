@@ -10,7 +10,7 @@
 #include "jounce/pvt/pt.hpp"
 #include "jounce/spec/detail/toml_reader.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// Reads the CSV file that the key `points` names, relative to the document, with these columns only. Returns nullopt
 /// if the key is left out. Throws InputError if `rows`, which the file replaces, is given too.
@@ -41,4 +41,4 @@ auto placed_in(const Points& points, const Make& make) -> decltype(make()) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

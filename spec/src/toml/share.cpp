@@ -5,7 +5,7 @@
 
 #include "jounce/base/units.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::optional<double> optional_share(TomlReader& table, const char* key) {
   if (!table.is_text(key)) return table.optional_number(key, "1");
@@ -19,4 +19,4 @@ std::optional<double> optional_share(TomlReader& table, const char* key) {
   table.fail(key, '"' + given + '"', "must be a share such as \"5 %\" or 0.05");
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

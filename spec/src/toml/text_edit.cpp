@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::size_t offset(const std::string& text, const toml::source_position& place) {
   std::size_t at = 0;
@@ -21,4 +21,4 @@ std::string edited(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

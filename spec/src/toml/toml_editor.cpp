@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 std::size_t TomlEditor::offset(const toml::source_position& place) const {
-  return detail::offset(text_, place);
+  return spec_detail::offset(text_, place);
 }
 
 void TomlEditor::replace(const toml::table& table, const char* key, std::string value) {
@@ -83,4 +83,4 @@ std::string TomlEditor::result() const {
   return edited(text_, edits_);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/spec/detail/text_edit.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// Changes values in the text of a TOML document and keeps everything else: comments,
 /// order, layout. Tables and nodes are those parsed from this text, which must outlive the editor.
@@ -37,4 +37,4 @@ class TomlEditor {
   std::vector<Edit> edits_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -9,7 +9,7 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 namespace {
 
 Document::Place place(const toml::source_region& region) {
@@ -298,4 +298,4 @@ void TomlReader::finish() {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

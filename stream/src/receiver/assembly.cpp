@@ -30,7 +30,7 @@ Assembly::Assembly(const wire::Header& header)
     : header_(header), cut_(wire::cut(header)), arrived_(cut_.chunks) {
   assert(!contradiction(header));
   for (std::size_t i = 0; i < cut_.columns; ++i)
-    detail::reserve_large(*in_order(columns_)[i], header.knots);
+    profiles_detail::reserve_large(*in_order(columns_)[i], header.knots);
 }
 
 bool Assembly::add(const wire::Chunk& chunk) {

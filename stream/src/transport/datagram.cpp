@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 namespace {
 
 constexpr std::size_t longest_channel = 63;
@@ -51,4 +51,4 @@ bool matches(const std::string& pattern, const std::string& channel) {
   return p == pattern.size();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/stream/transport/transport.hpp"
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 
 /// The longest datagram, in bytes.
 inline constexpr std::size_t longest_datagram = 65536;
@@ -23,4 +23,4 @@ std::optional<Packet> packet_of(std::span<const std::byte> datagram);
 /// True if the channel has this name. A * stands for any text without a dot.
 bool matches(const std::string& pattern, const std::string& channel);
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

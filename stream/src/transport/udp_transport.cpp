@@ -190,11 +190,12 @@ void UdpTransport::take_what_came() {
 /// Keeps a packet of a subscribed channel with free capacity; drops all others.
 void UdpTransport::take(std::span<const std::byte> datagram) {
   if (datagram.size() <= head_bytes || big_endian(datagram) != magic) return;
-  auto packet = detail::packet_of(datagram.subspan(head_bytes));
+  auto packet = stream_detail::packet_of(datagram.subspan(head_bytes));
   if (!packet) return;
-  const auto at = std::find_if(
-      subscriptions_.begin(), subscriptions_.end(),
-      [&](const Subscription& one) { return detail::matches(one.pattern, packet->channel); });
+  const auto at =
+      std::find_if(subscriptions_.begin(), subscriptions_.end(), [&](const Subscription& one) {
+        return stream_detail::matches(one.pattern, packet->channel);
+      });
   if (at == subscriptions_.end() || at->waiting >= at->capacity) return;
   ++at->waiting;
   waiting_.push_back({*std::move(packet), static_cast<std::size_t>(at - subscriptions_.begin())});

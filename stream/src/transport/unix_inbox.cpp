@@ -15,7 +15,7 @@
 #include "stream/src/transport/datagram.hpp"
 #include "stream/src/transport/unix_socket.hpp"
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 namespace {
 
 /// Binds the socket beside its name and renames it: senders see it only when it can receive.
@@ -104,4 +104,4 @@ void UnixInbox::keep(Packet packet) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

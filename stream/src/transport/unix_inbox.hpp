@@ -12,7 +12,7 @@
 
 #include "jounce/stream/transport/transport.hpp"
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 
 /// This program's socket in a socket folder, and a thread that receives the subscribed channels
 /// from it. The thread is needed because Linux queues only about ten datagrams for a socket.
@@ -52,4 +52,4 @@ class UnixInbox {
   std::thread thread_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

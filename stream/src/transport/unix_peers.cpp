@@ -16,7 +16,7 @@
 
 #include "stream/src/transport/unix_socket.hpp"
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 namespace {
 
 constexpr timeval patience{.tv_sec = 0, .tv_usec = 1000};  // the kernel rounds it up to its tick
@@ -92,4 +92,4 @@ bool UnixPeers::send_to(Peer& peer, std::span<const std::byte> datagram) {
          (errno != ECONNREFUSED && errno != ENOTCONN && errno != EPIPE && errno != ECONNRESET);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 
 /// Maximum number of programs that can use one socket folder at a time.
 inline constexpr std::size_t most_peers = 64;
@@ -49,4 +49,4 @@ class UnixPeers {
   Peers peers_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

@@ -12,7 +12,7 @@
 
 #include "jounce/stream/transport/link.hpp"
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 namespace {
 
 constexpr std::string_view prefix = "jounce-";
@@ -42,4 +42,4 @@ int datagram_socket() {
   return made;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

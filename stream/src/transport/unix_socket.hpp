@@ -6,7 +6,7 @@
 
 #include <sys/un.h>
 
-namespace jounce::detail {
+namespace jounce::stream_detail {
 
 /// The longest name of a socket folder, in bytes: with a socket's name, and .new during its
 /// creation, it fits Linux's address.
@@ -25,4 +25,4 @@ sockaddr_un address_of(const std::string& path);
 /// Opens a datagram socket. Throws TransportError if none is available.
 int datagram_socket();
 
-}  // namespace jounce::detail
+}  // namespace jounce::stream_detail

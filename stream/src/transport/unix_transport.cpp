@@ -24,8 +24,9 @@ namespace {
 }
 
 std::string usable(const std::string& folder) {
-  if (folder.empty() || folder.size() > detail::longest_folder)
-    refuse(folder, fmt::format("must name a folder, in at most {} bytes", detail::longest_folder));
+  if (folder.empty() || folder.size() > stream_detail::longest_folder)
+    refuse(folder,
+           fmt::format("must name a folder, in at most {} bytes", stream_detail::longest_folder));
   struct stat about {};
   if ((mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) || stat(folder.c_str(), &about) != 0)
     throw TransportError(fmt::format("cannot use the folder {}: {}", folder, std::strerror(errno)));
@@ -42,15 +43,15 @@ std::string usable(const std::string& folder) {
 struct UnixTransport::Impl {
   explicit Impl(const std::string& name) : peers(usable(name)) {
     peers.refresh();
-    if (peers.size() >= detail::most_peers)
+    if (peers.size() >= stream_detail::most_peers)
       throw TransportError(
           fmt::format("{}: {} programs already use it, and it serves no more: end one of them",
-                      name, detail::most_peers));
+                      name, stream_detail::most_peers));
     inbox.emplace(name);
   }
 
-  detail::UnixPeers peers;
-  std::optional<detail::UnixInbox> inbox;
+  stream_detail::UnixPeers peers;
+  std::optional<stream_detail::UnixInbox> inbox;
 };
 
 UnixTransport::UnixTransport(const std::string& folder) : impl_(std::make_unique<Impl>(folder)) {}
@@ -68,7 +69,7 @@ void UnixTransport::send(const std::string& channel, std::span<const std::byte> 
     throw TransportError(
         fmt::format("{}: this program's socket has been removed", impl_->inbox->path().string()));
   impl_->peers.refresh();
-  impl_->peers.send(detail::datagram_of(channel, bytes));
+  impl_->peers.send(stream_detail::datagram_of(channel, bytes));
 }
 
 std::optional<Packet> UnixTransport::receive(Nanos timeout) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace jounce::detail {
+namespace jounce::study_detail {
 
 /// The MPI functions that Jounce uses, exported by the module jounce_mpi.so. The module is loaded only where
 /// mpirun has started the program, so other runs do not need MPI.
@@ -18,4 +18,4 @@ struct MpiCalls {
 /// The name under which the module exports its `const MpiCalls*()`.
 constexpr const char* mpi_entry = "jounce_mpi_calls";
 
-}  // namespace jounce::detail
+}  // namespace jounce::study_detail

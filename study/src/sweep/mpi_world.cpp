@@ -21,7 +21,7 @@
 namespace jounce {
 namespace {
 
-using detail::MpiCalls;
+using study_detail::MpiCalls;
 using namespace std::chrono_literals;
 
 /// The module stays loaded: MPI leaves handlers behind that run at the program's exit.
@@ -36,7 +36,7 @@ const MpiCalls* load() {
     if (module == nullptr)
       throw InputError("mpirun", "", std::string("cannot load MPI: ") + dlerror());
     using Entry = const MpiCalls* (*)();
-    const auto entry = reinterpret_cast<Entry>(dlsym(module, detail::mpi_entry));
+    const auto entry = reinterpret_cast<Entry>(dlsym(module, study_detail::mpi_entry));
     if (entry != nullptr) return entry();
   }
   throw InputError("mpirun", "", "needs a Jounce built with MPI: jounce_mpi.so is missing");

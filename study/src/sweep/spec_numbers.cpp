@@ -59,8 +59,8 @@ struct SpecNumbers::Reader {
   }
 
   void leaf(const toml::node& node, const std::string& key) {
-    Place place{detail::offset(into.document_.text, node.source().begin),
-                detail::offset(into.document_.text, node.source().end)};
+    Place place{spec_detail::offset(into.document_.text, node.source().begin),
+                spec_detail::offset(into.document_.text, node.source().end)};
     if (const auto whole = node.value_exact<std::int64_t>()) {
       place.value = static_cast<double>(*whole);
       place.whole = true;
@@ -118,7 +118,7 @@ bool SpecNumbers::is_whole(const std::string& key) const {
 }
 
 std::string SpecNumbers::text(std::span<const Change> changes) const {
-  std::vector<detail::Edit> edits;
+  std::vector<spec_detail::Edit> edits;
   std::set<std::string> seen;
   for (const Change& change : changes) {
     const Place& at = place(change.key);
@@ -130,7 +130,7 @@ std::string SpecNumbers::text(std::span<const Change> changes) const {
     if (at.quoted) written = '"' + written + (at.unit.empty() ? "" : " " + at.unit) + '"';
     edits.push_back({at.begin, at.end, std::move(written)});
   }
-  return detail::edited(document_.text, std::move(edits));
+  return spec_detail::edited(document_.text, std::move(edits));
 }
 
 Spec SpecNumbers::spec(std::span<const Change> changes) const {

@@ -18,7 +18,7 @@
 namespace jounce {
 namespace {
 
-using detail::TomlReader;
+using spec_detail::TomlReader;
 
 /// A number without a unit in the spec can be given only without a unit: this reader cannot determine its unit.
 template <class Read>
@@ -291,9 +291,9 @@ Sha256 SweepSpec::identity() const {
 SweepSpec read_sweep(const std::string& path) {
   Document document{path == "-" ? "standard input" : path, read_file(path), {}, {}};
   document.hash = sha256(document.text);
-  const toml::table root = detail::parse_toml(document);
+  const toml::table root = spec_detail::parse_toml(document);
   TomlReader top(root, "", document);
-  detail::require_version(top);
+  spec_detail::require_version(top);
   const std::array<std::string, 1> kinds{"sweep"};
   (void)top.choice("kind", kinds);
   std::string name = top.optional_text("name").value_or("");

@@ -38,7 +38,7 @@
 namespace jounce {
 namespace {
 
-using detail::DrivenCam;
+using study_detail::DrivenCam;
 using Lists = DrivenCam::Lists;
 using Status = OptimizeStatus;
 using Clock = std::chrono::steady_clock;
@@ -236,7 +236,7 @@ class Search {
       const Ceiling& ceiling = problem_.ceilings[i];
       const auto drive = drive_figure(ceiling.figure);
       if (!drive) continue;
-      const double value = detail::value_of(*drive, run);
+      const double value = study_detail::value_of(*drive, run);
       if (value <= ceiling.at_most * (1 + rounding)) continue;
       at_most_[i] *= ceiling.at_most / value;
       excess = true;
@@ -248,7 +248,7 @@ class Search {
     return std::any_of(
         problem_.ceilings.begin(), problem_.ceilings.end(), [&](const Ceiling& ceiling) {
           const auto drive = drive_figure(ceiling.figure);
-          return drive && detail::value_of(*drive, run) > ceiling.at_most * (1 + rounding);
+          return drive && study_detail::value_of(*drive, run) > ceiling.at_most * (1 + rounding);
         });
   }
 
@@ -280,8 +280,8 @@ class Search {
       double given = figure.given;
       double reached = figure.reached;
       if (const auto drive = run ? drive_figure(m.figure) : std::nullopt) {
-        given = detail::value_of(*drive, out_.driven_given);
-        reached = detail::value_of(*drive, *run);
+        given = study_detail::value_of(*drive, out_.driven_given);
+        reached = study_detail::value_of(*drive, *run);
       }
       sum += m.weight * (given > 0 ? reached / given : 1 + reached);
       all += m.weight;
@@ -311,8 +311,9 @@ class Search {
   void add_figures() {
     const auto add = [&](const ShapeFigure& figure) {
       if (const auto drive = drive_figure(figure))
-        out_.driven_figures.push_back({name(*drive), detail::value_of(*drive, out_.driven_given),
-                                       detail::value_of(*drive, out_.driven_best)});
+        out_.driven_figures.push_back({name(*drive),
+                                       study_detail::value_of(*drive, out_.driven_given),
+                                       study_detail::value_of(*drive, out_.driven_best)});
     };
     for (const auto& stage : problem_.minimize)
       for (const WeightedFigure& m : stage) add(m.figure);

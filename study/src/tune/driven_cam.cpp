@@ -9,7 +9,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::study_detail {
 namespace {
 
 constexpr std::size_t moving = 500;         ///< steps along the cam
@@ -240,4 +240,4 @@ double value_of(DriveFigure figure, const DriveResult& run) {
   return 0;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::study_detail

@@ -10,7 +10,7 @@
 
 /// A cam in which one run of segments changes, with a drive that follows it once. The drive is evaluated at
 /// equally spaced instants, and at the peaks between them that add_peaks() found.
-namespace jounce::detail {
+namespace jounce::study_detail {
 
 class DrivenCam {
  public:
@@ -73,4 +73,4 @@ class DrivenCam {
 /// The value of a figure in a run.
 double value_of(DriveFigure figure, const DriveResult& run);
 
-}  // namespace jounce::detail
+}  // namespace jounce::study_detail

@@ -140,7 +140,7 @@ class Tuned {
   std::vector<SearchVariable> variables_;
   std::vector<std::string> units_;
   std::vector<std::string> names_;
-  detail::TuneRows rows_;
+  study_detail::TuneRows rows_;
 };
 
 bool meets(const SearchAnswer& answer) {

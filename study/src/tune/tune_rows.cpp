@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-namespace jounce::detail {
+namespace jounce::study_detail {
 namespace {
 
 constexpr double most = 1e6;        ///< greatest margin that matters
@@ -94,4 +94,4 @@ std::vector<double> TuneRows::of(const Assessment& at) {
   return all;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::study_detail

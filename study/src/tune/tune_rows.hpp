@@ -7,7 +7,7 @@
 
 #include "jounce/design/key_figures.hpp"
 
-namespace jounce::detail {
+namespace jounce::study_detail {
 
 /// The limits of a spec as constraints of a search, in the same order for every design. A limit of a curve has
 /// one for each of its bounds and segments: the smallest margin of all has kinks, where a solver that uses
@@ -35,4 +35,4 @@ class TuneRows {
   std::vector<std::string> rules_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::study_detail

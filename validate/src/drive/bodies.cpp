@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 void rub(Body& body, Friction f) {
@@ -77,4 +77,4 @@ double inertia(const std::vector<Body>& train) {
   return sum(train, [](const Body& b) { return b.inertia; });
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -5,7 +5,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// An arm in the field of gravity: torque times sin(angle + ratio * th).
 struct Gravity {
@@ -37,4 +37,4 @@ double coulomb(const std::vector<Body>& train);
 double viscous(const std::vector<Body>& train);
 double inertia(const std::vector<Body>& train);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 Eigenpairs eigenpairs(const Eigen::MatrixXd& a) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(a);
@@ -32,4 +32,4 @@ FullSolution solve_full(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b) {
   return {lu.solve(b), lu.rcond()};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 /// Decompositions of dense matrices. One file instantiates Eigen's templates, which take seconds to compile.
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 struct Eigenpairs {
   Eigen::VectorXcd values;
@@ -25,4 +25,4 @@ struct FullSolution {
 };
 FullSolution solve_full(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

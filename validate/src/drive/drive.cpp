@@ -75,7 +75,7 @@ void require_valid(const DriveOptions& options, const Drive& drive) {
     throw InputError("limits.current", *options.limits.current, "needs motor.torque_constant");
 }
 
-void detail::require_within(const DriveOptions& options, double start, double end) {
+void validate_detail::require_within(const DriveOptions& options, double start, double end) {
   for (const Interval& sync : options.sync)
     if (!(sync.from >= start && sync.to <= end))
       throw InputError("sync.to", sync.to,
@@ -88,16 +88,17 @@ namespace {
 /// The distance between the state at the end of the period and that at its beginning.
 Finding periodic_of(const SignalView& period, const Drive& drive, const std::vector<double>& start,
                     const std::vector<double>& end, double tolerance) {
-  const std::size_t angles = 2 * detail::bodies(drive).size();
+  const std::size_t angles = 2 * validate_detail::bodies(drive).size();
   double most = 0;
   for (std::size_t i = 0; i < angles; i += 2) most = std::max(most, std::abs(end[i] - start[i]));
-  const double stroke = detail::scales(detail::pieces(period)).range;
+  const double stroke = validate_detail::scales(validate_detail::pieces(period)).range;
   Finding finding;
   finding.rule = "drive/periodic";
   finding.quantity = "disagreement";
   finding.unit = "of the range";
   finding.where = period.end();
-  finding.value = most * drive.position_per_rev / (2 * std::numbers::pi) / detail::usable(stroke);
+  finding.value =
+      most * drive.position_per_rev / (2 * std::numbers::pi) / validate_detail::usable(stroke);
   finding.limit = 100 * tolerance;
   finding.margin = (finding.limit - finding.value) / finding.limit;
   finding.broken = !(finding.value <= finding.limit);
@@ -115,9 +116,9 @@ DriveResult run_periodic(const SignalView& period, const Drive& drive, DriveOpti
     throw InputError("periodic", "true",
                      "needs a motion of segments: a cam with a master at constant velocity");
   options.settle = 0;
-  const std::vector<double> start = detail::periodic_model_start(*segments, drive);
-  detail::DriveRun run = detail::run(period, drive, options, start);
-  run.result.report = detail::drive_report(run.result, drive, options, period.end());
+  const std::vector<double> start = validate_detail::periodic_model_start(*segments, drive);
+  validate_detail::DriveRun run = validate_detail::run(period, drive, options, start);
+  run.result.report = validate_detail::drive_report(run.result, drive, options, period.end());
   if (run.result.integration.ok())
     run.result.report.findings.push_back(
         periodic_of(period, drive, start, run.state, options.tolerance));
@@ -125,8 +126,8 @@ DriveResult run_periodic(const SignalView& period, const Drive& drive, DriveOpti
 }
 
 DriveResult run_once(const SignalView& reference, const Drive& drive, const DriveOptions& options) {
-  DriveResult result = detail::run(reference, drive, options).result;
-  result.report = detail::drive_report(result, drive, options, reference.end());
+  DriveResult result = validate_detail::run(reference, drive, options).result;
+  result.report = validate_detail::drive_report(result, drive, options, reference.end());
   return result;
 }
 
@@ -138,10 +139,11 @@ DriveResult drive_through(const SignalView& reference, const Drive& drive,
   require_valid(options, drive);
   if (reference.over_master())
     throw InputError("axis", "master", "must be time: a drive follows a motion over time");
-  detail::require_within(options, reference.start(), reference.end());
+  validate_detail::require_within(options, reference.start(), reference.end());
   if (options.periodic) {
-    detail::require_steady(drive);
-    if (auto unstable = detail::without_steady_state(drive, reference.start())) return *unstable;
+    validate_detail::require_steady(drive);
+    if (auto unstable = validate_detail::without_steady_state(drive, reference.start()))
+      return *unstable;
   }
   DriveResult result = options.periodic ? run_periodic(reference, drive, options)
                                         : run_once(reference, drive, options);

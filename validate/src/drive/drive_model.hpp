@@ -11,7 +11,7 @@
 #include "validate/src/drive/bodies.hpp"
 #include "validate/src/witness/piece.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The switching elements. Modes change only between steps, so that the integrated equations are smooth.
 struct DriveMode {
@@ -118,4 +118,4 @@ struct DriveScales {
   DriveScales(const DriveModel& model, const Scales& reference);
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

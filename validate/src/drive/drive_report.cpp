@@ -8,7 +8,7 @@
 
 #include "validate/src/drive/peak_finding.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 Finding saturation_of(const DriveResult& result, double limit) {
@@ -89,4 +89,4 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
   return report;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

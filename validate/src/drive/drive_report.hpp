@@ -3,7 +3,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The report of a run against its limits; `end`: of the reference.
 Report drive_report(const DriveResult& result, const Drive& drive, const DriveOptions& options,
@@ -12,4 +12,4 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
 /// Throws InputError for a sync interval that is not within the motion.
 void require_within(const DriveOptions& options, double start, double end);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -33,7 +33,7 @@
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr double difference = 6e-6;  // (1)
@@ -313,4 +313,4 @@ DriveResponse respond(const SignalView& reference, const ResponseSpec& spec) {
   return ResponseRun(reference, spec).result();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -8,7 +8,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The recorded outputs of an axis.
 enum Output : std::size_t { position, velocity, torque, load, outputs };
@@ -39,4 +39,4 @@ struct ResponseSpec {
 /// outcome; then there are no values.
 DriveResponse respond(const SignalView& reference, const ResponseSpec& spec);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

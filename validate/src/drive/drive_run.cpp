@@ -28,7 +28,7 @@
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 class Run {
@@ -214,4 +214,4 @@ DriveRun run(const SignalView& reference, const Drive& drive, const DriveOptions
   return Run(reference, drive, options, start).result();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

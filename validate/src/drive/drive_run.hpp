@@ -5,7 +5,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 struct DriveRun {
   DriveResult result;         ///< without the report
@@ -17,4 +17,4 @@ struct DriveRun {
 DriveRun run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
              const std::vector<double>& start = {});
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

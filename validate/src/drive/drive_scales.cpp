@@ -4,7 +4,7 @@
 #include "validate/src/drive/drive_model.hpp"
 #include "validate/src/linear/course.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 /// The greatest static torque on the bodies, without motion.
@@ -29,4 +29,4 @@ DriveScales::DriveScales(const DriveModel& model, const Scales& reference) {
       usable(radians * (model.inertia() * peak[2] + model.friction() * peak[1]) + standing(model));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -24,7 +24,7 @@
 
 #include "validate/src/drive/dense.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 struct LinkedBody {
@@ -261,4 +261,4 @@ LinearSystem open_drive(const Drive& drive) {
   return s;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

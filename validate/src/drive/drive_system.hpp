@@ -7,7 +7,7 @@
 
 #include "validate/src/linear/linear_system.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The outputs of a linear drive: N m; angles in rad relative to the reference; the motor's own rad/s.
 enum DriveRow : Eigen::Index {
@@ -54,4 +54,4 @@ OpenRest open_rest(const Drive& drive);
 double total_inertia(const Drive& drive);
 double total_friction(const Drive& drive);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -5,7 +5,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The share of the winding's thermal limit, from cold: h' = (T^2 / rated^2 - h) / tau.
 class Heat {
@@ -37,4 +37,4 @@ inline void add_current(DriveResult& found, const Motor& motor, double squared) 
   found.energy.copper = squared * motor.resistance / (constant * constant);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -6,7 +6,7 @@
 
 #include "validate/src/drive/peak.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 Observer::Observer(const DriveModel& model, const DriveOptions& options, double origin,
                    double duration)
@@ -178,4 +178,4 @@ void Observer::finish(double least_speed, DriveResult& result) {
   result = std::move(found_);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

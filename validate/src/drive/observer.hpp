@@ -15,7 +15,7 @@
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// Watches a run step by step and keeps what the result reports: peaks, swings, energy, samples.
 class Observer {
@@ -75,4 +75,4 @@ class Observer {
   Swings swings_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

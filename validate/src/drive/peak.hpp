@@ -6,7 +6,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 inline void raise(Peak& peak, double value, double where) {
   if (std::abs(value) > std::abs(peak.value)) peak = {value, where};
@@ -23,4 +23,4 @@ void see_parabola(const std::array<double, 3>& f, double t, double h, See see) {
     see(f[1] - slope * slope / (2 * bend), t + h * (1 - slope / bend));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -6,7 +6,7 @@
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The finding of a peak against the limit of its magnitude, > 0; `advice` is for a peak beyond it.
 inline Finding peak_finding(const char* rule, const char* quantity, const Peak& peak, double limit,
@@ -23,4 +23,4 @@ inline Finding peak_finding(const char* rule, const char* quantity, const Peak& 
   return finding;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

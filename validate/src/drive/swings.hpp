@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// Counts the zeros of a decaying speed as long as the swings between them are large enough.
 class Swings {
@@ -44,4 +44,4 @@ class Swings {
   double fastest_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 int sign_of(double x) {
@@ -148,4 +148,4 @@ void Switches::begin(const Jet& r, double fastest) {
   model_.mode().feed = sign_of(!standing ? r[1] : r[2] != 0 ? r[2] : r[3]);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -6,7 +6,7 @@
 
 #include "validate/src/drive/drive_model.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// Changes the modes of a model: the event functions for root finding, and the new mode where one of them
 /// crosses zero. A band of one tolerance around every threshold prevents rounding from switching back and
@@ -18,7 +18,7 @@ class Switches {
   Switches(DriveModel& model, double tolerance, double torque, double speed);
 
   [[nodiscard]] int events() const { return events_; }
-  void evaluate(const Jet& r, const double* y, double* g) const;
+  void profiles_detail::evaluate(const Jet& r, const double* y, double* g) const;
 
   /// Sets the modes of the state, with `crossed` the direction of every event (empty: none). A body that comes
   /// to rest gets the speed of rest. Returns true if a mode changed.
@@ -46,4 +46,4 @@ class Switches {
   long impacts_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

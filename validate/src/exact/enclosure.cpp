@@ -24,7 +24,7 @@
 
 #include "validate/src/linear/small_product.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr std::size_t doublings =
@@ -69,4 +69,4 @@ Enclosure::Halves Enclosure::halves(const TrajectorySpan& s) {
   return h;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

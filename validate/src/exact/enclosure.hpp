@@ -10,7 +10,7 @@
 
 #include "validate/src/linear/ladder.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The bounds of the magnitude of an output.
 struct Bounds {
@@ -67,7 +67,7 @@ class Enclosure {
   }
 
   /// An output over an interval that search() passes to `leaf`, exact within 1e-12 of its terms.
-  [[nodiscard]] Segment polynomial(const TrajectorySpan& s, Eigen::Index row) {
+  [[nodiscard]] Segment profiles_detail::polynomial(const TrajectorySpan& s, Eigen::Index row) {
     return ladder_->polynomial(s.z, row, s.length);
   }
 
@@ -86,4 +86,4 @@ class Enclosure {
   Eigen::VectorXd second_;  // M^2 z
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

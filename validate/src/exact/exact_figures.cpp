@@ -23,7 +23,7 @@
 #include "validate/src/exact/exact_steps.hpp"
 #include "validate/src/linear/periodic.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
@@ -36,7 +36,7 @@ constexpr double fades_below =
 std::vector<double> parts(Segment f, double level) {
   f.c[0] -= level;
   std::vector<double> zeros;
-  roots(f, 4 * std::numeric_limits<double>::epsilon() * magnitude(f), zeros);
+  roots(f, 4 * std::numeric_limits<double>::epsilon() * profiles_detail::magnitude(f), zeros);
   return zeros;
 }
 
@@ -171,7 +171,9 @@ class Figures {
   template <class Visit>
   void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
     const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
-    const auto open = [&](const TrajectorySpan& part) { return either(part.bounds(row)); };
+    const auto open = [&](const TrajectorySpan& part) {
+      return profiles_detail::either(part.bounds(row));
+    };
     const auto done = [&](const TrajectorySpan& part) {
       visit(part.time, part.time + part.length, part.bounds(row).least > limit);
     };
@@ -183,7 +185,7 @@ class Figures {
               std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
     };
     for (Index i = 0; i < s.count(); ++i)
-      if (const Bounds b = s.bounds(i, row); either(b))
+      if (const Bounds b = s.bounds(i, row); profiles_detail::either(b))
         way_.enclosure().search(s.span(i), open, done, leaf);
       else
         visit(s.begin(i), s.begin(i + 1), b.least > limit);
@@ -301,4 +303,4 @@ std::optional<DriveResult> exact_figures(const Trajectory& reference, const Driv
   return Figures(reference, drive, options).result();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

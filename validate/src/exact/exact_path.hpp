@@ -12,7 +12,7 @@
 #include "validate/src/linear/ladder.hpp"
 #include "validate/src/linear/linear_system.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The start of a path: the state before the reference's first step, to its own position and from this
 /// velocity.
@@ -76,4 +76,4 @@ class ExactPath {
   std::array<double, 2> before_{};  // position and velocity of the reference before the break
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

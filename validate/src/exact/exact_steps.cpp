@@ -7,7 +7,7 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/small_product.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr Eigen::Index block = 256;
@@ -78,4 +78,4 @@ void ExactSteps::add(double length) {
   steps_.time.push_back(begin_ + gone_);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

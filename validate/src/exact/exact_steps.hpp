@@ -9,7 +9,7 @@
 #include "validate/src/exact/enclosure.hpp"
 #include "validate/src/exact/exact_path.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// Successive steps within a segment, with the outputs and their bounds in each.
 struct Steps {
@@ -67,4 +67,4 @@ class ExactSteps {
   Eigen::VectorXd next_ = {};
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -12,13 +12,14 @@ std::optional<DriveResult> exact_through(const Trajectory& reference, const Driv
                                          const DriveOptions& options) {
   require_valid(drive);
   require_valid(options, drive);
-  detail::require_within(options, reference.start(), reference.end());
+  validate_detail::require_within(options, reference.start(), reference.end());
   if (options.periodic) {
-    detail::require_steady(drive);
-    if (auto unstable = detail::without_steady_state(drive, reference.start())) return unstable;
+    validate_detail::require_steady(drive);
+    if (auto unstable = validate_detail::without_steady_state(drive, reference.start()))
+      return unstable;
   }
   if (nonlinearity(drive) || drive.controller.cycle > 0) return std::nullopt;
-  std::optional<DriveResult> result = detail::exact_figures(reference, drive, options);
+  std::optional<DriveResult> result = validate_detail::exact_figures(reference, drive, options);
   if (!result) return std::nullopt;
   const double duration = reference.length() + (options.periodic ? 0 : options.settle);
   std::vector<double> times;
@@ -29,7 +30,7 @@ std::optional<DriveResult> exact_through(const Trajectory& reference, const Driv
   if (!times.empty())
     result->samples = options.periodic ? exact_period(reference, drive, times).samples
                                        : exact_run(reference, drive, times).samples;
-  result->report = detail::drive_report(*result, drive, options, reference.end());
+  result->report = validate_detail::drive_report(*result, drive, options, reference.end());
   return result;
 }
 

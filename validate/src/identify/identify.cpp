@@ -28,7 +28,7 @@ const char* name(Identification::Status status) {
 }
 
 Trajectory commanded_motion(const Recording& recording) {
-  detail::require_times(recording);
+  validate_detail::require_times(recording);
   FillSpec spec{.x = recording.time, .p = recording.command};
   spec.filling = Filling::clamped;
   return filled(spec).table.curve<OverTime>();
@@ -36,14 +36,15 @@ Trajectory commanded_motion(const Recording& recording) {
 
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going) {
-  detail::require_valid(recording);
-  detail::require_valid(spec);
+  validate_detail::require_valid(recording);
+  validate_detail::require_valid(spec);
   if (reference.over_master())
     throw InputError("axis", "master", "must be time: a drive follows a motion over time");
   if (recording.time.front() < reference.start())
     throw InputError("time[1]", recording.time.front(),
                      "must not be before the motion's start at " + number(reference.start()));
-  return detail::told(recording, spec, detail::fitted(recording, reference, spec, keep_going));
+  return validate_detail::told(recording, spec,
+                               validate_detail::fitted(recording, reference, spec, keep_going));
 }
 
 }  // namespace jounce

@@ -24,7 +24,7 @@
 #include "validate/src/drive/drive_response.hpp"
 #include "validate/src/identify/identify_rules.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
@@ -217,4 +217,4 @@ Fitted fitted(const Recording& recording, const SignalView& reference, const Ide
   return Fit(recording, reference, spec, keep_going).run();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

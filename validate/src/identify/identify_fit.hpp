@@ -11,7 +11,7 @@
 
 #include "validate/src/identify/least_squares.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The end of a fit. Residuals are model minus recording, one quantity after the other.
 struct Fitted {
@@ -41,4 +41,4 @@ Fitted fitted(const Recording& recording, const SignalView& reference, const Ide
 /// The report of a fit: intervals, notes, status and reason.
 Identification told(const Recording& recording, const IdentifySpec& spec, const Fitted& fit);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

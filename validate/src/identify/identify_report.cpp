@@ -14,7 +14,7 @@
 #include "validate/src/identify/identify_rules.hpp"
 #include "validate/src/identify/residual_tests.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
@@ -178,4 +178,4 @@ Identification told(const Recording& recording, const IdentifySpec& spec, const 
   return answer;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 void require_column(const char* key, const std::vector<double>& values, std::size_t samples) {
@@ -93,4 +93,4 @@ void require_valid(const IdentifySpec& spec) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

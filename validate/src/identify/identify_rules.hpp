@@ -10,7 +10,7 @@
 
 #include "validate/src/drive/drive_response.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 inline constexpr std::array<const char*, outputs> quantities{"position", "velocity", "torque",
                                                              "load"};
@@ -26,4 +26,4 @@ void require_times(const Recording& recording);
 void require_valid(const Recording& recording);
 void require_valid(const IdentifySpec& spec);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -19,7 +19,7 @@
 
 #include "jounce/cam/detail/pivoted_qr.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
@@ -42,7 +42,7 @@ VectorXd damped_step(const Linearized& at, double damping) {
   a << at.jacobian, MatrixXd::Identity(n, n) * damping;
   VectorXd b = VectorXd::Zero(m + n);
   b.head(m) = -at.residual;
-  return PivotedQr(a).solve(b);  // (1)
+  return cam_detail::PivotedQr(a).solve(b);  // (1)
 }
 
 /// Increases the damping until the step is no longer than the limit: a number with little effect must not
@@ -134,4 +134,4 @@ double student_95(double degrees_of_freedom) {
          (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * v * v * v);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

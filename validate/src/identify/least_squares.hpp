@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// Residuals and their derivatives at one point.
 struct Linearized {
@@ -57,4 +57,4 @@ Covariance covariance(const Eigen::MatrixXd& jacobian);
 /// degrees of freedom. Within 1 % from 3 on (Cornish and Fisher's expansion, Abramowitz 26.7.5).
 double student_95(double degrees_of_freedom);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

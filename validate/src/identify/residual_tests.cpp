@@ -23,7 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr double level = 1e-3;
@@ -118,4 +118,4 @@ double resolution(std::span<const double> recorded) {
   return least;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

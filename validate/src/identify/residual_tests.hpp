@@ -5,7 +5,7 @@
 
 #include "jounce/validate/identify.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// True if residuals are white: Ljung and Box's Q over the first 10 autocorrelations (a fifth of the samples, if
 /// those are fewer), against the chi-square quantile. Not tested below 20 samples.
@@ -22,4 +22,4 @@ ResidualTest worsening(std::span<const double> before, std::span<const double> a
 /// constant.
 double resolution(std::span<const double> recorded);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

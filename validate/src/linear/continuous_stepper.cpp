@@ -30,7 +30,7 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
@@ -186,4 +186,4 @@ DriveSample ContinuousStepper::sample(double unit) const {
   return s;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -10,7 +10,7 @@
 #include "validate/src/linear/linear_system.hpp"
 #include "validate/src/linear/stepped_reference.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// A linear drive under a continuous controller, its torque within the motor's limit, over periods of one
 /// length. The equations are at the head of continuous_stepper.cpp. Only the constructor allocates.
@@ -59,4 +59,4 @@ class ContinuousStepper {
   double end_ = 0;       // end of the reference, s
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr double rounding = 1e-12;  // a smaller step of position or velocity does not count
@@ -30,4 +30,4 @@ bool steps(const Jet& before, const Jet& after, const Scales& size) {
          by(2, size.peak[2], smooth);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -8,7 +8,7 @@
 
 #include "validate/src/witness/piece.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 // Functions that every run along a reference shares.
 
@@ -36,4 +36,4 @@ double shortest_time(double from, double to);
 /// acceleration by more than error control handles. The solver then restarts.
 bool steps(const Jet& before, const Jet& after, const Scales& size);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -14,8 +14,8 @@
 namespace jounce {
 namespace {
 
-using detail::ContinuousStepper;
-using detail::SampledStepper;
+using validate_detail::ContinuousStepper;
+using validate_detail::SampledStepper;
 using AnyStepper = std::variant<ContinuousStepper, SampledStepper>;
 
 AnyStepper stepper_of(const Drive& drive, double period) {
@@ -74,7 +74,7 @@ void DriveStepper::rename(double by) noexcept {
 
 const DriveSample& DriveStepper::step(const Jet& to, int periods) noexcept {
   assert(periods >= 1 && periods <= 1000);
-  const detail::SteppedReference reference(reference_, to, periods * period_);
+  const validate_detail::SteppedReference reference(reference_, to, periods * period_);
   periods_ += periods;
   reference_ = to;
   double behind = 0;  // zeros of the motor and of the load, u

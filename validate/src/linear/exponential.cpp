@@ -5,7 +5,7 @@
 
 #include "validate/src/linear/small_product.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 // In powers of M^4 (Paterson & Stockmeyer 1973): six products instead of fifteen.
 Eigen::MatrixXd exponential_series(const Eigen::MatrixXd& m) {
@@ -36,4 +36,4 @@ Eigen::MatrixXd exponential(const Eigen::MatrixXd& m) {
   return e;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

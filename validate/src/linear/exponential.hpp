@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The norm (largest row sum) up to which exponential_series() is exact to rounding.
 constexpr double exponential_reach = 0.5;
@@ -15,4 +15,4 @@ Eigen::MatrixXd exponential_series(const Eigen::MatrixXd& m);
 /// exp(M): M is halved until the series is exact, and the result is squared as often.
 Eigen::MatrixXd exponential(const Eigen::MatrixXd& m);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -19,10 +19,10 @@
 namespace jounce {
 namespace {
 
-using detail::DriveRow;
-using detail::ExactPath;
-using detail::LinearSystem;
 using Eigen::Index;
+using validate_detail::DriveRow;
+using validate_detail::ExactPath;
+using validate_detail::LinearSystem;
 
 void require_linear(const Drive& drive) {
   require_valid(drive);
@@ -51,21 +51,21 @@ double radians_per_unit(const Drive& drive) {
 
 /// Converts a column of ExactPath::along().
 DriveSample sample(double t, double unit, const double* y) {
-  const double r = y[detail::drive_rows];
+  const double r = y[validate_detail::drive_rows];
   return {t,
           r,
-          r + unit * y[detail::motor_row],
-          r + unit * y[detail::load_row],
-          y[detail::torque_row],
-          -unit * y[detail::motor_row],
-          y[detail::velocity_row]};
+          r + unit * y[validate_detail::motor_row],
+          r + unit * y[validate_detail::load_row],
+          y[validate_detail::torque_row],
+          -unit * y[validate_detail::motor_row],
+          y[validate_detail::velocity_row]};
 }
 
 ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
                         std::span<const double> times, bool periodic = false) {
-  const LinearSystem system = balanced(detail::drive_system(drive));
+  const LinearSystem system = balanced(validate_detail::drive_system(drive));
   ExactPath path(system, reference, spacing(times, reference.length()),
-                 detail::path_start(system, reference, drive, periodic));
+                 validate_detail::path_start(system, reference, drive, periodic));
   ExactRun run;
   Eigen::MatrixXd outputs;
   const ExactPath::Whole whole = path.along(times, outputs);
@@ -74,7 +74,7 @@ ExactRun continuous_run(const Trajectory& reference, const Drive& drive,
   for (std::size_t i = 0; i < times.size(); ++i)
     run.samples.push_back(sample(times[i], unit, outputs.col(static_cast<Index>(i)).data()));
   run.rms_torque = std::sqrt(std::max(0.0, whole.square) / reference.length());
-  run.end_following_error = -whole.output(detail::motor_row) * unit;
+  run.end_following_error = -whole.output(validate_detail::motor_row) * unit;
   return run;
 }
 
@@ -91,8 +91,9 @@ DriveMode mode_of(std::complex<double> eigenvalue) {
 /// x(t) = sum of v_k (V^-1 x)_k exp(l_k t): a pair of conjugates oscillates with twice the amplitude of one.
 std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorXd& state,
                                 double unit) {
-  const auto [values, vectors] = detail::eigenpairs(system.a);
-  const auto [share, rcond] = detail::solve_full(vectors, state.cast<std::complex<double>>());
+  const auto [values, vectors] = validate_detail::eigenpairs(system.a);
+  const auto [share, rcond] =
+      validate_detail::solve_full(vectors, state.cast<std::complex<double>>());
   // Nearly parallel vectors: the rest of each is a difference of large numbers.
   const bool apart = rcond > 1e-6;
   std::vector<DriveMode> found;
@@ -100,7 +101,7 @@ std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorX
     if (values(k).imag() < 0) continue;
     DriveMode mode = mode_of(values(k));
     const std::complex<double> swing =
-        share(k) * (system.c.row(detail::load_row) * vectors.col(k)).value();
+        share(k) * (system.c.row(validate_detail::load_row) * vectors.col(k)).value();
     mode.residual = apart ? unit * std::abs(swing) * (values(k).imag() > 0 ? 2 : 1)
                           : std::numeric_limits<double>::quiet_NaN();
     found.push_back(mode);
@@ -159,7 +160,7 @@ std::optional<std::string> nonlinearity(const Drive& drive) {
 ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times) {
   require_linear(drive);
   require_times(times, reference.start());
-  return drive.controller.cycle > 0 ? detail::sampled_run(reference, drive, times)
+  return drive.controller.cycle > 0 ? validate_detail::sampled_run(reference, drive, times)
                                     : continuous_run(reference, drive, times);
 }
 
@@ -171,7 +172,7 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 
 ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times) {
   require_valid(drive);
-  detail::require_steady(drive);
+  validate_detail::require_steady(drive);
   require_times(times, period.start());
   const double end = period.end();
   if (!times.empty() && times.back() > end + 1e-12 * period.length())
@@ -186,15 +187,15 @@ ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<co
 
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive) {
   require_continuous(drive);
-  const LinearSystem system = balanced(detail::drive_system(drive));
-  const Eigen::VectorXd rest = detail::equilibrium(system);
+  const LinearSystem system = balanced(validate_detail::drive_system(drive));
+  const Eigen::VectorXd rest = validate_detail::equilibrium(system);
   ExactPath path(system, reference, reference.length(), {rest, 0});
   return modes_of(system, path.whole().state - rest, 1 / radians_per_unit(drive));
 }
 
 std::vector<DriveMode> modes(const Drive& drive) {
   require_continuous(drive);
-  const LinearSystem system = balanced(detail::drive_system(drive));
+  const LinearSystem system = balanced(validate_detail::drive_system(drive));
   return modes_of(system, Eigen::VectorXd::Zero(system.states()), 0);
 }
 
@@ -203,7 +204,7 @@ std::function<std::vector<double>(const Trajectory&)> response(const Drive& driv
                                                                std::vector<double> times,
                                                                bool periodic) {
   require_linear(drive);
-  if (periodic) detail::require_steady(drive);
+  if (periodic) validate_detail::require_steady(drive);
   require_times(times, 0);
   return [drive, output, times = std::move(times), periodic](const Trajectory& reference) {
     std::vector<double> at = times;

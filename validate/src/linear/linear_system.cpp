@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 /// x_i = 2^power * (x_i of the scaled system).
@@ -50,4 +50,4 @@ double rate(const LinearSystem& system) {
   return system.a.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// A linear drive along a reference r, in deviations from it:
 ///
@@ -35,4 +35,4 @@ LinearSystem balanced(LinearSystem system);
 /// max row sum of |A|: a bound of every rate.
 double rate(const LinearSystem& system);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

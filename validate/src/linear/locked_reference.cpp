@@ -3,7 +3,7 @@
 
 #include "validate/src/linear/course.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 bool LockedReference::enter(const SignalPiece& piece, const Scales& size, DriveModel& model,
                             Switches& switches, OdeSolver& solver) {
@@ -22,4 +22,4 @@ bool LockedReference::enter(const SignalPiece& piece, const Scales& size, DriveM
   return true;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -8,7 +8,7 @@
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The reference for a solver whose zero is the reference's start, locked to one piece at a time.
 class LockedReference {
@@ -39,4 +39,4 @@ class LockedReference {
   double asked_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

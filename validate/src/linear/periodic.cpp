@@ -25,14 +25,14 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
 double first_velocity(const Trajectory& period) {
-  return evaluate(period.segments().front(), 0)[1];
+  return profiles_detail::evaluate(period.segments().front(), 0)[1];
 }
 
 void require_calm(const Drive& drive) {
@@ -47,7 +47,8 @@ void require_calm(const Drive& drive) {
 VectorXd after_a_period(const LinearSystem& system, const Trajectory& period, const VectorXd& x) {
   ExactPath path(system, period, period.length(), {x, first_velocity(period)});
   path.whole();
-  const double step = first_velocity(period) - evaluate(period.segments().back(), 1)[1];
+  const double step =
+      first_velocity(period) - profiles_detail::evaluate(period.segments().back(), 1)[1];
   return path.reached() - step * system.follows_velocity;
 }
 
@@ -107,4 +108,4 @@ std::vector<double> periodic_model_start(const Trajectory& period, const Drive& 
   return y;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -10,7 +10,7 @@
 
 #include "validate/src/exact/exact_path.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The state of a linear drive, as that balanced system, at the beginning of each period of an endless
 /// reference: right after the step from the period's end to its start. Throws InputError for loops that do not
@@ -33,4 +33,4 @@ std::optional<DriveResult> without_steady_state(const Drive& drive, double start
 /// The same start as the states of DriveModel.
 std::vector<double> periodic_model_start(const Trajectory& period, const Drive& drive);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 SampledController::SampledController(DriveModel& model)
     : model_(model),
@@ -50,4 +50,4 @@ void SampledController::read(const Jet& r, std::span<double> y) {
   samples_ += 1;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -6,7 +6,7 @@
 
 #include "validate/src/drive/drive_model.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The controller at its sample instants, as struct Controller describes: it reads, computes, and sets its
 /// torque later.
@@ -38,4 +38,4 @@ class SampledController {
   std::vector<Output> due_;  ///< in order
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -22,7 +22,7 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/ladder.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr double same_instant = 1e-9;  // share of a cycle
@@ -164,4 +164,4 @@ ExactRun sampled_run(const Trajectory& reference, const Drive& drive,
   return SampledRun(reference, drive).along(times);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

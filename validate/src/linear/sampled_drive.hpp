@@ -3,10 +3,10 @@
 
 #include "jounce/validate/linear_drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// exact_run() for a linear drive, checked, whose controller has a cycle.
 ExactRun sampled_run(const Trajectory& reference, const Drive& drive,
                      std::span<const double> times);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

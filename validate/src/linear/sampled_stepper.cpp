@@ -19,7 +19,7 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 constexpr double same = 1e-9;        // share of a cycle
@@ -150,4 +150,4 @@ DriveSample SampledStepper::sample(double unit) const {
   return s;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

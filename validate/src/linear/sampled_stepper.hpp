@@ -9,7 +9,7 @@
 #include "validate/src/drive/drive_model.hpp"
 #include "validate/src/linear/stepped_reference.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its cycles.
 /// Between the instants at which the torque changes, the step is an exponential. At each reading the controller
@@ -59,4 +59,4 @@ class SampledStepper {
   double integral_ = 0;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

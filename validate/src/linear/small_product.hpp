@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 // Plain loops: at a drive's ten or twenty states a general product costs more in preparation than in work.
 
@@ -38,4 +38,4 @@ inline double form(const Eigen::MatrixXd& w, const Eigen::VectorXd& z) {
   return sum;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -7,7 +7,7 @@
 
 #include "jounce/validate/signal_view.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 bool straight(const Segment& f) {
@@ -71,4 +71,4 @@ std::optional<Trajectory> steady(const Followed& slave) {
   return Trajectory(segments, slave.start(), Extrapolation::hold);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

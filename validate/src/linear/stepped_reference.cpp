@@ -17,7 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 SteppedReference::SteppedReference(const Jet& from, const Jet& to, double T) {
   const double way = to[0] - from[0];
@@ -56,4 +56,4 @@ Jet SteppedReference::at(double t) const {
   return {way, r[0], r[1], r[2]};
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

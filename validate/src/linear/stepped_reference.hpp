@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/curve/jet.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The curve that a drive derives from two setpoints, T apart: the quintic that meets position, velocity and
 /// acceleration of both. If their velocities do not match their positions (a corner, or a frozen setpoint), the
@@ -26,4 +26,4 @@ class SteppedReference {
   std::array<double, derivatives + 1> c_{};  // sum of c_k t^k, c_0 = 0
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

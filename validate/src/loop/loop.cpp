@@ -17,7 +17,7 @@ namespace jounce {
 namespace {
 
 using Complex = std::complex<double>;
-using detail::OpenLoop;
+using validate_detail::OpenLoop;
 
 constexpr double tau = 2 * std::numbers::pi;
 constexpr int per_decade = 200;

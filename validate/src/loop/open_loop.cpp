@@ -28,7 +28,7 @@
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 using Complex = std::complex<double>;
@@ -167,4 +167,4 @@ double OpenLoop::highest() const {
   return sampled() ? 0.5 / drive_.controller.cycle : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -8,7 +8,7 @@
 
 #include "jounce/validate/drive.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The drive without its nonlinear parts: no dry friction, closed joints, gears without loss, no arm.
 Drive linear_part(Drive drive);
@@ -50,4 +50,4 @@ class OpenLoop {
   Eigen::VectorXd before_;      ///< G_1 of (4), empty where the delay is whole cycles
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -27,7 +27,7 @@ void require_valid(const FollowerOptions& options) {
 
 Finding at_most(const char* rule, const char* quantity, const char* unit, const Peak& peak,
                 double limit, const char* advice) {
-  Finding finding = detail::peak_finding(rule, quantity, peak, limit, advice);
+  Finding finding = validate_detail::peak_finding(rule, quantity, peak, limit, advice);
   finding.unit = unit;
   return finding;
 }
@@ -112,7 +112,7 @@ FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
   require_valid(options);
   if (lift.over_master())
     throw InputError("axis", "master", "must be time: a follower follows a lift over time");
-  FollowerResult result = detail::run(lift, follower, options);
+  FollowerResult result = validate_detail::run(lift, follower, options);
   result.report = report_of(result, options.limits);
   return result;
 }

@@ -33,7 +33,7 @@
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 class FollowerModel {
@@ -301,4 +301,4 @@ FollowerResult run(const SignalView& lift, const SpringFollower& follower,
   return Run(lift, follower, options).result();
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -3,10 +3,10 @@
 
 #include "jounce/validate/follower.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The run of follow(), for a follower and options that have been checked, without the report.
 FollowerResult run(const SignalView& lift, const SpringFollower& follower,
                    const FollowerOptions& options);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -9,7 +9,7 @@
 #include <sundials/sundials_matrix.h>
 #include <sundials/sundials_nvector.h>
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// The handles of SUNDIALS, each freed by its own function.
 struct Destroy {
@@ -21,4 +21,4 @@ struct Destroy {
 template <class Handle>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

@@ -9,7 +9,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 void require_breaks(const SignalView& signal, std::span<const double> breaks) {
@@ -58,4 +58,4 @@ Scales scales(const std::vector<SignalPiece>& pieces) {
   return sizes;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

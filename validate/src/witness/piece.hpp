@@ -5,7 +5,7 @@
 
 #include "jounce/validate/signal_view.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// One interval of a signal between two breaks, locked: every query is answered from inside it, so an
 /// integrator that evaluates beyond a break does not see the other side.
@@ -33,4 +33,4 @@ struct Scales {
 
 Scales scales(const std::vector<SignalPiece>& pieces);
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

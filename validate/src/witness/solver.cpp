@@ -12,7 +12,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 namespace {
 
 void set_up(int flag) {
@@ -303,4 +303,4 @@ void OdeSolver::message(int, const char*, const char*, char* text, void* self) {
   static_cast<OdeSolver*>(self)->message_ = text;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

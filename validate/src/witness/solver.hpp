@@ -19,7 +19,7 @@
 
 #include "validate/src/witness/owned.hpp"
 
-namespace jounce::detail {
+namespace jounce::validate_detail {
 
 /// y' = rhs(t, y) as plain functions of arrays. None of them may allocate.
 struct Ode {
@@ -154,4 +154,4 @@ class OdeSolver {
   Integration integration_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::validate_detail

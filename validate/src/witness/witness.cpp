@@ -37,8 +37,8 @@
 namespace jounce {
 namespace {
 
-using detail::OdeSolver;
-using detail::SignalPiece;
+using validate_detail::OdeSolver;
+using validate_detail::SignalPiece;
 
 /// Chebyshev points: stops that force the solver to evaluate every interval, at places that are not all zeros
 /// of any sine of whole periods.
@@ -75,7 +75,7 @@ class JerkIntegral {
   JerkIntegral(const SignalPiece& first, const WitnessOptions& options)
       : piece_(first),
         tolerance_(options.tolerance),
-        solver_(ode(), {detail::Method::adams, 1e-3, {1, 1, 1}, 0, options.max_steps}, 0,
+        solver_(ode(), {validate_detail::Method::adams, 1e-3, {1, 1, 1}, 0, options.max_steps}, 0,
                 std::array{0.0, 0.0, 0.0}) {}
 
   /// `x` is the size of the piece's breaks, which are accurate to eps x.
@@ -90,9 +90,9 @@ class JerkIntegral {
 
   /// Integrates to s; false if the solver gave up.
   bool reach(double s) {
-    detail::Step step = detail::Step::inside;
-    while (step == detail::Step::inside) step = solver_.step(s);
-    return step == detail::Step::stop;
+    validate_detail::Step step = validate_detail::Step::inside;
+    while (step == validate_detail::Step::inside) step = solver_.step(s);
+    return step == validate_detail::Step::stop;
   }
 
   /// (2) at the present place of the integration, from the state at the interval's begin.
@@ -113,8 +113,8 @@ class JerkIntegral {
   [[nodiscard]] const Integration& integration() const { return solver_.integration(); }
 
  private:
-  detail::Ode ode() {
-    detail::Ode ode;
+  validate_detail::Ode ode() {
+    validate_detail::Ode ode;
     ode.rhs = [this](double s, const double* q, double* dq) {
       dq[0] = q[1];
       dq[1] = q[2];
@@ -252,8 +252,8 @@ Report report_of(const Witness& w, bool over_master) {
 
 Witness witness(const SignalView& signal, const WitnessOptions& options) {
   require_valid(options);
-  const auto pieces = detail::pieces(signal);
-  const detail::Scales size = detail::scales(pieces);
+  const auto pieces = validate_detail::pieces(signal);
+  const validate_detail::Scales size = validate_detail::scales(pieces);
   Witness result;
   result.position.scale = size.range;
   result.velocity.scale = size.peak[1];

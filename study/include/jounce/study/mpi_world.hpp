@@ -5,7 +5,7 @@
 
 #include "jounce/study/sweep.hpp"
 
-namespace jounce::detail {
+namespace jounce::study_detail {
 struct MpiCalls;
 }
 
@@ -47,12 +47,12 @@ class MpiWorld {
   void abort(int status) const;
 
  private:
-  const detail::MpiCalls* calls_;
+  const study_detail::MpiCalls* calls_;
   int rank_ = 0;
   int size_ = 1;
 };
 
 /// farm() of a rank over any such calls.
-Farm farm_over(const detail::MpiCalls& calls, int rank, int size, std::string identity);
+Farm farm_over(const study_detail::MpiCalls& calls, int rank, int size, std::string identity);
 
 }  // namespace jounce

@@ -13,12 +13,12 @@
 
 namespace jounce {
 
-namespace detail {
+namespace validate_detail {
 
 /// The motion of a slave whose master runs at constant velocities; nothing for another master.
 std::optional<Trajectory> steady(const Followed& slave);
 
-}  // namespace detail
+}  // namespace validate_detail
 
 /// A view of any signal through one type, so that the integrators are compiled once. A signal
 /// converts to it implicitly; it refers to the signal and must not outlive it.
@@ -70,7 +70,7 @@ class SignalView {
     } else if constexpr (std::same_as<S, Table>) {
       if (signal.axis() == Domain::time) return signal.template curve<OverTime>();
     } else if constexpr (std::same_as<S, Followed>) {
-      return detail::steady(signal);
+      return validate_detail::steady(signal);
     }
     return std::nullopt;
   }

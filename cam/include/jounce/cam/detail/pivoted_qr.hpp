@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// A P = Q R by Householder's reflections, columns pivoted so that the diagonal of R falls. A
 /// separate source file instantiates Eigen's template, which takes seconds to compile.
@@ -34,4 +34,4 @@ class PivotedQr {
   std::unique_ptr<Factors> factors_;
 };
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

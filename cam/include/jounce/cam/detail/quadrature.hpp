@@ -12,7 +12,7 @@
 #include "jounce/profiles/curve/segment.hpp"
 
 /// Gauss-Legendre quadrature: every rule of Jounce.
-namespace jounce::detail {
+namespace jounce::cam_detail {
 
 /// A node in [0, 1] with its weight.
 struct QuadratureNode {
@@ -91,4 +91,4 @@ void quadrature(const Segment& f, const Visit& visit) {
         visit((p + 0.5 + x / 2) / panels, weight[k] / (2 * panels));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::cam_detail

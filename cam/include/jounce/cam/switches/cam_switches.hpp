@@ -9,7 +9,7 @@
 #include "jounce/cam/switches/cam_switch.hpp"
 
 namespace jounce {
-namespace detail {
+namespace cam_detail {
 class SwitchMachine;
 }
 
@@ -76,7 +76,7 @@ class CamSwitches {
   void collect(double dt);
   [[nodiscard]] double reduced(double position) const;
 
-  std::unique_ptr<detail::SwitchMachine> machine_;
+  std::unique_ptr<cam_detail::SwitchMachine> machine_;
   double period_;  // 0: none
   bool known_ = false;
   bool placed_ = false;

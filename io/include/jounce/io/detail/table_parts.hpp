@@ -10,7 +10,7 @@
 #include "jounce/io/table_file.hpp"
 
 /// Parts that the CSV and the JSON form of a table share.
-namespace jounce::detail {
+namespace jounce::io_detail {
 
 inline constexpr int schema_version = 1;
 inline constexpr std::array axes{Domain::time, Domain::master};
@@ -58,4 +58,4 @@ void require_version(const std::string& version, Fail fail) {
 TableParts parse_csv(const std::string& text, const std::string& name);
 TableParts parse_json(const std::string& text, const std::string& name);
 
-}  // namespace jounce::detail
+}  // namespace jounce::io_detail

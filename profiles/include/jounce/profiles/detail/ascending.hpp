@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Throws InputError unless the `time` of every event is finite and above that of the one before; the
 /// key counts from 1: `key[2].time`.
@@ -22,4 +22,4 @@ void require_ascending(const std::string& key, std::span<const Event> events) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The Bernstein coefficients of a polynomial of degree n over an interval: it lies within their
 /// hull, its derivative within the hull of their differences (times n).
@@ -60,4 +60,4 @@ void with_degree(std::size_t degree, Body body) {
   (std::make_index_sequence<Segment::max_degree + 1>{});
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Places on an axis whose numbers are of size `scale`, equal except for rounding.
 inline bool same_place(double a, double b, double scale) {
@@ -63,4 +63,4 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// c[0] + c[1] s + ... + c[n] s^n with its three derivatives by s: Horner's rule for the value and
 /// the derivatives / k!, without the first steps, which would only add zeros.
@@ -75,4 +75,4 @@ Jet evaluate_with_sines(const Segment& f, double s);
   return over_length(polynomial(f, s), f.length);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -11,7 +11,7 @@
 
 // The two-point Hermite polynomial of degree 11, and bounds for the distance of a function from it.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Taylor coefficients f^(k) / k! by s, k = 0 .. n - 1.
 template <std::size_t n>
@@ -70,4 +70,4 @@ void fit(const Piece& piece, double tolerance, std::vector<Segment>& out, Jet& e
   for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], here[k]);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -11,7 +11,7 @@
 
 // Arithmetic for formulas that hold for a double and for a vector of them, lane by lane
 // (`__attribute__((vector_size))`): a comparison is then a mask, and `mask ? a : b` picks by lane.
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 #define JOUNCE_INLINE inline __attribute__((always_inline))
 
@@ -142,4 +142,4 @@ JOUNCE_INLINE double cube_root_in_units(double x, double per_x) {
   return cube_root_near(std::bit_cast<double>(third + 0x2a9f789300000000U), per_x);
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// Requests large pages (2 MiB under Linux) if a block is large enough: a table of a million knots
 /// then takes a dozen pages instead of thousands, one page fault each. A hint, before the block is
@@ -18,4 +18,4 @@ void reserve_large(std::vector<T>& column, std::size_t count) {
   prefer_large_pages(column.data(), column.capacity() * sizeof(T));
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

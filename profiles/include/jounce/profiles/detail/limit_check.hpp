@@ -11,7 +11,7 @@
 
 // Findings of `check` from extrema: those of a curve, one segment after another, or only the extrema of
 // a table that can matter.
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// One bound on one derivative: it must stay below `limit` (upper), or above.
 struct Bound {
@@ -62,4 +62,4 @@ class LimitCheck {
 Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
                          const std::array<const char*, 4>& names, int order, double tolerance);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

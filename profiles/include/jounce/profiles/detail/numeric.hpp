@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 inline constexpr double rounding = 0x1p-49;    ///< eight units in the last place
 inline constexpr double rounded_input = 1e-9;  ///< relative: forgives numbers rounded in a file
@@ -32,4 +32,4 @@ inline double either(bool which, double a, double b) {
   return pair[which];
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

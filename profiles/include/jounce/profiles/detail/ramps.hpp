@@ -18,7 +18,7 @@
 //
 //   (2)  D(v0, p - v0) + D(v1, p - v1) = h,   each under its own law.
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// A change of velocity by acceleration in three stretches: linear from `begin` to `peak` during
 /// `rise`, constant during `hold`, linear to zero during `fall`.
@@ -133,4 +133,4 @@ Profile profile(const RampedMove<Law>& move, double from, double to);
 /// The same as a curve from 0.
 Trajectory curve(const RampedMove<SineLaw>& move, double from, double to);
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

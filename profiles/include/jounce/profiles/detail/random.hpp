@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// The next 64 bits of splitmix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014): the same on every machine and library.
 constexpr std::uint64_t splitmix64(std::uint64_t& state) {
@@ -18,4 +18,4 @@ constexpr double uniform(std::uint64_t& state) {
   return static_cast<double>(splitmix64(state) >> 11U) * 0x1p-53;
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

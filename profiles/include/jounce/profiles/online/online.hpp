@@ -65,7 +65,8 @@ class OnlineGenerator {
   OnlineStep step(double dt) noexcept {
     const bool regroup = regroup_;
     regroup_ = false;
-    return detail::OnlineGroup{axes_, moves_, next_, rests_, sync_, grid_, regroup}.step(dt);
+    return profiles_detail::OnlineGroup{axes_, moves_, next_, rests_, sync_, grid_, regroup}.step(
+        dt);
   }
 
   /// The setpoint of an axis.
@@ -85,7 +86,7 @@ class OnlineGenerator {
   }
 
  private:
-  std::array<detail::OnlineAxis, N> axes_{};
+  std::array<profiles_detail::OnlineAxis, N> axes_{};
   std::array<AxisMove, N> moves_{};  // these three are used within a step alone
   std::array<Profile, N> next_{}, rests_{};
   double grid_ = 0;

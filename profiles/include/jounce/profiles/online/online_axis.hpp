@@ -3,7 +3,7 @@
 
 #include "jounce/profiles/sequences/synchronise.hpp"
 
-namespace jounce::detail {
+namespace jounce::profiles_detail {
 
 /// One axis of an OnlineGenerator: its orders, and the motion under way. docs/generators/online.md
 /// derives when that motion is kept.
@@ -122,4 +122,4 @@ enum class Judged : std::uint8_t { strictly, mildly };
 /// velocity does), by more than rounding.
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept;
 
-}  // namespace jounce::detail
+}  // namespace jounce::profiles_detail

@@ -17,7 +17,7 @@ struct OnlineStep {
   bool planned = false;  ///< a motion was planned; otherwise all were kept
 };
 
-namespace detail {
+namespace profiles_detail {
 
 /// The axes of an OnlineGenerator and the memory for planning, all of one size.
 struct OnlineGroup {
@@ -47,5 +47,5 @@ struct OnlineGroup {
   void stop() noexcept;
 };
 
-}  // namespace detail
+}  // namespace profiles_detail
 }  // namespace jounce

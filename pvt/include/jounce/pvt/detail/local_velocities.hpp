@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace jounce::detail {
+namespace jounce::pvt_detail {
 
 /// Knots with the chords between them; chord i belongs to the piece from knot i.
 struct Chords {
@@ -23,4 +23,4 @@ void monotone_velocities(const Chords& chords, bool periodic, std::span<double> 
 /// 0: stands still). Exact, to rounding.
 bool is_monotone(double chord, double v0, double v1);
 
-}  // namespace jounce::detail
+}  // namespace jounce::pvt_detail

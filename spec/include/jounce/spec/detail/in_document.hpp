@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// The same error under another key of the document.
 inline InputError renamed(const InputError& error, const std::string& key) {
@@ -28,4 +28,4 @@ auto in_document(const std::string& table, const Make& make) -> decltype(make())
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

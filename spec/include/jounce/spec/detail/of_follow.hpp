@@ -7,7 +7,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// A rule of the whole table belongs to [follow]: the error gets that key.
 template <class Find>
@@ -22,4 +22,4 @@ auto of_follow(const FollowPart& spec, Find find) {
   }
 }
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -7,7 +7,7 @@
 
 #include <toml++/toml.h>
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// Bytes [begin, end) of a document that become `text`.
 struct Edit {
@@ -23,4 +23,4 @@ std::size_t offset(const std::string& text, const toml::source_position& place);
 /// comes first.
 std::string edited(std::string text, std::vector<Edit> edits);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail

@@ -13,7 +13,7 @@
 
 #include "jounce/base/document.hpp"
 
-namespace jounce::detail {
+namespace jounce::spec_detail {
 
 /// One table of a TOML document while it is read. Every getter records the key and its
 /// place; finish() rejects all keys that no getter read.
@@ -92,4 +92,4 @@ void require_version(TomlReader& top);
 /// The text of a value as written in the document, for messages.
 std::string shown(const toml::node& node);
 
-}  // namespace jounce::detail
+}  // namespace jounce::spec_detail
