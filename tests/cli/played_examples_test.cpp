@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "jounce/design/executor_tables.hpp"
+#include "jounce/design/reference.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"

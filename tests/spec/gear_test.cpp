@@ -6,12 +6,18 @@
 #include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/report/report_text.hpp"
 
-#include "report/src/sync_text.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::gear_test {
 namespace {
+
+/// The sentence of a finding over a master in this unit, without the name of the segment.
+std::string sentence_over(Finding finding, const char* unit) {
+  finding.segment.reset();
+  return sentence(finding, Labels{{unit, ""}, true, {}});
+}
 
 std::string spec(const std::string& gear) {
   return "jounce = 1\nkind = \"gear\"\nunits = { position = \"mm\", master = \"deg\" }\n" + gear;
@@ -101,7 +107,7 @@ TEST(GearSpec, AClutchOfNoDistanceIsFoundWhereTheCamBegins) {
   EXPECT_TRUE(steps.findings[0].broken);
   EXPECT_EQ(steps.findings[0].where, 0);
   EXPECT_EQ(steps.findings[0].value, 4.0 / 3);
-  EXPECT_EQ(sync_sentence(steps.findings[0], "0 deg"),
+  EXPECT_EQ(sentence_over(steps.findings[0], "deg"),
             "the ratio steps from 0 to 1.33333 mm/deg at 0 deg, where the slave engages");
   EXPECT_TRUE(checked("distance = 10\n").findings.empty());
   EXPECT_TRUE(checked("distance = 0\nengage_at = 5\n").findings.empty()) << "continuity reports it";
