@@ -59,6 +59,16 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   }
 }
 
+/// Drops what cutting left by rounding: phases over no way, at one velocity.
+void drop_slivers(Cut& cut, double length) {
+  std::erase_if(cut.law, [&](const Segment& f) {
+    const double v0 = evaluate(f, 0)[1];
+    const double v1 = evaluate(f, 1)[1];
+    return value(f, 1) - value(f, 0) <= 1e-12 * length &&
+           std::abs(v1 - v0) <= 1e-9 * std::max(v0, v1);
+  });
+}
+
 /// f over s from -left to 1 + right: the same formula on a longer piece.
 Segment widened(const Segment& f, double left, double right) {
   Segment g = f;
@@ -150,6 +160,7 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
       continue;
     }
     cut_at_pieces(path, stretch, cuts);
+    for (Cut& cut : cuts) drop_slivers(cut, path.pieces()[cut.piece].length);
     for (const Cut& cut : cuts)
       for (std::size_t i = 0; i < n; ++i)
         compose(path, cut, i, tolerance, pieces, axes[i], result.error[i]);

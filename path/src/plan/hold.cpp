@@ -23,10 +23,10 @@ bool is_corner(const LawStretch& s) {
   return !s.single_phase && !std::isfinite(s.deceleration);
 }
 
-/// The lowest velocity at the end of a ramp stretch that begins at v.
+/// The lowest velocity at the end of a stretch of the plan that now begins at v, at most the plan's velocity there.
 double lowest_end(const LawStretch& s, double v) {
   const auto way = [&](double drop) { return ramp_distance(v, v - drop, s.deceleration, s.jerk); };
-  if (way(v) <= s.length) return 0;
+  if (s.v1 == 0 || way(v) <= s.length) return 0;
   double low = 0;
   double high = 2 * v / 3;
   if (way(high) <= s.length) return v - high;
@@ -35,7 +35,7 @@ double lowest_end(const LawStretch& s, double v) {
     if (middle == low || middle == high) break;
     (way(middle) <= s.length ? low : high) = middle;
   }
-  return v - low;
+  return std::min(v - low, s.v1);  // the plan's own end, but for rounding
 }
 
 /// Collects stretches of a held law.
@@ -128,7 +128,7 @@ Plan halted(const Plan& plan, double t) {
       s.v0 = s.peak = v;
       if (!is_corner(s)) {
         const double end = lowest_end(s, v);
-        if (end == 0) s.length = ramp_distance(v, 0, s.deceleration, s.jerk);
+        if (end == 0) s.length = std::min(s.length, ramp_distance(v, 0, s.deceleration, s.jerk));
         s.v1 = v = end;
       } else {
         s.v1 = v;

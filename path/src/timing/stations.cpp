@@ -66,6 +66,8 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
   };
   // A ramp over a few units in the last place of the velocity is longer or shorter by a large share: the peak is
   // rounded down until the ramps fit, and the cruise takes up the rest.
+  // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
+  if (s.peak - least <= 1e-10 * s.peak) s.peak = least;
   double way = ramps();
   for (double back = 2e-16; way > s.length && s.peak > least; back *= 2) {
     s.peak = std::max(least, s.peak * (1 - back));
