@@ -188,7 +188,7 @@ Point start_point(const Space& space, std::uint64_t seed, std::size_t number) {
   if (number == 0) return z;
   std::uint64_t state = seed + 0x632be59bd9b4e019U * number;
   const auto master = ordered_masters(space, [&](std::size_t, double least, double greatest) {
-    return least + jounce::uniform(state) * (greatest - least);
+    return least + profiles_detail::uniform(state) * (greatest - least);
   });
   const Cam cam = design(space.given).cam;
   for (std::size_t i = 0; i < z.size(); ++i) {

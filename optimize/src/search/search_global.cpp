@@ -29,7 +29,7 @@ namespace {
 
 Choice drawn_choice(std::size_t n, std::uint64_t& state) {
   Choice z(n);
-  for (double& each : z) each = jounce::uniform(state);
+  for (double& each : z) each = profiles_detail::uniform(state);
   return z;
 }
 

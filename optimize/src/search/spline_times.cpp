@@ -81,7 +81,7 @@ std::vector<double> start(const SplineTimesSpec& spec, int which, std::uint64_t&
   std::vector<double> h(spec.points.size() + 1, 3.0);
   h.front() = h.back() = 1;
   if (which > 0)
-    for (double& each : h) each *= std::exp(2 * jounce::uniform(state) - 1);
+    for (double& each : h) each *= std::exp(2 * profiles_detail::uniform(state) - 1);
   return h;
 }
 

@@ -67,8 +67,8 @@ std::optional<double> steady_jerk(const Cam& cam, double master) {
   const Sides beside = sides(cam, master);
   const Range slave = extrema(cam, 0);
   const double error = joined_to * std::max(std::abs(slave.min.value), std::abs(slave.max.value));
-  const double before = beside.before ? profiles_detail::evaluate(*beside.before, 1)[3] : 0;
-  const double after = beside.after ? profiles_detail::evaluate(*beside.after, 0)[3] : 0;
+  const double before = beside.before ? evaluate(*beside.before, 1)[3] : 0;
+  const double after = beside.after ? evaluate(*beside.after, 0)[3] : 0;
   double step = no_step * std::abs(extrema(cam, 3).peak().value);
   for (const Segment* piece : {beside.before, beside.after})
     if (piece) step += 60 * error / std::pow(piece->length, 3);

@@ -85,7 +85,7 @@ void take(CamSpec& cam, const RunKnot& knot, const CamRunOf& run, const Jet& f) 
 
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,
                    const std::vector<Segment>& shape) {
-  const Trajectory profiles_detail::curve(shape, problem.begin, Extrapolation::hold);
+  const Trajectory curve(shape, problem.begin, Extrapolation::hold);
   const bool jerk = problem.degree > 5;
   for (std::size_t r = 0; r < run.segments.size(); ++r) {
     const std::size_t i = run.segments[r];

@@ -90,7 +90,7 @@ VectorXd FixedKnots::beside(int start) const {
   VectorXd y = VectorXd::Zero(reduced_.size());
   std::uint64_t state = problem_.options.seed * 1000003U + static_cast<std::uint64_t>(start);
   const double width = start == 0 ? 0 : 0.5 / std::sqrt(static_cast<double>(y.size()));
-  for (double& each : y) each = width * (2 * jounce::uniform(state) - 1);
+  for (double& each : y) each = width * (2 * profiles_detail::uniform(state) - 1);
   return y;
 }
 

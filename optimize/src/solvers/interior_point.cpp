@@ -127,10 +127,10 @@ class Newton {
     const Vector scaled_u = w.inverse(u);
     Vector right(x.size() + v.size());
     right << -dual() - kkt_.g().transpose() * (w.inverse_squared(primal()) - scaled_u), -equal();
-    const Vector solved = kkt_.solve(right);
+    const Vector solution = kkt_.solve(right);
     Step d;
-    d.x = solved.head(x.size());
-    d.v = solved.tail(v.size());
+    d.x = solution.head(x.size());
+    d.v = solution.tail(v.size());
     d.s = -primal() - kkt_.g() * d.x;
     d.y = -w.inverse_squared(d.s) - scaled_u;
     return d;

@@ -106,7 +106,7 @@ void DriveModel::asked_row(std::size_t row, double share, double* dfdy) const {
   const Controller& c = drive_.controller;
   at(row, 0) -= share * c.velocity_gain * c.position_gain;
   at(row, 1) -= share * c.velocity_gain;
-  at(row, cam_detail::integral()) += share;
+  at(row, integral()) += share;
 }
 
 void DriveModel::controller_jacobian(const Jet& r, const double* y, double* dfdy) const {
@@ -119,10 +119,10 @@ void DriveModel::controller_jacobian(const Jet& r, const double* y, double* dfdy
   if (sampled()) return;
   if (c.integral_time > 0) {  // (5)
     const double share = 1 / c.integral_time;
-    at(cam_detail::integral(), 0) -= share * c.velocity_gain * c.position_gain;
-    at(cam_detail::integral(), 1) -= share * c.velocity_gain;
-    limited_row(cam_detail::integral(), share, r, y, dfdy);
-    commanded_row(cam_detail::integral(), -share, dfdy);
+    at(integral(), 0) -= share * c.velocity_gain * c.position_gain;
+    at(integral(), 1) -= share * c.velocity_gain;
+    limited_row(integral(), share, r, y, dfdy);
+    commanded_row(integral(), -share, dfdy);
   }
   if (delayed_) {  // (3)
     at(delay_, delay_ + 1) = 1 / c.delay;

@@ -69,7 +69,7 @@ DriveModel::DriveModel(const Drive& drive)
       delayed_(drive.controller.delay > 0 && drive.controller.cycle == 0),
       lagging_(drive.motor.current_lag > 0),
       load_(2 * (train_.size() - (drive.pendulum ? 2 : 1))),
-      delay_(cam_detail::integral() + 1),
+      delay_(integral() + 1),
       lag_(delay_ + (delayed_ ? 2 : 0)),
       size_(lag_ + (lagging_ ? 1 : 0) + 2) {
   mode_.slip.resize(train_.size());
@@ -91,7 +91,7 @@ double DriveModel::asked(const Jet& r, double velocity_error, double integral) c
 }
 
 double DriveModel::asked(const Jet& r, const double* y) const {
-  return asked(r, velocity_error(r, y[0], y[1]), y[cam_detail::integral()]);
+  return asked(r, velocity_error(r, y[0], y[1]), y[integral()]);
 }
 
 double DriveModel::commanded(const Jet& r, const double* y) const {
@@ -128,11 +128,11 @@ void DriveModel::controller_rhs(const Jet& r, const double* y, double* dy) const
   const Controller& c = drive_.controller;
   const double given = limited(r, y);
   if (lagging_) dy[lag_] = (given - y[lag_]) / drive_.motor.current_lag;  // (6)
-  dy[cam_detail::integral()] = 0;
+  dy[integral()] = 0;
   if (sampled()) return;
   const double e = velocity_error(r, y[0], y[1]);
   if (c.integral_time > 0)
-    dy[cam_detail::integral()] =
+    dy[integral()] =
         (c.velocity_gain * e + given - commanded(r, y)) / c.integral_time;  // (5)
   if (!delayed_) return;
   dy[delay_] = y[delay_ + 1] / c.delay;  // (3)
@@ -215,7 +215,7 @@ void DriveModel::rest_train(double reference, double* y) const {
   double torque = 0;
   for (std::size_t k = 0; k < train_.size(); ++k) torque += loads(k, y[2 * k] + reference);
   const Controller& c = drive_.controller;
-  y[cam_detail::integral()] = c.integral_time > 0 ? torque : 0;
+  y[integral()] = c.integral_time > 0 ? torque : 0;
   y[0] = c.integral_time > 0 ? 0 : -torque / (c.velocity_gain * c.position_gain);
   if (delayed_) y[delay_] = torque / 12;
   if (lagging_) y[lag_] = torque;
@@ -228,7 +228,7 @@ void DriveModel::rest_train(double reference, double* y) const {
 }
 
 void DriveModel::shift(const Jet& before, const Jet& after, double* y) const {
-  for (std::size_t i = 0; i < cam_detail::integral(); i += 2) {
+  for (std::size_t i = 0; i < integral(); i += 2) {
     y[i] -= radians_ * (after[0] - before[0]);
     y[i + 1] -= radians_ * (after[1] - before[1]);
   }

@@ -18,7 +18,7 @@ class Switches {
   Switches(DriveModel& model, double tolerance, double torque, double speed);
 
   [[nodiscard]] int events() const { return events_; }
-  void profiles_detail::evaluate(const Jet& r, const double* y, double* g) const;
+  void evaluate(const Jet& r, const double* y, double* g) const;
 
   /// Sets the modes of the state, with `crossed` the direction of every event (empty: none). A body that comes
   /// to rest gets the speed of rest. Returns true if a mode changed.

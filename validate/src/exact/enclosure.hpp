@@ -67,7 +67,7 @@ class Enclosure {
   }
 
   /// An output over an interval that search() passes to `leaf`, exact within 1e-12 of its terms.
-  [[nodiscard]] Segment profiles_detail::polynomial(const TrajectorySpan& s, Eigen::Index row) {
+  [[nodiscard]] Segment polynomial(const TrajectorySpan& s, Eigen::Index row) {
     return ladder_->polynomial(s.z, row, s.length);
   }
 

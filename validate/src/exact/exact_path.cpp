@@ -36,7 +36,7 @@ ExactPath::ExactPath(const LinearSystem& system, const Trajectory& reference, do
                      PathStart start)
     : system_(system), reference_(reference), step_(step), start_(std::move(start)) {
   for (const Segment& f : reference.segments()) degree_ = std::max(degree_, f.degree);
-  standstill_.c[0] = profiles_detail::evaluate(reference.segments().back(), 1)[0];
+  standstill_.c[0] = evaluate(reference.segments().back(), 1)[0];
 }
 
 Ladder& ExactPath::ladder_for(const Segment& f) {
@@ -53,12 +53,12 @@ const Segment& ExactPath::segment(std::size_t i) const {
 void ExactPath::begin() {
   segment_ = nullptr;
   z_ = start_.state;
-  before_ = {profiles_detail::evaluate(segment(0), 0)[0], start_.velocity};
+  before_ = {evaluate(segment(0), 0)[0], start_.velocity};
 }
 
 const Segment& ExactPath::enter(std::size_t i) {
   const Segment& f = segment(i);
-  const Jet r = profiles_detail::evaluate(f, 0);
+  const Jet r = evaluate(f, 0);
   ladder_ = &ladder_for(f);
   segment_ = &f;
   Eigen::VectorXd z = ladder_->zero();
@@ -71,7 +71,7 @@ const Segment& ExactPath::enter(std::size_t i) {
 }
 
 void ExactPath::leave() {
-  const Jet r = profiles_detail::evaluate(*segment_, 1);
+  const Jet r = evaluate(*segment_, 1);
   before_ = {r[0], r[1]};
 }
 

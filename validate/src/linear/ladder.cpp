@@ -264,7 +264,7 @@ double Ladder::advance(Eigen::VectorXd& z, double time, std::span<ProductIntegra
   auto digits = static_cast<unsigned long long>(whole);
   for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
     if ((digits & 1U) == 0) continue;
-    for (ProductIntegral& p : products) p.sum += form(cam_detail::integral(j, p.a, p.b), z);  // (7)
+    for (ProductIntegral& p : products) p.sum += form(integral(j, p.a, p.b), z);  // (7)
     const bool last = exactly && digits == 1;  // the reference need not be advanced
     multiply(rung(j), z.data(), last ? states_ : z.size(), term_.data());
     if (last)

@@ -45,12 +45,12 @@ class Ladder {
   /// exp(M h 2^j).
   [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
   /// W of (7) for outputs a and b over h 2^j.
-  [[nodiscard]] const Eigen::MatrixXd& cam_detail::integral(std::size_t j, Eigen::Index a,
+  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a,
                                                             Eigen::Index b);
   /// exp(|M| h), entry by entry no less than |exp(M u)| for any u in [0, h].
-  [[nodiscard]] Eigen::MatrixXd profiles_detail::greatest() const;
+  [[nodiscard]] Eigen::MatrixXd greatest() const;
   /// Output `row` over a time no longer than `shortest()` from z on, as a polynomial.
-  [[nodiscard]] Segment profiles_detail::polynomial(const Eigen::VectorXd& z, Eigen::Index row,
+  [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row,
                                                     double time);
 
   /// Puts the segment's reference at u (0 to its length) into the lower part of z.

@@ -32,7 +32,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 double first_velocity(const Trajectory& period) {
-  return profiles_detail::evaluate(period.segments().front(), 0)[1];
+  return evaluate(period.segments().front(), 0)[1];
 }
 
 void require_calm(const Drive& drive) {
@@ -48,7 +48,7 @@ VectorXd after_a_period(const LinearSystem& system, const Trajectory& period, co
   ExactPath path(system, period, period.length(), {x, first_velocity(period)});
   path.whole();
   const double step =
-      first_velocity(period) - profiles_detail::evaluate(period.segments().back(), 1)[1];
+      first_velocity(period) - evaluate(period.segments().back(), 1)[1];
   return path.reached() - step * system.follows_velocity;
 }
 

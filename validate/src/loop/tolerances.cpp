@@ -24,7 +24,7 @@ class Draw {
   explicit Draw(std::uint64_t seed) : state_(seed) {}
 
   /// In [0, 1).
-  double uniform() { return uniform(state_); }
+  double uniform() { return profiles_detail::uniform(state_); }
 
   /// In [-1, 1], three standard deviations to each side (Box & Muller 1958; beyond: drawn again).
   double normal() {
