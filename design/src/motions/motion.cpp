@@ -194,7 +194,7 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
     if (key.starts_with("points")) key.replace(0, 6, "point");
     if (key.starts_with("limits")) key.replace(0, 6, "axis");
     if (key.starts_with("start") || key.starts_with("end")) key = "point";
-    throw renamed(error, key);
+    throw spec_detail::renamed(error, key);
   }
 }
 
@@ -238,7 +238,7 @@ Trajectory motion_of(const MoveSpec& move) {
   try {
     return std::visit([](const auto& spec) { return made(spec); }, move);
   } catch (const InputError& error) {  // the generator names its own fields
-    throw renamed(error, "move." + error.key());
+    throw spec_detail::renamed(error, "move." + error.key());
   }
 }
 
@@ -250,7 +250,7 @@ QueueMotion motion_of(const QueueSpec& spec) {
   } catch (const InputError& error) {  // commands[1] is the first [[command]]
     std::string key = error.key();
     if (key.starts_with("commands")) key.replace(0, 8, "command");
-    throw renamed(error, key);
+    throw spec_detail::renamed(error, key);
   }
 }
 

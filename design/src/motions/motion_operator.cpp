@@ -100,7 +100,7 @@ Compensation made_of(const CompensateSpec& s) {
   } catch (const InputError& error) {
     std::string key = error.key();
     if (key.starts_with("axes")) key.replace(0, 4, "reference");
-    throw renamed(error, key);
+    throw spec_detail::renamed(error, key);
   }
 }
 
@@ -147,7 +147,7 @@ std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart>
     try {
       std::visit([&](const auto& spec) { apply(spec, context, motions); }, then[k]);
     } catch (const InputError& error) {
-      throw renamed(error, key_in_document(error.key(), k, motions.size()));
+      throw spec_detail::renamed(error, key_in_document(error.key(), k, motions.size()));
     }
   }
   return context.error;
