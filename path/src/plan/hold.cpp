@@ -125,6 +125,9 @@ Plan halted(const Plan& plan, double t) {
     }
   }
   held.add(here);
+  Held planned = held;  // to the plan's own next rest
+  for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
+    planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
     LawStretch s = stretches[i];
     if (s.single_phase) {
@@ -146,6 +149,7 @@ Plan halted(const Plan& plan, double t) {
     held.add(s);
     if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
   }
+  if (planned.time() < held.time()) held = std::move(planned);
   return made();
 }
 
