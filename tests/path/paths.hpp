@@ -57,13 +57,16 @@ inline double excess(const PlanAxes& axes, const GroupLimits& limits) {
 
 /// The plan's axes begin and end at rest at the program's ends, and join up to the acceleration.
 inline void expect_whole(const Plan& plan, const PlanAxes& axes, const Program& program) {
+  double arcs = 0;  // an arc has the rounding of its center and radius
+  for (const Arc& arc : program.arcs())
+    for (const double x : arc.center) arcs = std::max(arcs, std::abs(x) + arc.radius);
   for (std::size_t i = 0; i < axes.curves.size(); ++i) {
     const Trajectory& f = axes.curves[i];
     const double scale = std::abs(program.start()[i]) + std::abs(program.position()[i]) + 1e-300;
     const Ranges ranges = extrema(f);
     const double size =
         std::max(std::abs(ranges[0].min.value), std::abs(ranges[0].max.value)) + scale;
-    EXPECT_NEAR(f.at(0).position, program.start()[i], 4e-16 * size);
+    EXPECT_NEAR(f.at(0).position, program.start()[i], 4e-16 * (size + arcs));
     EXPECT_NEAR(f.at(f.end(), Side::left).position, program.position()[i],
                 1e-14 * (size + plan.path().length()) + 2 * axes.error[i][0]);
     EXPECT_NEAR(f.end(), plan.duration(), 1e-12 * plan.duration());

@@ -115,10 +115,7 @@ TEST(Curves, AnEllipseKeepsItsFeed) {
   const Plan made = plan(p, limits);
   const PlanAxes axes = to_axes(made);
   path_tests::expect_whole(made, axes, p);
-  double forgiven = 1e-12;
-  for (std::size_t i = 0; i < 2; ++i)
-    forgiven = std::max({forgiven, axes.error[i][2] / 1000, axes.error[i][3] / 1e4});
-  EXPECT_LE(path_tests::worst_ratio(axes, limits), 1 + forgiven + 1e-5);
+  EXPECT_LE(path_tests::excess(axes, limits), 1e-12);
   for (int i = 0; i <= 1000; ++i) {
     const double t = made.duration() * i / 1000;
     EXPECT_LE(std::hypot(axes.curves[0].at(t, Side::left).velocity,

@@ -42,7 +42,12 @@ class Rounding {
  public:
   Rounding(const Route& route, const Program& program, const Rates& rates,
            const std::vector<bool>& stop)
-      : route_(route), program_(program), rates_(rates), stop_(stop), n_(rates.axes) {}
+      : route_(route),
+        program_(program),
+        rates_(rates),
+        curved_(reserved(rates)),
+        stop_(stop),
+        n_(rates.axes) {}
 
   Rounded run() {
     const std::size_t count = route_.path.pieces().size();
@@ -282,7 +287,7 @@ class Rounding {
   [[nodiscard]] double blend_velocity(std::size_t k, const Blend& blend) const {
     const double speed = greatest_speed(blend.segments(), rates_.path_axes);
     const double feed = speed > 0 ? cap(k) / std::max(speed, 1.0) : none;
-    return std::min(blend_box(rates_, blend.segments()).velocity, feed);
+    return std::min(blend_box(curved_, blend.segments()).velocity, feed);
   }
 
   /// Corners at both ends of a piece share its length, in proportion to what they take; one whose other end is at
@@ -337,9 +342,15 @@ class Rounding {
       return line_box(rates_, settings(k), u.data());
     }
     if (piece(k).kind == PieceKind::arc)
-      return arc_box(rates_, settings(k), route_.path.numbers(k), piece(k).length);
-    return curve_box(rates_, settings(k), derivatives_of(route_.path, k, rates_.path_axes),
+      return arc_box(curved_, settings(k), route_.path.numbers(k), piece(k).length, end_velocity(k),
+                     end_velocity(k + 1));
+    return curve_box(curved_, settings(k), derivatives_of(route_.path, k, rates_.path_axes),
                      run_length(k));
+  }
+
+  /// The greatest velocity at a joint as far as its shape is known.
+  [[nodiscard]] double end_velocity(std::size_t joint) const {
+    return shapes_[joint].how == How::rest ? 0 : shapes_[joint].velocity;
   }
 
   /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
@@ -425,6 +436,7 @@ class Rounding {
   const Route& route_;
   const Program& program_;
   const Rates& rates_;
+  const Rates curved_;  ///< the same for pieces that are not lines
   const std::vector<bool>& stop_;
   std::size_t n_;
   std::vector<Shape> shapes_;

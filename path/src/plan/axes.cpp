@@ -7,6 +7,7 @@
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
 // A stretch of the law within one piece of the path is composed in coordinates of its own, from 0 to the length of the
@@ -94,8 +95,29 @@ bool is_constant(const std::vector<Segment>& law, double length) {
          std::abs(value(law.front(), 1) - length) <= 1e-13 * length;
 }
 
+/// Half of what the plan leaves of each limit on a piece that is not a line; the other half is for rounding.
+Jet allowed_error(const Limits& limits, double tolerance) {
+  const auto share = [](const std::optional<double>& limit) {
+    return limit ? fit_share / 2 * *limit : PathSettings::none;
+  };
+  return {tolerance, share(limits.velocity), share(limits.acceleration), share(limits.jerk)};
+}
+
+/// The composition with an error within `allowed`, or within rounding where that is coarser.
+Fitted<OverTime> composed_within(const Curve<OverLength>& outer, const Segment& phase,
+                                 const Jet& allowed, double rounding) {
+  double tolerance = std::max(allowed[0], rounding);
+  while (true) {
+    Fitted<OverTime> fit = composed_within(outer, Trajectory({phase}), tolerance);
+    bool kept = true;
+    for (std::size_t k = 1; k < allowed.size(); ++k) kept = kept && fit.error[k] <= allowed[k];
+    if (kept || tolerance <= rounding) return fit;
+    tolerance = std::max(tolerance / 256, rounding);
+  }
+}
+
 /// One axis over one cut, appended to `out`; widens `error`.
-void compose(const Path& path, const Cut& cut, std::size_t axis, double tolerance,
+void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allowed,
              std::vector<Segment>& pieces, std::vector<Segment>& out, Jet& error) {
   if (cut.law.empty()) return;
   pieces.clear();
@@ -131,8 +153,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, double toleranc
     double scale = 0;
     for (const Segment& f : relative) scale = std::max(scale, magnitude(f));
     const Fitted<OverTime> fit =
-        composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold),
-                        Trajectory({phase}), std::max(tolerance, 2e-14 * scale));
+        composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed,
+                        2e-14 * scale);
     for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
     for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
   }
@@ -147,6 +169,9 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
   std::vector<std::vector<Segment>> axes(n);
   PlanAxes result;
   result.error.assign(n, {});
+  std::vector<Jet> allowed;
+  for (const Limits& limits : plan.given().limits.axes)
+    allowed.push_back(allowed_error(limits, tolerance));
   std::vector<Cut> cuts;
   std::vector<Segment> pieces;
   for (const LawStretch& stretch : plan.law().stretches()) {
@@ -163,7 +188,7 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
     for (Cut& cut : cuts) drop_slivers(cut, path.pieces()[cut.piece].length);
     for (const Cut& cut : cuts)
       for (std::size_t i = 0; i < n; ++i)
-        compose(path, cut, i, tolerance, pieces, axes[i], result.error[i]);
+        compose(path, cut, i, allowed[i], pieces, axes[i], result.error[i]);
   }
   for (std::vector<Segment>& segments : axes)
     result.curves.emplace_back(std::move(segments), 0, Extrapolation::hold);

@@ -109,17 +109,25 @@ Plan halted(const Plan& plan, double t) {
                                      within(Bounds::none, here.deceleration, here.jerk));
     if (stopping && stopping.profile.end().position <= here.length) {
       held.until(here, into);
-      double gone = 0;
+      Motion m = now;
       for (std::size_t k = 0; k < stopping.profile.phases(); ++k) {
-        const Profile::Phase phase = stopping.profile.phase(k);
-        const Motion m = stopping.profile.at(gone);
-        held.phase(here, m.position, phase.duration, m);
-        gone += phase.duration;
+        const auto [h, rate] = stopping.profile.phase(k);
+        const bool limited = std::isfinite(here.jerk);
+        m.jerk = limited ? rate : 0;
+        if (!limited) m.acceleration = rate;
+        held.phase(here, m.position, h, m);
+        m.position += h * (m.velocity + h * (m.acceleration / 2 + h * m.jerk / 6));
+        m.velocity += h * (m.acceleration + h * m.jerk / 2);
+        m.acceleration += h * m.jerk;
       }
+      held.law.back().v1 = 0;  // but for rounding
       return made();
     }
   }
   held.add(here);
+  Held planned = held;  // to the plan's own next rest
+  for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
+    planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
     LawStretch s = stretches[i];
     if (s.single_phase) {
@@ -141,6 +149,7 @@ Plan halted(const Plan& plan, double t) {
     held.add(s);
     if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
   }
+  if (planned.time() < held.time()) held = std::move(planned);
   return made();
 }
 

@@ -22,6 +22,11 @@ struct Rates {
 /// Throws InputError for limits that do not fit the program.
 Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axes);
 
+/// The limits of axes, normal and total acceleration for a piece that is not a line: less by the share that `to_axes`
+/// needs for the error of its fits and for rounding.
+constexpr double fit_share = 1e-6;
+Rates reserved(const Rates& rates);
+
 /// Any law with q' <= velocity, -deceleration <= q'' <= acceleration and |q'''| <= jerk keeps all limits on
 /// the piece. On a corner the law is at constant velocity.
 struct Box {
@@ -35,8 +40,10 @@ struct Box {
 /// A line with this direction.
 Box line_box(const Rates& rates, const PathSettings& settings, const double* direction);
 
-/// An arc or a helix; `length` is how far the law goes on it. A compromise of velocity and acceleration, see box.cpp.
-Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length);
+/// An arc or a helix; `length` is how far the law goes on it, `entry` and `exit` are the greatest velocities at its ends,
+/// 0 for a rest. A compromise of velocity and acceleration, see box.cpp.
+Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
+            double entry, double exit);
 
 /// Bounds of the derivatives of each axis by q over a piece: |r'|, |r''|, |r'''|.
 struct Derivatives {

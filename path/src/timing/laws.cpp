@@ -22,7 +22,7 @@ class WindowLaw {
  public:
   WindowLaw(const Path& path, std::span<const Unit> units, const Rates& rates,
             const Program& program)
-      : path_(path), rates_(rates), first_(units.front().piece) {
+      : path_(path), rates_(reserved(rates)), first_(units.front().piece) {
     for (const Unit& unit : units)
       for (std::uint32_t k = 0; k < unit.pieces; ++k) {
         const std::size_t piece = unit.piece + k;
@@ -37,8 +37,8 @@ class WindowLaw {
         jerk_ = std::min(jerk_, settings.jerk);
         for (std::size_t i = 0; i < rates.axes; ++i) {
           if (!(bounds_.back().first[i] > 0)) continue;
-          acceleration_ = std::min(acceleration_, rates.acceleration[i] / bounds_.back().first[i]);
-          jerk_ = std::min(jerk_, rates.jerk[i] / bounds_.back().first[i]);
+          acceleration_ = std::min(acceleration_, rates_.acceleration[i] / bounds_.back().first[i]);
+          jerk_ = std::min(jerk_, rates_.jerk[i] / bounds_.back().first[i]);
         }
       }
     const PathLimits& p = rates.path;
@@ -119,7 +119,7 @@ class WindowLaw {
   }
 
   const Path& path_;
-  const Rates& rates_;
+  Rates rates_;
   std::size_t first_;
   std::vector<Derivatives> bounds_;
   std::vector<double> feeds_, entries_;

@@ -32,6 +32,12 @@
 //
 // Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2) with
 // series for F and d gives its coefficients at both ends and the majorant of the twelfth derivative.
+//
+// In a short piece the differences of both ends are mostly rounding, which the coefficients of the fit multiply. Where the
+// sixth coefficient M_6 of the majorant is below that rounding, the series at the start up to s^5 is the better fit. By
+// Taylor's theorem its kth derivative by s strays at most by
+//
+//   (5)  6! / (6 - k)! M_6
 
 namespace jounce {
 namespace {
@@ -265,12 +271,12 @@ struct Fit {
     return profiles_detail::substituted(profiles_detail::taylor(p.outer, s == 0 ? p.r0 : p.end()),
                                         d);
   }
-  [[nodiscard]] double twelfth() const {
+  [[nodiscard]] profiles_detail::Majorant majorant() const {
     profiles_detail::Majorant d = profiles_detail::majorant(p.inner, 1);
     for (double& c : d) c /= p.outer.length;
-    return profiles_detail::substituted(profiles_detail::majorant(about(p.outer, p.r0), d[1]), d)
-        .back();
+    return profiles_detail::substituted(profiles_detail::majorant(about(p.outer, p.r0), d[1]), d);
   }
+  [[nodiscard]] double twelfth() const { return majorant().back(); }
   [[nodiscard]] std::pair<Fit, Fit> halves() const {
     Piece left = p;
     left.inner = part(p.inner, 0, 0.5);
@@ -281,6 +287,24 @@ struct Fit {
     return {{left}, {right}};
   }
 };
+
+/// The series of a short piece and (5); nothing where the fit is better.
+std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error) {
+  constexpr double rounding = 1e-13;  // of a fit's coefficients
+  const profiles_detail::Majorant bound = piece.majorant();
+  if (!(bound[6] <= std::min(tolerance, rounding * bound[1]))) return std::nullopt;
+  const profiles_detail::EndSeries series = piece.end(0);
+  Segment f;
+  f.length = piece.length();
+  f.degree = static_cast<int>(series.size()) - 1;
+  std::copy(series.begin(), series.end(), f.c.begin());
+  double stray = bound[6];
+  for (std::size_t k = 0; k < error.size(); ++k) {
+    error[k] = std::max(error[k], stray);
+    stray *= static_cast<double>(6 - k) / f.length;
+  }
+  return f;
+}
 
 /// The composition, piece by piece; `otherwise` appends a replacement for a piece that does not fit.
 template <class Outer, class Inner, class Otherwise>
@@ -322,7 +346,11 @@ Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inn
   profiles_detail::require_tolerance(tolerance, scale);
   Jet error{};
   auto curve = assembled(outer, inner, [&](const Piece& p, double, std::vector<Segment>& pieces) {
-    profiles_detail::fit(Fit{p}, tolerance, pieces, error);
+    if (const auto f = series_of(Fit{p}, tolerance, error)) {
+      pieces.push_back(*f);
+    } else {
+      profiles_detail::fit(Fit{p}, tolerance, pieces, error);
+    }
   });
   return {std::move(curve), error};
 }
