@@ -283,12 +283,14 @@ class Rounding {
 
   [[nodiscard]] Point corner(std::size_t k) const { return route_.path.point(k, 0); }
 
-  /// The largest trim whose blend is at most `deviation` from the corner. The distance grows with the trim in
+  /// The largest trim whose blend is at most `deviation` from the corner and from both sides. The distance grows with the trim in
   /// every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
   [[nodiscard]] double trim_for(std::size_t k, double deviation, double room) const {
     const Point at = corner(k);
     const auto over = [&](double d) {
-      return least_distance(blend_of(route_.path, k - 1, d).segments(), at, rates_.path_axes) -
+      const Blend blend = blend_of(route_.path, k - 1, d);
+      return std::max(least_distance(blend.segments(), at, rates_.path_axes),
+                      distance_from_sides(route_.path, k - 1, blend, rates_.path_axes)) -
              deviation;
     };
     double high = room;

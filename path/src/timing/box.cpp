@@ -200,10 +200,17 @@ Box arc_box(const Rates& rates, const PathSettings& settings, const double* numb
     const double v0 = std::min(v, entry);
     const double v1 = std::min(v, exit);
     const double cruise = length - ramp_distance(v0, v, a, j) - ramp_distance(v1, v, d, j);
-    if (cruise < 0) return;  // a slower box reaches its velocity
-    const double time = ramp_time(v - v0, a, j) + ramp_time(v - v1, d, j) + cruise / v +
-                        (v0 > 0 ? lost(v0) : 0) + (v1 > 0 ? lost(v1) : 0) +
-                        (share < 2 ? 0.01 * ramp_time(v, std::min(a, d), j) : 0);  // other ramps
+    double time = 0;
+    if (cruise >= 0) {
+      time = ramp_time(v - v0, a, j) + ramp_time(v - v1, d, j) + cruise / v +
+             (v0 > 0 ? lost(v0) : 0) + (v1 > 0 ? lost(v1) : 0) +
+             (share < 2 ? 0.01 * ramp_time(v, std::min(a, d), j) : 0);  // other ramps
+    } else if (share == 2) {                                            // v is not reached
+      const double least = std::min(a, d);
+      time = 2 * ramp_time(entry_velocity(length / 2, 0, Ramp{least, j}).value_or(v), least, j);
+    } else {
+      return;  // a slower box reaches its velocity
+    }
     if (!(time < shortest * (1 - 1e-9))) return;  // more than rounding
     shortest = time;
     best_v = v;
