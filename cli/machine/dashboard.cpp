@@ -11,7 +11,7 @@ namespace {
 
 constexpr Nanos trace_period = std::chrono::milliseconds(100);
 
-/// Where the chosen axis is among all; 0 where it is none of them.
+/// Index of the chosen axis; 0 if there is none of this name.
 std::size_t index_of(const std::vector<Watched>& axes, const std::string& name) {
   const auto found =
       std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });

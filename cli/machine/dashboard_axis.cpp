@@ -47,7 +47,7 @@ std::string valued(double value, const std::string& unit) {
   return std::isnan(value) ? "not known" : fmt::format("{:.6g} {}", value, unit);
 }
 
-/// Seconds since it was last heard, if these are too many.
+/// Seconds since its last message, if there are too many.
 std::optional<double> silent(const Watched& axis, const View& view) {
   const Nanos since = view.now - axis.heard;
   if (since <= view.silence) return std::nullopt;
@@ -189,7 +189,7 @@ std::string said_of(const wire::MasterStatus& master, bool ascii) {
                           : master.age_s == 0
                               ? std::string("computed")
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
-  // Somebody speaks, and does not count: the executor's terminal says why.
+  // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string refused =
       master.refused > 0
           ? fmt::format(", {} samples refused (old epoch, unit or repeated)", master.refused)

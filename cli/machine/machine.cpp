@@ -24,7 +24,7 @@
 namespace jounce::cli {
 namespace {
 
-/// An axis as its file has it, and whom it follows, with the place where that is said.
+/// An axis as its file has it, and its leader with the place of that key.
 struct Read {
   Spec spec;
   std::optional<FollowWhom> follow = {};
@@ -109,7 +109,7 @@ std::optional<FollowWhom> follow_of(const Spec& spec) {
   return axis == nullptr ? std::nullopt : axis->follow;
 }
 
-/// What can be followed, by name: in what it counts, and what following it is.
+/// A leader by name: its unit, and how an axis follows it.
 struct Leader {
   std::string name;
   std::string unit;

@@ -34,7 +34,7 @@ ExecutorOptions* axis_named(const std::string& name, MachineParts& parts) {
   return axis == parts.axes.end() ? nullptr : &*axis;
 }
 
-/// What asks where the encoder is: called once in every cycle.
+/// Returns the reader of an encoder, which is called once in every cycle.
 std::function<double()> reader_of(const MachineMasterSpec& spec,
                                   const MachineMasterSpec::Encoder& encoder, MachineParts& parts) {
   const EncoderErrors errors{encoder.resolution, encoder.noise, encoder.seed};
@@ -130,7 +130,7 @@ Follow add_machine_master(const MachineMasterSpec& spec, const Document& documen
     return std::visit([&](const auto& what) { return make(what, spec, options, parts); },
                       spec.what);
   } catch (const InputError& error) {
-    if (!error.document().empty())  // of another file, or of one that is not there
+    if (!error.document().empty())  // an error of another file, or a missing file
       throw document.naming(spec.key + ".file", named_file(spec), error);
     throw document.located(InputError(spec.key + "." + error.key(), error.value(), error.rule()));
   }

@@ -75,7 +75,7 @@ EncoderErrors errors_of(const MasterArguments& options, const std::string& unit)
           .seed = options.seed};
 }
 
-/// The motion in seconds, and how long it is said; without an end where it repeats.
+/// The motion in seconds, and the duration of the transmission; infinite if it repeats.
 struct Play {
   TableFile file;
   double length = 0;
@@ -99,7 +99,7 @@ struct Said {
   double position = 0;
 };
 
-/// Says where the master is, at instants of its own clock.
+/// Sends the position of the master, at instants of its own clock.
 class Speaker {
  public:
   Speaker(const MasterArguments& options, Link& link, std::string unit)
@@ -140,7 +140,7 @@ Said speak(const Play& play, const MasterArguments& options, Link& link) {
   Speaker speaker(options, link, play.file.units.position);
   MonotonicPacer pacer;
   Progress progress("master " + options.name);
-  const Interrupt interrupt;  // says that the master is lost before the sender leaves
+  const Interrupt interrupt;  // sends that the master is lost before the program ends
   const std::int64_t begin = pacer.now();
   Said said;
   Jet x{};
@@ -174,7 +174,7 @@ int report(const Said& said, const MasterArguments& options, const std::string& 
   return fine;
 }
 
-/// Who begins to speak takes over: from the line itself, if that is on this bus.
+/// Rejects a second sender: it would replace the first one, even the line itself if that is on this bus.
 void require_alone(Link link, const MasterArguments& options) {
   link.transport().subscribe(wire::channel(options.name, wire::Lane::master), 16);
   const Nanos end = steady_now() + std::chrono::milliseconds(300);
@@ -193,7 +193,7 @@ int run_master(const MasterArguments& options) {
   require_name_on_bus("--as", options.name);
   const Play play = play_of(options);
   (void)errors_of(options,
-                  play.file.units.position);  // what is wrong is said before the bus is asked
+                  play.file.units.position);  // reports errors before it uses the bus
   require_alone(Link(options.link), options);
   Link link(options.link);
   return report(speak(play, options, link), options, play.file.units.position);

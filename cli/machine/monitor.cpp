@@ -24,7 +24,7 @@ constexpr int queue_capacity = 256;  // two statuses each of the most axes of a 
 constexpr Nanos turn = std::chrono::milliseconds(50);
 
 struct MonitorArguments {
-  std::vector<std::string> executors;  // sorted; empty: all that are heard
+  std::vector<std::string> executors;  // sorted; empty: all that send messages
   LinkOptions link;
   double seconds = 0;
   double silence = 3;
@@ -80,7 +80,7 @@ void print_json(const std::string& axis, const wire::MasterStatus& m) {
   std::fflush(stdout);
 }
 
-/// Hears the executors that are asked for.
+/// Receives the statuses of the requested executors.
 class Ear {
  public:
   explicit Ear(const MonitorArguments& options) : options_(options), link_(options.link) {
@@ -111,7 +111,7 @@ class Ear {
     }
   }
 
-  /// What has sent no message for too long, in words: an axis that was named, or all; empty: nothing.
+  /// A sentence on what has sent no message for too long: a named axis, or all; empty: nothing.
   [[nodiscard]] std::string silent() const {
     const Nanos now = steady_now();
     Nanos last = begun_;
@@ -162,7 +162,7 @@ int print_all(Ear& ear, const MonitorArguments& options) {
   return fine;
 }
 
-/// Tells the chosen axis what a key asks for; what it says to that, in a few words.
+/// Sends the command of a key to the chosen axis. Returns its answer in a few words.
 std::string tell(Ear& ear, const std::string& axis, Wish wish) {
   const char* const word = wish == Wish::stop ? "stop" : wish == Wish::hold ? "hold" : "resume";
   ClientCommand command = command::Hold{};

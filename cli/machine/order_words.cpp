@@ -209,6 +209,17 @@ void require_unbuffered(const OrderWords& words, const Form& form) {
                    "applies to move --to, move --by and jog only");
 }
 
+/// Rejects an option of the word that the form does not take: --direction of move --by.
+void require_applies(const OrderWords& words, const Form& form) {
+  const auto& fields = form.command->fields;
+  for (const auto& [option, text] : words.options) {
+    const auto is_it = [&](const Field& f) { return form.takes(f) && form.option(f) == option; };
+    if (text.empty() || std::any_of(fields.begin(), fields.end(), is_it)) continue;
+    throw InputError(dashed(option), text,
+                     "does not apply to " + form.word + " " + dashed(form.selector()));
+  }
+}
+
 /// The value of a field, from its option.
 double value_of(const OrderWords& words, const Form& form, const Field& field, const Units& units) {
   const std::string option = form.option(field);
@@ -292,6 +303,7 @@ void require_taken(const OrderWords& words) {
 ClientCommand command_of(const OrderWords& words, const Units& units) {
   const Form form = form_of(words);
   require_unbuffered(words, form);
+  require_applies(words, form);
   const CommandKind kind = form.command->kind;
   CommandValues values = values_of(command_of(kind));
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {

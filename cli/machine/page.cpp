@@ -48,8 +48,8 @@ web::PanelOptions panel_of(const PageArguments& options, const Link& link, std::
           .warning = is_open(options.link) ? std::string("Warning: ") + open_warning : ""};
 }
 
-/// What a page that `jounce run` has started is less important than: it gives way to the executor, dies with
-/// it, and is the first to go where memory is short.
+/// Makes a page that `jounce run` has started less important than the executor: it has a lower priority, ends
+/// with the executor, and is the first process to be killed if memory is short.
 void give_way() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpriority(PRIO_PROCESS, 0, 10);

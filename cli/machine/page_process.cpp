@@ -32,15 +32,15 @@ using namespace std::chrono_literals;
 constexpr std::size_t most_starts = 5;  // in `memory`
 constexpr Nanos memory = 60s;
 constexpr Nanos pause = 1s;     // before it is started again
-constexpr Nanos look = 100ms;   // between two looks whether it is there
-constexpr Nanos patience = 1s;  // with a page that is to end
+constexpr Nanos look = 100ms;   // between two checks of its presence
+constexpr Nanos patience = 1s;  // wait for a page that shall end
 
 [[noreturn]] void fail(int error, const char* what) {
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// What the child begins with: these three descriptors and the socket, a group of its own (Ctrl-C is for the
-/// executor, which still has axes to stop), and no signal that is blocked or ignored.
+/// Starts the child with these three descriptors and the socket, in a group of its own (Ctrl-C is for the
+/// executor, which still has axes to stop), and with no signal blocked or ignored.
 class Spawn {
  public:
   Spawn(int input, int socket) {

@@ -87,8 +87,8 @@ Figure figure_of(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
   return figure;
 }
 
-/// Which axis is drawn and listed: the first one, unless named. A pass of its own: names and units come first
-/// in a record, but all of it has to be one.
+/// The axis that is drawn and listed: the first one, unless named. It needs a pass of its own: names and units
+/// come first in a record, but the whole file must be a record.
 RecordedAxis axis_of(const std::string& file, const std::string& wanted) {
   std::ifstream in(file, std::ios::binary);
   const Replay names = replay(in, file);

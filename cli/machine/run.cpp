@@ -127,7 +127,7 @@ std::unique_ptr<PageProcess> page_of(const RunArguments& options,
   return page;
 }
 
-/// Who is there now and what it waits for: a run that says nothing looks like one that hangs.
+/// Prints the axes and their next event: a run without output looks like a program that hangs.
 void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
   std::string names;
   for (const auto& axis : axes) names += (names.empty() ? "" : ", ") + axis.receiver.executor;

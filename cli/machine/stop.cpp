@@ -21,7 +21,7 @@ struct StopArguments {
   double patience = 10;
 };
 
-/// The state in which the axis has come to rest, as its status says; nothing if it does not in
+/// The state in which the axis has come to rest, from its status; nullopt if it does not within the
 /// time.
 std::optional<State> state_at_rest(Transport& link, const std::string& executor, Nanos patience,
                                    const std::optional<wire::Key>& key) {

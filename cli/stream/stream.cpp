@@ -19,7 +19,7 @@ namespace {
 
 using StreamArguments = StreamVerb;
 
-/// Whether the start may come later than it is accepted.
+/// True if the start may come later than its acceptance.
 bool waits(const StreamArguments& options) {
   return !options.start_at.empty() || options.at_next_cut || !options.swaps.empty();
 }
@@ -54,7 +54,7 @@ int report(const StreamOutcome& outcome, const StreamArguments& options) {
   return said_no ? finding : fault;
 }
 
-/// Whether something is asked for that only whole tables know.
+/// True if an option applies to whole tables only.
 bool is_of_tables(const StreamArguments& options) {
   return !options.swaps.empty() || !options.master.empty() || options.live ||
          options.until != "start";
@@ -90,7 +90,7 @@ int run_banks(const StreamArguments& options) {
                        .json = options.json});
 }
 
-/// What needs a live master, where there is none.
+/// Rejects options that need a live master, if there is none.
 void require_live(const StreamArguments& options) {
   if (options.live) return;
   if (!options.start_at.empty())

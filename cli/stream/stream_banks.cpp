@@ -30,11 +30,11 @@ TableFile bank_of(const std::string& file, const std::string& axis) {
   return executor_tables(input).slave;
 }
 
-/// Of the first table once, then the second `loops` times, each pass from where the one before ended.
+/// Travel of the first table, then of the second one `loops` times. Each pass begins at the end of the previous one.
 Travel travel_of(const Table& first, const Table& second, std::int32_t loops) {
   Travel all = jounce::travel_of(first);
   const Travel each = jounce::travel_of(second);
-  const double last = all.net + (loops - 1) * each.net;  // where the last pass begins
+  const double last = all.net + (loops - 1) * each.net;  // start of the last pass
   all.lowest = std::min(all.lowest, std::min(all.net, last) + each.lowest);
   all.highest = std::max(all.highest, std::max(all.net, last) + each.highest);
   all.net = last + each.net;
@@ -129,8 +129,7 @@ std::optional<CallOutcome> ended(const wire::QueueAck& level) {
   return std::nullopt;
 }
 
-/// Looks on, ten times a second, until it is over: played to its end, stopped, out of contact, or what
-/// `enough` says.
+/// Polls ten times a second until the end: played, stopped, out of contact, or `enough` returns true.
 template <class Enough>
 CallOutcome watch(Client& client, StaticQueue& queue, Progress& progress,
                   const Interrupt& interrupt, Enough enough) {

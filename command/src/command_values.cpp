@@ -29,7 +29,7 @@ bool is_whole(double value) {
 const char* broken(FieldRange range, double value) {
   if ((range == FieldRange::positive || range == FieldRange::given) && std::isnan(value)) return "";
   if (!std::isfinite(value)) return "must be finite";
-  const auto rule = [](bool holds, const char* words) { return holds ? "" : words; };
+  const auto rule = [](bool kept, const char* words) { return kept ? "" : words; };
   switch (range) {
     case FieldRange::finite:
     case FieldRange::given:

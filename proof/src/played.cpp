@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-struct Place {
+struct LogPlace {
   const std::string& name;
   int line;
 
@@ -23,7 +23,7 @@ struct Place {
   }
 };
 
-double real(std::string_view cell, const char* column, const Place& place) {
+double real(std::string_view cell, const char* column, const LogPlace& place) {
   const auto value = csv_number(cell);
   if (!value) place.fail(column, cell, "must be a finite number");
   return *value;
@@ -31,7 +31,7 @@ double real(std::string_view cell, const char* column, const Place& place) {
 
 /// The index of the column whose heading begins with this name.
 std::size_t column(const std::vector<std::string_view>& header, std::string_view wanted,
-                   const Place& place) {
+                   const LogPlace& place) {
   const auto it = std::find_if(header.begin(), header.end(), [&](std::string_view cell) {
     return cell.substr(0, cell.find(' ')) == wanted;
   });
@@ -121,7 +121,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   std::istringstream lines(csv);
   std::string line;
   std::getline(lines, line);
-  Place place{name, 1};
+  LogPlace place{name, 1};
   const auto header = csv_cells(line);
   const std::size_t number_of_tick = column(header, "tick", place);
   const std::size_t time = column(header, "time", place);

@@ -17,7 +17,7 @@ const std::array<const char*, 4>& names_of(const Comparison& c) {
   return c.labels.over_master ? OverMaster::names : OverTime::names;
 }
 
-std::string with_unit(const std::string& text, const std::string& unit) {
+std::string followed_by_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
@@ -51,8 +51,9 @@ std::string quantity_line(const Comparison& c, std::size_t k) {
   if (change.none())
     text += "the same";
   else
-    text += fmt::format("differs by {} at {}", with_unit(rounded(change.largest.value), unit),
-                        with_unit(rounded(change.largest.where), c.labels.units.x));
+    text +=
+        fmt::format("differs by {} at {}", followed_by_unit(rounded(change.largest.value), unit),
+                    followed_by_unit(rounded(change.largest.where), c.labels.units.x));
   return text + fmt::format("; min {}, max {}\n",
                             arrow(change.before.min.value, change.after.min.value, change),
                             arrow(change.before.max.value, change.after.max.value, change));
@@ -66,7 +67,7 @@ std::string name_of(const Knot& knot, const std::vector<std::string>& names) {
 }
 
 std::string values_of(const Knot& knot, const Comparison& c) {
-  return fmt::format("at {}, {} {}", with_unit(rounded(knot.where), c.labels.units.x),
+  return fmt::format("at {}, {} {}", followed_by_unit(rounded(knot.where), c.labels.units.x),
                      names_of(c)[0], rounded(knot.jet[0]));
 }
 
@@ -79,7 +80,7 @@ std::string knot_line(const KnotChange& change, const Comparison& c) {
                        values_of(*change.before, c));
   std::string text = fmt::format("  ~ {} at ", name_of(*change.after, c.knot_names_after));
   const auto [from, to] = apart(change.before->where, change.after->where);
-  text += with_unit(change.moved ? from + " -> " + to : to, c.labels.units.x);
+  text += followed_by_unit(change.moved ? from + " -> " + to : to, c.labels.units.x);
   for (std::size_t k = 0; k < change.changed.size(); ++k) {
     if (!change.changed[k]) continue;
     const auto [a, b] = apart(change.before->jet[k], change.after->jet[k]);

@@ -38,6 +38,7 @@ refused 2 'distance = 0.*must be greater than 0' slide home --distance 0
 refused 1 velocity_limit slide home --search-velocity 5m/s
 refused 2 'VALUE = 12.*home takes' slide home 12
 refused 2 'method = 3.*move takes' slide move --to 3 --method 3
+refused 2 'direction = positive.*does not apply to move --by' slide move --by 1mm --direction positive
 refused 2 'at = 5.*waits until the axis is homed' slide home --at 5
 refused 1 no_sensor bare home --method 24
 "$jounce" monitor slide --json --seconds 2 | grep -q '"homed":false' || fail "homed before its homing"

@@ -401,15 +401,18 @@ class PlayedExample : public ::testing::TestWithParam<std::string> {};
 
 /// All its axes are played and compared; why one was not; empty: all were.
 std::string played(const std::string& file) {
-  return test::error_of([&] {
+  std::string why;
+  const std::string error = test::error_of([&] {
     for (const Input& loaded : load_axes((examples / file).string())) {
       const Input input = from_rest_to_rest(loaded);
       SCOPED_TRACE(input.name);
       Play play(input, file);
-      if (std::string why = play.run(); !why.empty()) return why;
+      why = play.run();
+      if (!why.empty()) return;
       play.compare();
     }
   });
+  return error.empty() ? why : error;
 }
 
 TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {

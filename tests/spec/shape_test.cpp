@@ -184,7 +184,7 @@ TEST(Load, DryFrictionTakesItsTorqueTimesTheAngle) {
   p.pieces = 10;
   p.minimize = {{RmsOf{derivative_of_shape(2)}}};
   p.ceilings = {{energy_of(load, 360, "mm"), 1e9}};
-  p.max_evaluations = 1;
+  p.options.budget.evaluations = 1;
   EXPECT_NEAR(optimize_shape(p).figures[1].given, 0.3 * 2.5 * 2 * std::numbers::pi, 1e-5);
 }
 

@@ -23,11 +23,11 @@ std::optional<Refusal> take_away(Limits& limits, const Peaks& below) {
 
 /// True if a motion keeps these limits.
 bool keeps(const Profile& motion, const Limits& limits) {
-  constexpr double same = 1 + 1e-9;
+  constexpr double slack = 1 + 1e-9;
   const Peaks most = peaks(motion);
-  return most.velocity <= *limits.velocity * same &&
-         most.acceleration <= *limits.acceleration * same &&
-         (!limits.jerk || most.jerk <= *limits.jerk * same);
+  return most.velocity <= *limits.velocity * slack &&
+         most.acceleration <= *limits.acceleration * slack &&
+         (!limits.jerk || most.jerk <= *limits.jerk * slack);
 }
 
 std::optional<Refusal> outside(double target, const Limits& limits) {

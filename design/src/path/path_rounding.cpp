@@ -14,7 +14,7 @@ namespace {
 /// Error of the `order`th derivative of a segment by rounding of its coefficients.
 double rounding_of(const Segment& f, std::size_t order) {
   const double per_length = std::max(1, f.degree) / f.length;
-  return 8 * std::numeric_limits<double>::epsilon() * profiles_detail::magnitude(f) *
+  return 8 * std::numeric_limits<double>::epsilon() * magnitude(f) *
          std::pow(per_length, static_cast<double>(order));
 }
 
@@ -43,8 +43,8 @@ void discount_rounding(const Trajectory& curve, Report& report) {
   std::erase_if(report.findings, [&](Finding& f) {
     if (!f.broken) return false;
     const std::size_t order = order_of(f.quantity);
-    const bool joint = f.rule.starts_with("continuity/");
-    if (!joint && (!f.rule.starts_with("limit/") || !f.segment)) return false;
+    const bool joint = f.rule.family() == RuleFamily::continuity;
+    if (!joint && (f.rule.family() != RuleFamily::limit || !f.segment)) return false;
     const double excess = joint ? f.value : f.value - f.limit;
     const double rounding = joint ? rounding_at(curve, f.where, order)
                                   : rounding_of(curve.segments()[*f.segment], order);
@@ -52,7 +52,7 @@ void discount_rounding(const Trajectory& curve, Report& report) {
     f.broken = false;
     f.margin = 0;
     f.advice.clear();
-    return !held.insert(f.rule).second;
+    return !held.insert(f.rule.text()).second;
   });
 }
 

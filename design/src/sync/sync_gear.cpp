@@ -13,7 +13,7 @@ namespace jounce::design_detail {
 namespace {
 
 /// The key in the document for a field of the generator. The clutch of `distance` is the first change of the course.
-InputError spec_detail::in_document(const InputError& error) {
+InputError in_document(const InputError& error) {
   std::string key = error.key();
   for (const auto& [ours, theirs] : {std::pair{"change[1].at", "engage_at"},
                                      {"change[1].distance", "distance"},
@@ -41,7 +41,7 @@ SyncCam made_gear(const GearCourse& spec) {
   try {
     return gear_course(spec);
   } catch (const InputError& error) {
-    throw spec_detail::in_document(error);
+    throw in_document(error);
   }
 }
 

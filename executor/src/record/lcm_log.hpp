@@ -37,7 +37,7 @@ class LcmLogReader {
 
   [[nodiscard]] bool cut() const { return cut_; }
   [[nodiscard]] std::int64_t events() const { return events_; }  ///< read so far
-  [[nodiscard]] std::int64_t spec_detail::offset() const {
+  [[nodiscard]] std::int64_t offset() const {
     return offset_;
   }  ///< offset of the next one, in bytes
 

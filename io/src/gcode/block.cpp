@@ -71,7 +71,7 @@ class Line {
     const std::size_t begin = at_;
     const char first = letter(text_[at_]);
     if (first == '\0')
-      fail(at_, spec_detail::shown(at_, at_ + 1), "is not a word: a word is a letter and a number");
+      fail(at_, shown(at_, at_ + 1), "is not a word: a word is a letter and a number");
     const bool behind_number = begin > 0 && (is_digit(text_[begin - 1]) || text_[begin - 1] == '.');
     if (first == 'E' && behind_number)
       fail(begin, "E",
@@ -102,7 +102,7 @@ class Line {
         ++digits;
     }
     if (digits == 0)
-      fail(begin, letters + spec_detail::shown(first, first + 1),
+      fail(begin, letters + shown(first, first + 1),
            "needs a number: variables and expressions are not supported");
     return std::string(text_.substr(first, at_ - first));
   }
@@ -117,7 +117,7 @@ class Line {
     return value;
   }
 
-  [[nodiscard]] std::string spec_detail::shown(std::size_t begin, std::size_t end) const {
+  [[nodiscard]] std::string shown(std::size_t begin, std::size_t end) const {
     begin = std::min(begin, text_.size());
     return printable(std::string(text_.substr(begin, end - begin)));
   }

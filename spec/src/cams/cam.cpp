@@ -12,7 +12,7 @@ namespace {
 std::optional<Bound> read_bound(TomlReader& free, const char* key, const std::string& unit) {
   const auto pair = free.optional_pair(key, unit);
   if (!pair) return std::nullopt;
-  return profiles_detail::Bound{pair->first, pair->second};
+  return Bound{pair->first, pair->second};
 }
 
 void read_free(TomlReader& owner, std::size_t knot, const Units& units, OptimizeSpec& optimize) {

@@ -36,7 +36,7 @@ constexpr double fades_below =
 std::vector<double> parts(Segment f, double level) {
   f.c[0] -= level;
   std::vector<double> zeros;
-  roots(f, 4 * std::numeric_limits<double>::epsilon() * profiles_detail::magnitude(f), zeros);
+  roots(f, 4 * std::numeric_limits<double>::epsilon() * magnitude(f), zeros);
   return zeros;
 }
 
@@ -172,7 +172,7 @@ class Figures {
   void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
     const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
     const auto open = [&](const TrajectorySpan& part) {
-      return profiles_detail::either(part.bounds(row));
+      return either(part.bounds(row));
     };
     const auto done = [&](const TrajectorySpan& part) {
       visit(part.time, part.time + part.length, part.bounds(row).least > limit);
@@ -185,7 +185,7 @@ class Figures {
               std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
     };
     for (Index i = 0; i < s.count(); ++i)
-      if (const Bounds b = s.bounds(i, row); profiles_detail::either(b))
+      if (const Bounds b = s.bounds(i, row); either(b))
         way_.enclosure().search(s.span(i), open, done, leaf);
       else
         visit(s.begin(i), s.begin(i + 1), b.least > limit);
