@@ -74,8 +74,10 @@ TEST(Ellipse, ACircleIsACircle) {
 }
 
 TEST(Ellipse, RejectsAnEndOffIt) {
-  EXPECT_THROW(ellipse({}, {5000, 0}, {10001, 0}, xy, 0, 0.8, ArcRotation::clockwise, 2), InputError);
-  EXPECT_THROW(ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 1.2, ArcRotation::clockwise, 2), InputError);
+  EXPECT_THROW(ellipse({}, {5000, 0}, {10001, 0}, xy, 0, 0.8, ArcRotation::clockwise, 2),
+               InputError);
+  EXPECT_THROW(ellipse({}, {5000, 0}, {10000, 0}, xy, 0, 1.2, ArcRotation::clockwise, 2),
+               InputError);
 }
 
 TEST(Curves, KeepLimitsAndMeetTheirPoints) {

@@ -141,9 +141,14 @@ class Rounding {
     const double larger =
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
     if (step <= tangent * larger) return {};
-    if (settings(k).corner != Corner::stop) return blended(k, room);
     Shape s;
-    s.note = JointNote::steps;
+    if (settings(k).corner == Corner::stop) {
+      s.note = JointNote::steps;
+    } else if (stop_[k]) {
+      s.how = How::rest;
+    } else {
+      s = blended(k, room);
+    }
     return s;
   }
 
@@ -230,17 +235,10 @@ class Rounding {
         trim = trim_for(k, asked.value, room);
         fits = trim < room;
     }
-    const auto velocity = [&](double d) {
-      return blend_velocity(k, blend_of(route_.path, k - 1, d));
-    };
     if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
-      // A corner is no larger than its velocity needs.
-      const double fastest = std::min({cap(k), box(k - 1).velocity, box(k).velocity}) * 0.98;
-      if (velocity(trim) >= fastest) {
-        const double most = trim;
-        trim = least(most, [&](double d) { return velocity(d) >= fastest; });
-        fits = true;
-      }
+      const double least_time = fastest_trim(k, trim);
+      if (least_time < trim) fits = true;
+      trim = least_time;
     }
     Shape s;
     s.how = How::blend;
@@ -251,14 +249,48 @@ class Rounding {
     return s;
   }
 
+  /// The trim, at most `most`, whose blend takes the least time: on the blend and by the ramps to its velocity,
+  /// compared with both sides at full velocity. A larger blend is passed faster, until its speed differs from that of q.
+  [[nodiscard]] double fastest_trim(std::size_t k, double most) const {
+    const Box before = box(k - 1);
+    const Box behind = box(k);
+    const auto lost = [](double v, const Box& b, double a) {
+      if (!(v < b.velocity) || !(b.velocity < none)) return 0.0;
+      return ramp_time(b.velocity - v, a, b.jerk) -
+             ramp_distance(v, b.velocity, a, b.jerk) / b.velocity;
+    };
+    const auto time = [&](double d) {
+      const double v = blend_velocity(k, blend_of(route_.path, k - 1, d));
+      return d * (2 / v - 1 / before.velocity - 1 / behind.velocity) +
+             lost(v, before, before.deceleration) + lost(v, behind, behind.acceleration);
+    };
+    double best = most;
+    double least = time(most);
+    const double rounding = 1e-9 * most / blend_velocity(k, blend_of(route_.path, k - 1, most));
+    const auto consider = [&](double d) {
+      if (d > most) return;
+      const double t = time(d);
+      if (!(t < least - rounding)) return;
+      best = d;
+      least = t;
+    };
+    for (double d = most / 2; d > 1e-4 * most; d /= 2) consider(d);
+    for (const double step : {1.3, 1.12, 1.04, 1.01})
+      for (int round = 0; round < 2; ++round)
+        for (const double d : {best * step, best / step}) consider(d);
+    return best;
+  }
+
   [[nodiscard]] Point corner(std::size_t k) const { return route_.path.point(k, 0); }
 
-  /// The largest trim whose blend is at most `deviation` from the corner. The distance grows with the trim in
+  /// The largest trim whose blend is at most `deviation` from the corner and from both sides. The distance grows with the trim in
   /// every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
   [[nodiscard]] double trim_for(std::size_t k, double deviation, double room) const {
     const Point at = corner(k);
     const auto over = [&](double d) {
-      return least_distance(blend_of(route_.path, k - 1, d).segments(), at, rates_.path_axes) -
+      const Blend blend = blend_of(route_.path, k - 1, d);
+      return std::max(least_distance(blend.segments(), at, rates_.path_axes),
+                      distance_from_sides(route_.path, k - 1, blend, rates_.path_axes)) -
              deviation;
     };
     double high = room;

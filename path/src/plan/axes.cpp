@@ -152,9 +152,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
                    [&](const Segment& f) { return scaled(f, 1, -start); });
     double scale = 0;
     for (const Segment& f : relative) scale = std::max(scale, magnitude(f));
-    const Fitted<OverTime> fit =
-        composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed,
-                        2e-14 * scale);
+    const Fitted<OverTime> fit = composed_within(
+        Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed, 2e-14 * scale);
     for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
     for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
   }

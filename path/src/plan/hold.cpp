@@ -91,8 +91,8 @@ Plan halted(const Plan& plan, double t) {
   const double into = std::min(t - here.time, here.duration);
   const auto made = [&] {
     if (held.law.empty()) held.until(here, std::min(here.duration, 1e-9 * plan.duration()));
-    return Plan(plan.path(), TimingLaw(std::move(held.law)), {plan.joints().begin(), plan.joints().end()},
-                plan.stop_duration(), plan.given());
+    return Plan(plan.path(), TimingLaw(std::move(held.law)),
+                {plan.joints().begin(), plan.joints().end()}, plan.stop_duration(), plan.given());
   };
   if (here.pieces == 0) {  // in a dwell
     if (into > 0) {

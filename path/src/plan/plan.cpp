@@ -98,7 +98,8 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
           {limits, {program.settings().begin(), program.settings().end()}, program.path_axes()}};
 }
 
-Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given)
+Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration,
+           Given given)
     : path_(std::move(path)),
       law_(std::move(law)),
       joints_(std::move(joints)),

@@ -58,7 +58,7 @@ def adversaries():
         plan("whole_1e-12", o, polyline([1e-12, 0]), "the whole path is 1e-12 mm long"),
         plan("collinear", o, polyline([2, 0], [5, 0], [10, 0], [10, 3], [10, 10]), "points within the legs", like="plain_corner"),
         plan("nearly_collinear", o, polyline([5, 1e-12], [10, 0], [10, 10]), "a bend of 4e-13 rad"),
-        either("no_motion", moves("G1 X0 Y0 F6000", "G1 X0 Y0"), 3, "all moves are without length"),
+        either("no_motion", moves("G1 X0 Y0 F6000", "G1 X0 Y0"), 1, "all moves are without length"),
         either("empty", [], 1, "an empty file"),
         either("only_head", ["G21 G90", "M30"], 1, "no move at all"),
         planned_text("no_words", moves("G1 F6000", "X10", "Y10"), "G1 without axes, then modal moves", like="plain_corner"),
