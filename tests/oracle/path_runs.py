@@ -4,9 +4,9 @@
 usage: path_runs.py JOUNCE [--random N SEED] [PROGRAM]...   exit status 1 if anything differs
 
 For every program `jounce check` must accept it, and its curves (`jounce design --curve`) must keep the limits, the
-deviation and the end of the job; its tables must keep the positions within their tolerance. A program that must be
-refused must give an error with its line. A program that only writes another one differently must take the same time.
-Without PROGRAM all are run.
+deviation and the end of the job; its tables must keep positions within their tolerance, velocities and accelerations
+within the limits. A program that must be refused must give an error with its line. A program that only writes another
+one differently must take the same time. Without PROGRAM all are run.
 """
 import json
 import math
@@ -18,10 +18,18 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 TABLE_TOLERANCE = 1e-3
+ROUNDING = 1e-9  # of limits, by the digits of times and positions in a table
 
 
 def run(*command):
     return subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=120, check=False)
+
+
+def symmetric(axis):
+    """Limits for both signs of the acceleration, as those of a spec."""
+    limits = {key: limit for key, limit in axis.items() if key != "deceleration"}
+    limits["acceleration"] = min(axis["acceleration"], axis.get("deceleration", math.inf))
+    return limits
 
 
 def machine_of(job):
@@ -33,7 +41,6 @@ def machine_of(job):
     text += '[gcode]\nrapid = "6 m/min"\n'
     for axis in job["axes"]:
         limits = {key: axis[key] for key in ("velocity", "acceleration", "jerk") if key in axis}
-        limits["acceleration"] = min(limits["acceleration"], axis.get("deceleration", limits["acceleration"]))
         listed = ", ".join(f"{key} = {value!r}" for key, value in limits.items())
         text += f'[[axis]]\nname = "{axis["name"].lower()}"\nlimits = {{ {listed} }}\n'
         text += f"table = {{ tolerance = {TABLE_TOLERANCE!r} }}\n"
@@ -59,6 +66,7 @@ class Runner:
 
     def program(self, name, job, outcome, line=None, exact=True):
         """`exact`: the job has the geometry."""
+        job = dict(job, axes=[symmetric(axis) for axis in job["axes"]])
         source, machine = self.folder / name, self.folder / "machine.toml"
         machine.write_text(machine_of(job), encoding="utf-8")
         given = (source, "--machine", machine)
@@ -90,10 +98,12 @@ class Runner:
             certificate = len(curves) * max(1e-9, 4e-14 * greatest)
             for found in self.judge(name, job, curves, certificate):
                 self.fail(name, f"curve: {found}")
-            loose = {key: value for key, value in job.items() if key != "path"}
-            loose["axes"] = [{"name": axis["name"]} for axis in job["axes"]]
-            for found in self.judge(name, loose, tables, 2 * len(curves) * TABLE_TOLERANCE):
-                if "deviation" in str(found) or "end" in str(found):
+            # A table is cubic between its knots: it keeps no jerk. Without it the judge's time with stops is too short.
+            cubic = {key: value for key, value in job.items() if key != "path"}
+            cubic["axes"] = [{key: x for key, x in axis.items() if key != "jerk"} for axis in job["axes"]]
+            for found in self.judge(name, cubic, tables, 2 * len(curves) * TABLE_TOLERANCE):
+                rounded = found["kind"] == "limit" and abs(found["value"]) <= found["limit"] * (1 + ROUNDING)
+                if not rounded and not found["kind"].startswith("slower"):
                     self.fail(name, f"table: {found}")
         one = json.loads(curves[job["axes"][0]["name"]].read_text(encoding="utf-8"))
         return math.fsum(segment["length"] for segment in one["segments"])

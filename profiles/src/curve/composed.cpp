@@ -33,9 +33,9 @@
 // Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2) with
 // series for F and d gives its coefficients at both ends and the majorant of the twelfth derivative.
 //
-// In a short piece the differences of both ends are mostly rounding, which the coefficients of the fit multiply. Where the
-// sixth coefficient M_6 of the majorant is below that rounding, the series at the start up to s^5 is the better fit. By
-// Taylor's theorem its kth derivative by s strays at most by
+// In a short piece the differences of both ends are mostly rounding, which the coefficients of the fit multiply.
+// Where the sixth coefficient M_6 of the majorant is below that rounding, the series at the start up to s^5 is the
+// better fit. By Taylor's theorem its kth derivative by s strays at most by
 //
 //   (5)  6! / (6 - k)! M_6
 
@@ -290,7 +290,7 @@ struct Fit {
 
 /// The series of a short piece and (5); nothing where the fit is better.
 std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error) {
-  constexpr double rounding = 1e-13;  // of a fit's coefficients
+  constexpr double rounding = 1e-13;  // in a fit, relative
   const profiles_detail::Majorant bound = piece.majorant();
   if (!(bound[6] <= std::min(tolerance, rounding * bound[1]))) return std::nullopt;
   const profiles_detail::EndSeries series = piece.end(0);

@@ -13,8 +13,9 @@ namespace jounce {
 ///
 /// The same plan up to `t`, then the earliest rest on the path within the limits, by the law of stations: a corner
 /// is passed at constant velocity, since it has no share of the limits left for a deceleration; every other piece
-/// is used to slow down. Where the plan itself rests before that, it is kept. No station behind `t` is passed faster than in the plan. On averages and splines
-/// that run by the law of a window the plan goes on to its next rest. Throws InputError "t" outside [0, duration].
+/// is used to slow down. Where the plan itself rests before that, it is kept. No station behind `t` is passed
+/// faster than in the plan. On averages and splines that run by the law of a window the plan goes on to its next
+/// rest. Throws InputError "t" outside [0, duration].
 Plan halted(const Plan& plan, double t);
 
 /// From the rest at the end of `held`, which `halted` made of `plan`, to the end of the plan, with the remaining

@@ -64,9 +64,9 @@ struct CornerRecord {
 ///     const Report report = check(axes.curves[0], limits.axes[0]);
 ///
 /// **Promises.** The plan begins and ends at rest, exactly at the program's ends. Its axes keep every limit, by
-/// exact extrema, within 1e-12: arcs, blends and curves are planned with the limits less 1e-6, and `to_axes` keeps the error
-/// of its fits within half of that. It never takes longer than stop_duration(), the fastest motion of the same laws that
-/// stops at each corner. It depends on nothing but its arguments.
+/// exact extrema, within 1e-12: arcs, blends and curves are planned with the limits less 1e-6, and `to_axes`
+/// keeps the error of its fits within half of that. It never takes longer than stop_duration(), the fastest
+/// motion of the same laws that stops at each corner. It depends on nothing but its arguments.
 class Plan {
  public:
   /// Input of a plan.
