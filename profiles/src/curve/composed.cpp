@@ -288,7 +288,7 @@ struct Fit {
   }
 };
 
-/// The series of a short piece and (5); nothing where the fit is better.
+/// The series of a short piece, with its error (5); nullopt if the fit is better.
 std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error) {
   constexpr double rounding = 1e-13;  // in a fit, relative
   const profiles_detail::Majorant bound = piece.majorant();
