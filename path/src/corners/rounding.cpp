@@ -388,6 +388,14 @@ class Rounding {
   /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
   [[nodiscard]] double run_length(std::size_t k) const { return 20 * piece(k).length; }
 
+  /// A joint of lines that is passed although their directions differ by rounding: the velocities of the axes step by up
+  /// to 1e-9, which a table turns into jerk.
+  [[nodiscard]] bool steps_at(std::size_t k) const {
+    if (k == 0 || k >= route_.path.pieces().size() || shapes_[k].how != How::through) return false;
+    const Sides both = sides(k);
+    return both.lines && vec::distance(both.before, both.behind, n_) > 1e-14;
+  }
+
   void require_ramps(const Box& b, std::size_t k) const {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
       throw InputError("acceleration", b.acceleration,
@@ -416,8 +424,11 @@ class Rounding {
       append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, pieces_,
                   numbers_);
       if (pieces_.size() == before) continue;
-      const Box b = box(k);
+      Box b = box(k);
       require_ramps(b, k);
+      if (steps_at(k) || steps_at(k + 1))
+        for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
+          *limit *= 1 - fit_share / 10;
       const bool rests = here.how == How::rest;
       add_unit(b, k,
                rests                               ? 0
