@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/study/mpi_world.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -117,17 +118,26 @@ TEST(MpiFarm, SendsCheapCasesTogetherAndDearOnesOneByOne) {
 
 TEST(MpiFarm, EndsWhereACaseThrowsOnTheFirstRank) {
   post.boxes.clear();
-  std::jthread worker([] {
+  std::atomic<bool> begun = false;  // the first rank has a case, before the worker has done all
+  std::jthread worker([&] {
     me = 1;
     farm_over(calls, 1, 2, "id")(
-        first(50), [](std::size_t) { return "x"; },
+        first(50),
+        [&](std::size_t) {
+          begun.wait(false);
+          return "x";
+        },
         [](std::size_t, const std::string&) { return false; });
   });
   me = 0;
-  EXPECT_THAT(test::error_of([] {
+  EXPECT_THAT(test::error_of([&] {
                 farm_over(calls, 0, 2, "id")(
                     first(50),
-                    [](std::size_t) -> std::string { throw InputError("case", "", "is bad"); },
+                    [&](std::size_t) -> std::string {
+                      begun = true;
+                      begun.notify_all();
+                      throw InputError("case", "", "is bad");
+                    },
                     [](std::size_t, const std::string&) { return true; });
               }),
               ::testing::HasSubstr("case"));

@@ -134,7 +134,11 @@ void draw_path(std::string& out, const PathFigure& figure, const Frame& frame, d
   finish();
   for (std::size_t k = 0; k < colors; ++k)
     if (!data[k].empty())
-      out += fmt::format("<path class=\"speed\" stroke=\"{}\" d=\"{}\"/>\n", color_of(k), data[k]);
+      out += fmt::format(
+          "<path class=\"speed\" "
+          "style=\"stroke-width:2;stroke-linejoin:round;stroke-linecap:round\" "
+          "stroke=\"{}\" d=\"{}\"/>\n",
+          color_of(k), data[k]);
 }
 
 void draw_scale(std::string& out, const PathFigure& figure, const Frame& frame, double fastest) {

@@ -36,7 +36,6 @@ constexpr std::string_view shape_rules =
     "1.5 "
     "4}"
     ".jf .under{stroke-width:4;stroke-linejoin:round}"
-    ".jf .speed{stroke-width:2;stroke-linejoin:round;stroke-linecap:round}"
     ".jf .dots{stroke-width:3.5;stroke-linecap:round;stroke-dasharray:none}"
     ".jf .lim{stroke-width:1.2;stroke-dasharray:6 4}.jf .bad,.jf .limtext{font-weight:600}"
     ".jf .halo{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
