@@ -18,7 +18,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 TABLE_TOLERANCE = 1e-3
-ROUNDING = 1e-9  # of limits, by the digits of times and positions in a table
+ROUNDING = 1e-9  # share of a limit, by the digits of a table
 
 
 def run(*command):

@@ -249,7 +249,7 @@ class Rounding {
     return s;
   }
 
-  /// The trim, at most `most`, whose blend takes the least time: on the blend and by the ramps to its velocity,
+  /// The trim, at most `most`, whose blend takes the least time: on it and by the ramps to its velocity,
   /// compared with both sides at full velocity. A larger blend is passed faster, until its speed differs from that of q.
   [[nodiscard]] double fastest_trim(std::size_t k, double most) const {
     const Box before = box(k - 1);
@@ -283,8 +283,8 @@ class Rounding {
 
   [[nodiscard]] Point corner(std::size_t k) const { return route_.path.point(k, 0); }
 
-  /// The largest trim whose blend is at most `deviation` from the corner and from both sides. The distance grows with the trim in
-  /// every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
+  /// The largest trim whose blend is at most `deviation` from the corner and from both sides. The distance grows
+  /// with the trim in every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
   [[nodiscard]] double trim_for(std::size_t k, double deviation, double room) const {
     const Point at = corner(k);
     const auto over = [&](double d) {
@@ -388,6 +388,14 @@ class Rounding {
   /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
   [[nodiscard]] double run_length(std::size_t k) const { return 20 * piece(k).length; }
 
+  /// A joint of lines that is passed although their directions differ by rounding: the velocities of the axes
+  /// step by up to 1e-9, which a table turns into jerk.
+  [[nodiscard]] bool steps_at(std::size_t k) const {
+    if (k == 0 || k >= route_.path.pieces().size() || shapes_[k].how != How::through) return false;
+    const Sides both = sides(k);
+    return both.lines && vec::distance(both.before, both.behind, n_) > 1e-14;
+  }
+
   void require_ramps(const Box& b, std::size_t k) const {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
       throw InputError("acceleration", b.acceleration,
@@ -416,8 +424,11 @@ class Rounding {
       append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, pieces_,
                   numbers_);
       if (pieces_.size() == before) continue;
-      const Box b = box(k);
+      Box b = box(k);
       require_ramps(b, k);
+      if (steps_at(k) || steps_at(k + 1))
+        for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
+          *limit *= 1 - fit_share / 10;
       const bool rests = here.how == How::rest;
       add_unit(b, k,
                rests                               ? 0

@@ -172,7 +172,7 @@ Box arc_box(const Rates& rates, const PathSettings& settings, const double* numb
                       std::abs(arc.drift(i)) / length};
   Box best = path_box(rates, settings);
   const Box path = best;
-  const double slow_a = std::min(limits.acceleration(0), path.acceleration);  // of a slow motion
+  const double slow_a = std::min(limits.acceleration(0), path.acceleration);  // a slow motion's
   const double slow_j = std::min(limits.jerk(0, 0), path.jerk);
   const double most = std::min(path.velocity, limits.velocity());
   const double beyond = std::min(path.velocity, 2 * most);  // velocity of the neighbors

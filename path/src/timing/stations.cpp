@@ -112,7 +112,7 @@ std::vector<double> velocities(const std::vector<Unit>& units) {
 }
 
 bool alike(double a, double b) {
-  return a == b || std::abs(a - b) <= 1e-9 * std::max(a, b);
+  return a == b || std::abs(a - b) <= fit_share / 5 * std::max(a, b);
 }
 
 Box both(const Box& a, const Box& b) {
@@ -126,10 +126,19 @@ bool alike(const Box& a, const Box& b) {
          alike(a.jerk, b.jerk);
 }
 
+/// The box of a unit that a ramp leaves: directions of tangent sides differ by up to 1e-9, and with them the
+/// accelerations of the axes at the joint.
+Box across_joint(const Unit& unit) {
+  Box box = unit.box;
+  if (unit.pieces > 1) return box;
+  for (double* limit : {&box.acceleration, &box.deceleration, &box.jerk}) *limit *= 1 - fit_share / 10;
+  return box;
+}
+
 Unit joined(const Unit& a, const Unit& b) {
   Unit unit = a;
   unit.length += b.length;
-  unit.box = both(a.box, b.box);
+  unit.box = both(across_joint(a), across_joint(b));
   unit.pieces += b.pieces;
   return unit;
 }
