@@ -49,7 +49,8 @@ class LiveGear final : public Movement {
 /// nor an error (PMC600 error 775 is reported by master_reversed()).
 class LiveGearInPos final : public Movement {
  public:
-  /// Throws InputError like gear_in_pos(), and "master_start_distance" if it cannot be engaged.
+  /// Throws InputError as gear_in_pos() does, also with the key "master_start_distance" if the gear
+  /// cannot engage.
   LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec);
 
   /// Returns no_master_input; or start_position, start_velocity: the axis does not stand at

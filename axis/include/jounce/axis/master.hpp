@@ -31,7 +31,7 @@ struct MasterSample {
 ///
 ///     ExternalMaster line({.velocity = 3, .acceleration = 20});    // m/s, m/s^2
 ///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});  // communication thread
-///     const Jet x = line.at(tick * period);                                // the cycle's
+///     const Jet x = line.at(tick * period);                                // in each cycle
 ///     if (std::isnan(x[0])) ...                                            // none, or lost
 class Master {
  public:
@@ -72,12 +72,12 @@ class TableMaster final : public Master {
   double start_;
 };
 
-/// An encoder that the cycle reads itself: filters noise and quantization (tracker.hpp).
+/// An encoder that is read in the cyclic thread: filters noise and quantization (tracker.hpp).
 class EncoderMaster final : public Master {
  public:
   /// `position` returns the position of the encoder, m, or NaN: no reading; each at() calls it.
   /// After too long without a reading the master is lost. Like at(), it must not allocate, wait or
-  /// throw. Without it, call read() in each cycle.
+  /// throw. Without `position`, call read() in each cycle.
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
   /// The reading of this cycle, m; call it before at(). After too long without a reading (or with

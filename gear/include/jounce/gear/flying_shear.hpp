@@ -35,25 +35,27 @@ struct FlyingShear {
   double cut_length = 0;  ///< m > 0: one cycle of the master
   double line_speed = 0;  ///< m/s > 0: at which the limits are to hold
 
-  /// Time or distance in step of carriage and material: one of the two, or the stroke decides.
+  /// Time or distance for which carriage and material are in step. Give one of them, or neither:
+  /// then it follows from the stroke.
   std::optional<double> sync_time = {};    ///< s > 0
   std::optional<double> sync_length = {};  ///< m > 0
-  std::optional<double> stroke = {};       ///< u > 0: at most so far from home
+  std::optional<double> stroke = {};       ///< u > 0: greatest distance from home
 
   /// m of the line while the carriage runs up, brakes, and returns.
   std::optional<double> acceleration_length = {};
   std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
 
-  Limits limits =
-      {};  ///< limits of the carriage over time: u/s, u/s^2, u/s^3. No positions: `stroke`
+  /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set `stroke`.
+  Limits limits = {};
   double safety = 1;  ///< >= 1: factor of a run-up that is computed from the limits
 
   /// The speed of the ramps follows this law from 0 to 1: line (constant acceleration),
   /// simple_sine, poly345, poly4567, ... any symmetric one.
   Law ramp = Law::poly345;
   Law return_law = Law::poly345;  ///< any from rest to rest
-  LawForm return_form = {};  ///< scca, straight 0.5, shares 0, 1, 0 is the trapezoid 1/4-1/2-1/4
+  /// Example: scca with straight = 0.5 and shares 0, 1, 0 is the 1/4-1/2-1/4 trapezoid.
+  LawForm return_form = {};
 
   double ratio = 1;  ///< u/m > 0: of the line's travel, e.g. 1000 for m to mm
   double angle = 0;  ///< rad, |angle| < pi/2: between guide and line; not 0: a diagonal saw

@@ -18,7 +18,7 @@ namespace jounce {
 /// that law. The first and last knot of a periodic cam are one: a value given at one of them holds
 /// for both, and a value that both omit is chosen once.
 enum class Fill {
-  rest,          ///< zero unless another rule demands a value, like resolved_knots()
+  rest,          ///< zero unless another rule requires a value, as in resolved_knots()
   minimum_jerk,  ///< least integral of geo_jerk^2 over the whole cam
 };
 
@@ -38,8 +38,8 @@ std::vector<FreeDerivatives> free_derivatives(const CamSpec& spec);
 
 /// Returns the spec with every derivative filled in (except an acceleration that an adjacent law
 /// defines itself), exact to rounding (a positive definite linear system). Apply design() to it. If
-/// a whole cam is one quintic without all four derivatives, the result is the straight line. Throws
-/// like resolved_knots().
+/// a whole cam is one quintic with none of its four derivatives given, the result is the straight
+/// line. Throws like resolved_knots().
 CamSpec filled(CamSpec spec, Fill how);
 
 }  // namespace jounce

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Permitted but possibly unintended features, as findings of Severity::warning; none is ever
-/// broken.
+/// Permitted but possibly unintended features, as findings of Severity::warning; none of them
+/// counts as a broken limit.
 ///
 ///     CamDesign made = design(spec);
 ///     Report odd = warnings(made.cam, made.origin);
@@ -26,8 +26,9 @@ namespace jounce {
 ///   velocity passes beyond that velocity. value: the velocity reached, limit: the required
 ///   velocity.
 /// - "warning/ripple": the acceleration changes sign, by more than 1e-3 of the cam's peak, although
-///   both ends accelerate the same way: in a table, columns that are not each other's derivatives.
-///   value: the greatest acceleration against that of the ends, limit: 0.
+///   both ends accelerate the same way. In a table this means that the columns are not derivatives
+///   of one another. value: the greatest acceleration of the opposite sign to that at the ends,
+///   limit: 0.
 ///
 /// The advice for an R-G or G-R quintic names rho = slope times length over stroke and the window
 /// without reversal (rho <= 5/2) and without velocity overshoot (rho >= 5/3).
@@ -35,7 +36,7 @@ namespace jounce {
 /// For each joint, and at the ends of a cam that wraps or holds: "joint/position",
 /// "joint/geo_velocity", "joint/geo_acceleration", "joint/geo_jerk" for the lowest derivative that
 /// steps (a step of the jerk is only a note). value: the step's size; limit: the tolerance for
-/// rounding, 1e-9 of the derivative's peak (of the travel).
+/// rounding, 1e-9 of the derivative's peak; for the position, of the travel.
 ///
 /// The margin is minus the excess as a share of the cam's travel, or of the derivative's peak in
 /// the cam; excesses up to 1e-9 do not count.

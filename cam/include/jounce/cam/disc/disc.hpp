@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The follower of the plate cam: a roller (radius 0: a knife edge) on a follower that slides, or
-/// at the end of an arm that swings.
+/// The follower of the plate cam: a roller (radius 0: a knife edge) on a slide, or at the end of
+/// a swinging arm.
 enum class Follower {
   translating,  ///< along a line `offset` beside the cam's center
   oscillating,  ///< on an arm of `arm_length`, with its pivot `centre_distance` from the center
@@ -37,8 +37,8 @@ enum class Rotation { counterclockwise, clockwise };
 /// **Frame.** The cam's center is the origin, and the cam is drawn at master 0. The translating
 /// follower then moves along +y at x = offset: a positive offset lowers the pressure angle of the
 /// rise if the cam turns counterclockwise, and raises it if clockwise. The arm's pivot is at
-/// (centre_distance, 0), the roller on its side of +y; lift turns the arm clockwise, away from the
-/// cam.
+/// (centre_distance, 0), the roller on the +y side of it; lift turns the arm clockwise, away from
+/// the cam.
 struct DiscSpec {
   Follower follower = Follower::translating;
   double base_radius = 0;      ///< u, > 0
@@ -89,7 +89,7 @@ class Disc {
   /// (u); for an oscillating one, the angle between the arm and the line of centers (rad).
   [[nodiscard]] double start() const { return start_; }
 
-  /// At any master position. A step of the velocity has two points, one for each side.
+  /// At any master position. At a step of the velocity there are two points, one for each side.
   [[nodiscard]] DiscPoint at(double master, Side side = Side::right) const;
 
  private:
@@ -109,8 +109,8 @@ struct DiscExtremes {
 };
 DiscExtremes extremes(const Disc& disc);
 
-/// Two master positions that cannot be on one profile: the circle of radius `radius` that touches
-/// it at `circle` covers its point at `covered` by `depth` u.
+/// An overlap of the profile with itself: the circle of radius `radius` that touches it at master
+/// position `circle` covers its point at master position `covered` by `depth` u.
 struct Interference {
   double circle = 0;
   double covered = 0;
@@ -119,9 +119,9 @@ struct Interference {
 
 /// Returns the deepest overlap, its depth to 1e-3 of the radius, if a circle rolled around the
 /// outside of the profile (radius roller_radius: the roller; a larger one: a cutter) cuts into a
-/// distant part of it; nullopt otherwise. Proven by enclosures over all pairs of intervals. Within
-/// a quarter turn of the tangent the curvature alone decides, so this function does not search for
-/// undercuts or narrow hollows. A clearance below 1e-5 of the radius counts as none.
+/// distant part of it; nullopt otherwise. Proven by enclosures over all pairs of intervals.
+/// Undercuts and narrow hollows (within a quarter turn of the tangent) depend on the curvature
+/// alone; this function does not look for them. A clearance below 1e-5 of the radius counts as none.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
 /// Limits of the disc; an omitted value is not limited. A profile must always have a radius > 0.
@@ -139,7 +139,8 @@ Report check(const Disc& disc, const DiscLimits& limits);
 
 /// Returns the least base radius with which the cam keeps the limits on pressure angle and profile
 /// radius, with the rest of `spec` unchanged (its base_radius is ignored); nullopt if there is
-/// none. The result keeps them by the exact extrema, and one smaller by 1e-9 of it violates one.
+/// none. The result keeps both limits (exact extrema); a base radius smaller by 1e-9 of it breaks
+/// one of them.
 /// The search goes up in steps of 2 % (translating) or 1/400 of the reach of the arm (oscillating)
 /// and returns the first result: it misses a narrower window further down.
 std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,

@@ -15,8 +15,9 @@ namespace jounce {
 ///     Segment rise = bezier(120, std::vector<double>{0, 0, 0, 40, 40, 40});   // 3-4-5
 ///     std::vector<Segment> chain = bezier_chain(std::vector<double>{0, 60, 120}, control, 3);
 ///
-/// The *control* values are slave positions (u), the *knots* master positions (m). The conversion
-/// is exact (to rounding): every segment is the polynomial of the B-spline between two knots.
+/// The *control* values are slave positions (u: slave unit), the *knots* master positions (m: master
+/// unit). The conversion is exact (to rounding): every segment is the polynomial of the B-spline
+/// between two knots.
 struct BSplineSpec {
   int degree = 3;               ///< 1 ... 11
   std::vector<double> knots;    ///< m, ascending, control.size() + degree + 1 of them; may repeat
@@ -40,9 +41,9 @@ std::vector<Segment> b_spline(const BSplineSpec& spec);
 BSplineSpec interpolating_b_spline(const std::vector<SplinePoint>& points, int degree);
 
 /// The Bezier curve of degree + 1 control values, evenly spaced in master over the length; degree 0
-/// ... 11. It starts at the first and ends at the last, with slopes degree (control[1] -
-/// control[0]) / length and so on. Throws InputError for a length that is not positive, no or more
-/// than 12 values, values that are not finite.
+/// ... 11. It starts at the first and ends at the last. Its initial slope is degree * (control[1] -
+/// control[0]) / length, and the final one likewise. Throws InputError for a length that is not
+/// positive, no or more than 12 values, values that are not finite.
 Segment bezier(double length, std::span<const double> control);
 
 /// Bezier curves of one degree between the breaks; each shares its end value with the start of the

@@ -10,7 +10,7 @@
 namespace jounce {
 
 /// A point of a piecewise polynomial, with its derivatives by master position: an entry of a
-/// controller's cam table of format XYVA.
+/// controller's cam table of format XYVA. m: master unit; u: slave unit.
 struct HermitePoint {
   double master = 0;
   double slave = 0;                     ///< u
