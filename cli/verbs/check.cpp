@@ -118,7 +118,8 @@ void add_check(CommandLine& line) {
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.option("--continuity", options->continuity,
-              "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration")
+              "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration, "
+              "3 jerk")
       .check(whole(0, 3))
       .shown();
   verb.option("--slave", options->slave,

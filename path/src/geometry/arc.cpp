@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <string>
@@ -14,6 +15,12 @@
 
 namespace jounce {
 namespace {
+
+std::string six_digits(double value) {
+  char text[32];
+  static_cast<void>(std::snprintf(text, sizeof text, "%.6g", value));
+  return text;
+}
 
 constexpr double coincident = 1e-9;  // relative: coincident points, a chord of twice the radius
 
@@ -130,9 +137,10 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   if (!(std::min(r0, r1) > 0))
     throw InputError("center", number(std::min(r0, r1)), "must not be an end of the arc");
   if (std::abs(r0 - r1) > tolerance)
-    throw InputError("center", number(std::abs(r0 - r1)),
-                     "has two radii, " + number(r0) + " to the start and " + number(r1) +
-                         " to the end; they may differ by " + number(tolerance));
+    throw InputError("center", "",
+                     "is " + six_digits(r0) + " from the start of the arc and " + six_digits(r1) +
+                         " from its end, which may differ by " + six_digits(tolerance) +
+                         ": correct the center or an end");
   if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
   // Onto the bisector of the chord: the shortest way.
   const Point along = vec::scaled(chord, 1 / c);

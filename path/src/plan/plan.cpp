@@ -214,12 +214,12 @@ std::vector<CornerRecord> Plan::corners() const {
                  " degrees: the plan stops here.";
         break;
       case JointNote::short_sides:
-        c.text = "The sides are too short for what was asked: a corner with a trim of " +
+        c.text = "The sides are too short for the requested value: a corner with a trim of " +
                  number(c.trim) + " and a deviation of " + number(c.deviation) + " is used.";
         break;
       case JointNote::slower:
-        c.text = "Rounding within the value asked for, " + number(c.value) +
-                 ", takes longer than stopping: the plan stops here.";
+        c.text = "Rounding within the requested value of " + number(c.value) +
+                 " takes longer than stopping: the plan stops here.";
         break;
       case JointNote::steps:
         c.text =

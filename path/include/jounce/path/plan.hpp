@@ -43,7 +43,7 @@ struct CornerRecord {
   double where = 0;       ///< q of the middle
   double angle = 0;       ///< rad, 0: tangent
   Corner asked = Corner::stop;
-  double value = 0;      ///< value asked for
+  double value = 0;      ///< requested value
   bool stop = false;     ///< the plan rests here
   double trim = 0;       ///< u, replaced before and after the corner
   double deviation = 0;  ///< u, corner to curve: exact
