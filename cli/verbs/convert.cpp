@@ -171,8 +171,10 @@ void add_convert(CommandLine& line) {
   for (const CamFormat* format : cam_formats()) {
     formats.emplace_back(format->name);
     words += std::string(", ") + format->name;
-    if (*format->extension != '\0')
-      extensions += std::string(", ") + format->extension + " (" + format->name + ")";
+    const std::string extension = format->extension;
+    if (extension.empty()) continue;
+    extensions += ", " + extension;
+    if (extension.substr(1) != format->name) extensions += std::string(" (") + format->name + ")";
   }
   verb.option("OUT", options->output, "File to write: " + extensions + "; - is standard output");
   verb.option("--to", options->to,

@@ -128,9 +128,9 @@ void add_losses(std::vector<std::string>& all, const CamFormat& format, const Ta
   if (format.join == KnotJoin::lines)
     all.emplace_back("positions only: the error is that of straight lines between them");
   if (format.join == KnotJoin::spline)
-    all.push_back(
-        std::string("positions only: the error is that of a cubic spline through them; ") +
-        format.maker + " does not document the ends of its splines");
+    all.emplace_back(
+        "positions only: the error is that of a cubic spline through them; the ends of the "
+        "controller's splines are not documented");
   if (format.join == KnotJoin::clamped_spline)
     all.push_back(
         fmt::format("positions and the slopes at both ends, {} and {}: the error is that "

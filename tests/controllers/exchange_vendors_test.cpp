@@ -15,7 +15,7 @@
 
 // TwinCAT, Siemens and Rockwell: files as their programs and public generators write them, in the numbers of one cam:
 // E, 40 mm by 3-4-5 over 0 to 120 deg, a dwell to 180, back until 300, a dwell to 360.
-namespace jounce::exchange_test {
+namespace jounce::exchange_vendors_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -237,4 +237,4 @@ TEST(Rockwell, WritesBothViewsOfATag) {
 }
 
 }  // namespace
-}  // namespace jounce::exchange_test
+}  // namespace jounce::exchange_vendors_test

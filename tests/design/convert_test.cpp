@@ -92,7 +92,7 @@ Converted exported(const Input& input, const char* format, std::size_t intervals
 }
 
 TEST(Convert, StatesTheErrorOfEachControllersCurve) {
-  // Losses of this cam at a point for each degree, as the notes on formats give them: 2.0 um by lines, 0.32 nm by a spline.
+  // The notes on formats give the losses at one point a degree: 2.0 um by lines, 0.32 nm by a spline.
   EXPECT_NEAR(exported(cam_e(), "pairs", 360).error->position, 2.0e-3, 0.05e-3);
   EXPECT_NEAR(exported(cam_e(), "siemens-points", 360).error->position, 0.32e-6, 0.01e-6);
   EXPECT_FALSE(exported(cam_e(), "twincat", 0).error) << "the five knots are exact";

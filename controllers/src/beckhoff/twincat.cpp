@@ -20,7 +20,7 @@ const KnotType function_point{
     .fields = {"MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc"},
     .others = {"PointIndex", "FunctionType", "PointType", "RelIndexNextPoint", "SlaveJerk"}};
 
-constexpr double rounding = 1e-9;  ///< of a slope, for digits that a program leaves out
+constexpr double rounding = 1e-9;  ///< tolerance of a slope, for digits that a program leaves out
 
 std::string word_of(const Knot& knot, const char* field) {
   const auto found = knot.others.find(field);

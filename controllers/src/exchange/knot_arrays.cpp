@@ -61,7 +61,7 @@ class Reader {
     while (word != "of" && word != ";" && !word.empty()) word = code_.next();
     if (word != "of") return;
     std::string of = unqualified(code_.next());
-    std::erase(of, '"');  // as TIA Portal writes a data type
+    std::erase(of, '"');  // TIA Portal writes a data type in quotes
     if (lower(of) != lower(type_.name)) return;
     if (code_.peek() == ";" && assigns()) return;
     const StReader::Mark values = code_.here();
@@ -251,7 +251,7 @@ Exchanged cam_of_knots(const KnotArray& array, const KnotType& type, Interpolati
   return cam;
 }
 
-std::string knots_text(const Columns& columns, const KnotType& type, const std::string& others) {
+std::string knots_text(const Columns& columns, const KnotType& type) {
   const std::array all{&columns.x, &columns.p, &columns.v, &columns.a};
   const std::size_t n = columns.x.size();
   std::string text;
@@ -261,7 +261,7 @@ std::string knots_text(const Columns& columns, const KnotType& type, const std::
       if (!type.fields[i].empty())
         text += (i == 0 ? "" : ", ") + std::string(type.fields[i]) +
                 " := " + real_literal((*all[i])[knot]);
-    text += others + (knot + 1 < n ? "),\n" : ")\n");
+    text += knot + 1 < n ? "),\n" : ")\n";
   }
   return text;
 }

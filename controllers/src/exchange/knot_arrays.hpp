@@ -46,9 +46,8 @@ std::vector<KnotArray> knot_arrays(const std::string& text, const KnotType& type
 /// The knots as a cam; the columns v and a only if `type` has these fields.
 Exchanged cam_of_knots(const KnotArray& array, const KnotType& type, Interpolation rule);
 
-/// One line of the initial values for each knot: `    (dX := 0.0, ..., `, with the text of `others` for each index, `)`.
-std::string knots_text(const Columns& columns, const KnotType& type,
-                       const std::string& others = "");
+/// The initial values, a line `    (dX := 0.0, ...),` for each knot.
+std::string knots_text(const Columns& columns, const KnotType& type);
 
 /// A REAL or LREAL literal of IEC 61131-3, which has a decimal point.
 std::string real_literal(double value);

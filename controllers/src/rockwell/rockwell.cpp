@@ -27,7 +27,7 @@ namespace jounce::controllers_detail {
 namespace {
 
 constexpr double rounding =
-    1e-9;  ///< of values at the joints of a calculated profile, as a share of the stroke
+    1e-9;  ///< tolerance at the joints of a calculated profile, as a share of the stroke
 constexpr int calculated = 2;  ///< Status of an element of a CAM_PROFILE
 constexpr const char* start_slope =
     "StartSlope ";  ///< operands of MCCP, in the description of the tag
@@ -137,7 +137,7 @@ std::optional<double> noted(const Tag& tag, const std::string& word) {
   const auto at = tag.description.find(word);
   if (at == std::string::npos) return std::nullopt;
   const std::string rest = tag.description.substr(at + word.size());
-  return csv_number(rest.substr(0, rest.find_first_of(", \t\r\n")));
+  return csv_number(rest.substr(0, rest.find_first_of(",; \t\r\n")));
 }
 
 /// The C2 cubic spline through the points with these slopes at its ends.
@@ -258,7 +258,7 @@ std::string l5x_text(const TableFile& file) {
   return "<Tag Name=\"Cam\" TagType=\"Base\" DataType=\"CAM\" Dimensions=\"" + size +
          "\" Constant=\"false\" ExternalAccess=\"Read/Write\">\n <Description><![CDATA[a cam by " +
          made_by() + ". Operands of MCCP: Length " + size + ", " + start_slope + number(v.front()) +
-         ", " + end_slope + number(v.back()) + ". MAPC: Execution Mode " +
+         ", " + end_slope + number(v.back()) + "; MAPC: Execution Mode " +
          (persistent ? "Continuous" : "Once") +
          "]]></Description>\n <Data Format=\"L5K\"><![CDATA[[" + list +
          "]]]></Data>\n <Data Format=\"Decorated\"><Array DataType=\"CAM\" Dimensions=\"" + size +

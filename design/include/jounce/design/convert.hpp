@@ -30,9 +30,9 @@ struct Converted {
 };
 
 /// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
-/// nor the target asks for others. If the controller joins the knots by a spline (KnotJoin), the error is that of its
-/// spline, with numbers rounded as in the file: the clamped one, or the natural (or periodic) one where the ends are not
-/// documented; a tolerance holds for this spline. Throws InputError with the name of a member of Target
+/// nor the target asks for others. If the controller joins the knots by a spline (KnotJoin), the error is that of this
+/// spline, with numbers rounded as in the file, and a tolerance holds for it. A spline whose ends are not documented is
+/// taken as natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
 /// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
 /// else.
 Converted converted(const Input& input, const Conversion& conversion);
