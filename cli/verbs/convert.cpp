@@ -70,7 +70,8 @@ Converted convert(const Input& input, const ConvertArguments& options) {
 std::string samples_of(const TableFile& file, const ConvertArguments& options) {
   if (format_of(options) || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
-    throw InputError("--every", options.every, "writes samples, as CSV only");
+    throw InputError("--every", options.every,
+                     "writes samples, which are CSV: end OUT in .csv, and leave out --to");
   try {
     return samples_csv(file, quantity(options.every, file.units.x));
   } catch (const InputError& error) {
@@ -83,7 +84,9 @@ std::string text_of(const TableFile& file, const ConvertArguments& options) {
   if (format && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
+    if (unit->empty())
+      throw InputError(option, "",
+                       "is missing: the file names no unit. Give one, such as mm or deg");
   if (!options.every.empty()) return samples_of(file, options);
   return options.to == "json"     ? to_json(file)
          : options.to == "csv"    ? to_csv(file)
@@ -140,7 +143,9 @@ void require_known_ending(const ConvertArguments& options) {
   if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
       path.ends_with(".json"))
     return;
-  throw InputError("OUT", path, "has no extension of a known format: name the format with --to");
+  throw InputError(
+      "OUT", path,
+      "must end in .csv, .json, .xyva, .st or .txt; for another ending, name the format with --to");
 }
 
 int run_convert(const ConvertArguments& options) {

@@ -117,7 +117,7 @@ std::string rows_text(const TableFile& file, char separator, const std::string& 
 std::string kollmorgen_text(const TableFile& file) {
   if (file.table.size() < 5)
     throw InputError("knots", std::to_string(file.table.size()),
-                     "must be at least 5: KAS imports four segments or more");
+                     "must be at least 5: KAS imports four segments or more. Give more intervals");
   const bool cyclic = repeats(file.table.outside());
   return std::string("CYCLIC;") + (cyclic ? "YES" : "NO") + ";\nTABLE_BEGIN;;\n" +
          rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
@@ -126,9 +126,10 @@ std::string kollmorgen_text(const TableFile& file) {
 std::string sew_text(const TableFile& file) {
   constexpr std::size_t most = 16383;  // MOVI-C, curve point table
   if (file.table.size() > most)
-    throw InputError("knots", std::to_string(file.table.size()),
-                     "an SEW curve point table holds at most " + std::to_string(most) +
-                         ": give a tolerance, or fewer intervals");
+    throw InputError(
+        "knots", std::to_string(file.table.size()),
+        "must be at most " + std::to_string(most) +
+            ", the size of an SEW curve point table: give a tolerance, or fewer intervals");
   return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
 }
 

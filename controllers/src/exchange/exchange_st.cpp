@@ -38,7 +38,7 @@ std::array<double, 4> point(StReader& code) {
     if (field == fields.end()) code.fail("point", word, "must be one of dX, dY, dV, dA");
     const auto i = static_cast<std::size_t>(field - fields.begin());
     const std::string key = std::string("d") + "XYVA"[i];
-    if (std::exchange(given[i], true)) code.fail(key, "", "stands twice");
+    if (std::exchange(given[i], true)) code.fail(key, "", "is there twice: remove one");
     code.expect(":=");
     values[i] = code.number(key);
     sign = code.next();
@@ -240,7 +240,8 @@ std::string st_text(const TableFile& file) {
   const auto& [x, p, v, a] = file.table.columns();
   if (x.size() > most_points)
     throw InputError("knots", std::to_string(x.size()),
-                     "nElements is an INT: at most " + std::to_string(most_points));
+                     "must be at most " + std::to_string(most_points) +
+                         ": nElements is an INT. Give a tolerance, or fewer intervals");
   std::string text = "// a cam for CODESYS SoftMotion, by " + made_by() + "\n" +
                      notes_text(file, "//") +
                      "// once, in the program: Cam.pce := ADR(CamPoints);\n" +
