@@ -41,7 +41,7 @@ class TomlReader {
                                              std::span<const std::string> permitted);
 
   std::optional<TomlReader> optional_table(const char* key);
-  /// If the table is missing, the message says to add `example`; by default, the section [key].
+  /// `example`: what the message of a missing table advises to add; by default, the section [key].
   TomlReader table(const char* key, const std::string& example = "");
   /// [[key]] or key = [{...}, ...]; empty if there is none. Counted from 1 in messages.
   std::vector<TomlReader> tables(const char* key);
@@ -73,7 +73,7 @@ class TomlReader {
 
  private:
   const toml::node* find(const char* key);
-  /// If the key is missing, the message says to add `example`.
+  /// `example`: what the message of a missing key advises to add.
   const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
                                    const std::string& meant) const;
