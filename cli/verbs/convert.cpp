@@ -142,9 +142,12 @@ void require_known_ending(const ConvertArguments& options) {
   if (format_of(options) != nullptr || !options.to.empty() || path == "-" ||
       path.ends_with(".csv") || path.ends_with(".json"))
     return;
+  std::string endings = ".csv, .json";
+  for (const CamFormat* format : cam_formats())
+    if (*format->extension != 0) endings += std::string(", ") + format->extension;
   throw InputError(
       "OUT", path,
-      "must end in .csv, .json, .xyva, .st or .txt; for another ending, name the format with --to");
+      "must end in one of " + endings + "; for another ending, name the format with --to");
 }
 
 int run_convert(const ConvertArguments& options) {
