@@ -37,8 +37,8 @@ std::vector<Input> axis_of(std::vector<Input> all, const std::string& path,
 Input only_one(std::vector<Input> all, const std::string& path) {
   if (all.size() > 1)
     throw InputError("--axis", "",
-                     "is missing: this verb works with one axis, " +
-                         (path == "-" ? "standard input" : path) + " has " + names_of(all));
+                     "is missing: " + (path == "-" ? "standard input" : path) +
+                         " has several axes. Choose one of " + names_of(all));
   return std::move(all.front());
 }
 

@@ -63,7 +63,8 @@ bool is_of_tables(const StreamArguments& options) {
 int run_rolling(const StreamArguments& options) {
   if (is_of_tables(options)) {
     throw InputError("--rolling", "",
-                     "streams one table over time: omit --swap, --master, --live and --until");
+                     "cannot be combined with --swap, --master, --live and --until: it sends one "
+                     "table over time");
   }
   return stream_rolling({.file = options.file,
                          .axis = options.axis,
@@ -78,7 +79,8 @@ int run_rolling(const StreamArguments& options) {
 int run_banks(const StreamArguments& options) {
   if (options.rolling || is_of_tables(options)) {
     throw InputError("--bank", options.bank,
-                     "fills two banks of rows: omit --rolling, --swap, --master, --live, --until");
+                     "cannot be combined with --rolling, --swap, --master, --live and --until: it "
+                     "fills two banks of rows");
   }
   return stream_banks({.first = options.file,
                        .second = options.bank,
@@ -96,9 +98,9 @@ void require_live(const StreamArguments& options) {
   if (!options.start_at.empty())
     throw InputError("--start-at", options.start_at, "is a position of a live master: add --live");
   if (options.at_next_cut)
-    throw InputError("--at-next-cut", "", "is the end of a cam with a live master: add --live");
+    throw InputError("--at-next-cut", "", "applies to a cam with a live master: add --live");
   if (options.keep_velocity)
-    throw InputError("--keep-velocity", "", "is for a cam with a live master: add --live");
+    throw InputError("--keep-velocity", "", "applies to a cam with a live master: add --live");
 }
 
 /// Its tables, passes and event are played by the executor's two banks.
@@ -130,8 +132,8 @@ int run_stream(const StreamArguments& options) {
   if (is_live_follow(input, options)) return run_follow(input, options);
   if (options.relative)
     throw InputError("--relative", "",
-                     "is for --rolling, --bank and live follow specs: a whole table begins at its "
-                     "first position");
+                     "applies to --rolling, --bank and live follow specs only: other tables begin "
+                     "at their first position");
   StreamPlan plan = plan_of(options, options.to, std::move(input));
   Link link(options.link);
   plan.start_tick = tick_of(options, link, options.to);
@@ -153,7 +155,7 @@ void add_stream(CommandLine& line) {
       "stream", "Send a table to an executor; the motion starts when the whole table has arrived",
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
-      "jounce stream cam.toml --to knife --live --start-at 250mm with its live master\n"
+      "jounce stream cam.toml --to knife --live --start-at 250mm   with its live master\n"
       "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut "
       "on\n"
       "jounce stream xyz.toml --to x,y,z                        several axes, in the same tick\n"
@@ -192,8 +194,9 @@ void add_stream(CommandLine& line) {
   verb.flag("--relative", options->relative,
             "With --rolling, --bank or a live follow spec: begin at the position of the axis "
             "instead of that of the table");
-  verb.option("--ahead", options->capacity,
-              "With --rolling: number of rows before the start; the buffer holds twice as many")
+  verb.option(
+          "--ahead", options->capacity,
+          "With --rolling: number of rows to send before the start; the buffer holds twice as many")
       .needs(rolling)
       .check(whole(2, 1 << 20))
       .shown();

@@ -52,7 +52,8 @@ Banks banks_of(const BankOptions& options) {
   if (first.table.axis() != second.table.axis() || first.units.x != second.units.x ||
       first.units.position != second.units.position)
     throw InputError("--bank", options.second,
-                     "must be over the same, in the same units, as " + options.first);
+                     "must be over the same variable (time or master) and in the same units as " +
+                         options.first);
   const std::size_t most = std::max(first.table.size(), second.table.size());
   const Travel travel = travel_of(first.table, second.table, options.loops);
   return {.queue = {.axis = first.table.axis(),

@@ -42,8 +42,9 @@ std::vector<Input> inputs_for(const std::vector<std::string>& names, const Strea
       chosen.push_back(all[i]);
     else
       throw InputError("--to", options.to,
-                       "names " + std::to_string(names.size()) + " axes, " + options.file +
-                           " has " + std::to_string(all.size()));
+                       "names " + std::to_string(names.size()) + " axes, but " + options.file +
+                           " has " + std::to_string(all.size()) +
+                           ": name one executor for each axis");
   }
   return chosen;
 }

@@ -69,7 +69,8 @@ Converted convert(const Input& input, const ConvertArguments& options) {
 std::string samples_of(const TableFile& file, const ConvertArguments& options) {
   if (format_of(options) != nullptr || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
-    throw InputError("--every", options.every, "writes samples, as CSV only");
+    throw InputError("--every", options.every,
+                     "writes samples, which are CSV: end OUT in .csv, and leave out --to");
   try {
     return samples_csv(file, quantity(options.every, file.units.x));
   } catch (const InputError& error) {
@@ -82,7 +83,9 @@ std::string text_of(const TableFile& file, const ConvertArguments& options) {
   if (format != nullptr && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
+    if (unit->empty())
+      throw InputError(option, "",
+                       "is missing: the file names no unit. Give one, such as mm or deg");
   if (!options.every.empty()) return samples_of(file, options);
   return options.to == "json"     ? to_json(file)
          : options.to == "csv"    ? to_csv(file)
@@ -139,7 +142,12 @@ void require_known_ending(const ConvertArguments& options) {
   if (format_of(options) != nullptr || !options.to.empty() || path == "-" ||
       path.ends_with(".csv") || path.ends_with(".json"))
     return;
-  throw InputError("OUT", path, "has no extension of a known format: name the format with --to");
+  std::string endings = ".csv, .json";
+  for (const CamFormat* format : cam_formats())
+    if (*format->extension != 0) endings += std::string(", ") + format->extension;
+  throw InputError(
+      "OUT", path,
+      "must end in one of " + endings + "; for another ending, name the format with --to");
 }
 
 int run_convert(const ConvertArguments& options) {

@@ -143,10 +143,10 @@ std::vector<Message> matching(const std::vector<Message>& all, const std::string
   std::vector<std::string> names;
   for (const Message& one : all) names.push_back(one.name);
   const std::string meant = nearest(code, names);
-  throw InputError("CODE", code,
-                   "is not the number or name of a message" +
-                       (meant.empty() ? "; " : "; did you mean " + meant + "? ") +
-                       "`jounce explain` lists all");
+  throw InputError(
+      "CODE", code,
+      "is not the number or name of a message: " +
+          (meant.empty() ? "`jounce explain` lists all" : "did you mean " + meant + "?"));
 }
 
 int run_explain(const ExplainArguments& options) {
@@ -168,7 +168,7 @@ int run_explain(const ExplainArguments& options) {
 void add_explain(CommandLine& line) {
   const auto options = std::make_shared<ExplainArguments>();
   const Verb verb =
-      line.verb("explain", "Explain a fault, a refusal, a finding, or an error of a controller",
+      line.verb("explain", "Explain a fault, a rejection, a finding, or an error of a controller",
                 "jounce explain following_error");
   verb.option("CODE", options->code,
               "Number or name, as in a message, a log or a status; or the rule of a finding");
