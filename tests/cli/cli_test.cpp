@@ -106,7 +106,7 @@ TEST_F(Cli, ExplainNamesMeaningAndRemedy) {
   const Result name = run("explain following_error");
   EXPECT_EQ(name.status, 0);
   EXPECT_THAT(name.out,
-              HasSubstr("6 following_error (Faults of an axis)\n  The following error was above "));
+              HasSubstr("6 following_error (Faults of an axis)\n  The following error exceeded "));
   EXPECT_THAT(name.out, HasSubstr("What to do: "));
   const Result number = run("explain 6");
   EXPECT_THAT(number.out, HasSubstr(name.out)) << "the same fault";
@@ -339,7 +339,7 @@ TEST_F(Cli, TheLoopOfADriveAloneIsDrawn) {
   EXPECT_EQ(slurp(folder / "n.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("plot gear.toml --drive bode").err,
-              HasSubstr("drive: is missing: this picture needs a spec with a [drive]"));
+              HasSubstr("drive: is missing: this picture needs a spec with [drive]"));
 }
 
 /// The signals of the model are a recording that `identify` reads.
@@ -641,7 +641,7 @@ limits = { slave = { acceleration = 5000 } }
   const Result fast = run("check fast.toml");
   EXPECT_EQ(fast.status, 1);
   EXPECT_THAT(fast.out, HasSubstr("master_acceleration 2000 mm/s^2"));
-  EXPECT_THAT(fast.out, HasSubstr("[master] acceleration: at most 1000"));
+  EXPECT_THAT(fast.out, HasSubstr("[master] acceleration at most 1000"));
   EXPECT_THAT(fast.out, HasSubstr("fastest acceleration of the master 1000 mm/s^2"));
   EXPECT_THAT(fast.out, Not(HasSubstr("slow the master down")));
   write("both.toml", R"(jounce = 1
@@ -1079,10 +1079,10 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
   write("a.toml", "jounce = 1\nkind = \"machine\"\n");
   EXPECT_THAT(run("check a.toml").err,
-              HasSubstr("a.toml:2:8: kind = \"machine\": is for `jounce run`"));
+              HasSubstr("a.toml:2:8: kind = \"machine\": is a machine: run it with `jounce run`"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
   EXPECT_THAT(run("check a.toml").err,
-              HasSubstr("a.toml:2:8: kind = \"sweep\": is for `jounce sweep`"));
+              HasSubstr("a.toml:2:8: kind = \"sweep\": is a sweep: start it with `jounce sweep`"));
 }
 
 TEST_F(Cli, AnEnergyIsNoPosition) {
