@@ -541,7 +541,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(agito_lines + "jerk = 10"),
                   "a.toml:9:8: move.jerk = 10: must be between 0 and 9"},
         BadMotion{move_spec(agito_lines + "rpt_wait = 10"),
-                  "a.toml:9:12: move.rpt_wait = 10: needs strokes, the number of repetitions: add "
+                  "a.toml:9:12: move.rpt_wait = 10 ms: needs strokes, the number of repetitions: add "
                   "it, or leave rpt_wait out"},
         BadMotion{
             move_spec(with(agito_lines, "2000", "3000000000")),

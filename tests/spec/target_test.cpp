@@ -90,11 +90,11 @@ TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")), HasSubstr("a table over time"));
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")),
               HasSubstr("needs knots = \"fewest\""));
-  EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("not both"));
+  EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("give one of the two"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
               HasSubstr("a.toml:16:8: table.most = 5: a quintic_hermite table needs"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-3\nmaster_resolution = 3\n")),
-              HasSubstr("table.master_resolution = 3 deg: the"));
+              HasSubstr("table.master_resolution = 3 deg: must divide the"));
 }
 
 TEST(ControllerTables, CountInTheirOwnUnits) {
