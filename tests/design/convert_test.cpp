@@ -11,6 +11,8 @@
 namespace jounce::convert_test {
 namespace {
 
+using testing::HasSubstr;
+
 const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
 
 Input cam() {
@@ -72,6 +74,28 @@ TEST(Convert, LossesNameTheRestOfTheSpec) {
   EXPECT_EQ(losses(cam_table(), Format::xyva, input.table.table).size(), 0U);
   EXPECT_EQ(losses(cam_table(), Format::pairs, input.table.table).size(), 3U)
       << "positions only, no units, no period";
+}
+
+TEST(Convert, TheNameOrTheEndOfThePathIsTheForm) {
+  EXPECT_EQ(table_form("", "cam.json").name, "json");
+  EXPECT_EQ(table_form("", "-").name, "csv");
+  EXPECT_EQ(table_form("", "cam.st").format, Format::codesys);
+  EXPECT_EQ(table_form("points", "cam.st").name, "points") << "the name counts more";
+  const TableFile table = cam_table().table;
+  EXPECT_EQ(form_text({"csv"}, table), to_csv(table));
+  EXPECT_EQ(form_text({"xyva", Format::xyva}, table), exchange_text(Format::xyva, table));
+}
+
+TEST(Convert, TheAnswerStatesTheErrorAndTheLosses) {
+  const Input input = cam();
+  const Converted made =
+      converted(input, {.rule = Interpolation::linear,
+                        .target = Target{.rule = Interpolation::linear, .tolerance = 1.0}});
+  const std::string text = conversion_text(input, made, {"csv"}, {"laws stay in the spec"});
+  EXPECT_THAT(text,
+              HasSubstr("-> csv: " + std::to_string(made.file.table.size()) + " knots, linear\n"));
+  EXPECT_THAT(text, HasSubstr("\nlaws stay in the spec\n"));
+  EXPECT_THAT(conversion_json(made, {"csv"}, "cam.csv", {}), HasSubstr("\"lossless\":false"));
 }
 
 }  // namespace

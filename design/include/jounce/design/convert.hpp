@@ -29,11 +29,11 @@ struct Converted {
       error;  ///< in the units of the input; nullopt: bit for bit the knots of the input
 };
 
-/// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
-/// nor the target asks for others. Kollmorgen's KAS joins positions by a spline, so the error for it is that of the
-/// natural (or periodic) spline through the positions. Throws InputError with the name of a member of Target
-/// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
-/// else.
+/// The table of an input with other knots, another interpolation, or other units. Knots are kept
+/// where neither the rule nor the target asks for others. Kollmorgen's KAS joins positions by a
+/// spline, so the error for it is that of the natural (or periodic) spline through the positions.
+/// Throws InputError with the name of a member of Target ("tolerance", "x_step", ...), or
+/// "master_unit", "position_unit" for a unit that is unknown or measures something else.
 Converted converted(const Input& input, const Conversion& conversion);
 
 /// The parts of the input that a file in this format does not contain, one phrase each.
@@ -42,5 +42,26 @@ std::vector<std::string> losses(const Input& input, const std::optional<Format>&
 
 /// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
 std::string error_text(const Converted& made, const Labels& labels);
+
+/// The form in which a table is written.
+struct TableForm {
+  std::string name =
+      "csv";  ///< "csv", "json", "points" (segments with types, CSV), or the name of the format
+  std::optional<Format> format = {};  ///< format of a controller
+};
+
+/// The form of this name, or, if it is empty, by the end of the path; CSV if nothing else.
+TableForm table_form(const std::string& name, const std::string& path);
+
+/// The text of a file in this form. Throws InputError like exchange_text() and points_text().
+std::string form_text(const TableForm& form, const TableFile& file);
+
+/// The answer of `jounce convert`: input, form, knots, error and the losses, one a line.
+std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
+                            const std::vector<std::string>& losses);
+
+/// The same as a JSON object; `path` is the name of the file.
+std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
+                            const std::vector<std::string>& losses);
 
 }  // namespace jounce
