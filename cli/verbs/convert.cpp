@@ -35,7 +35,7 @@ struct ConvertArguments {
 };
 
 Interpolation rule_for(const ConvertArguments& options, const TableForm& form, const Table& table) {
-  if (form.format) return rule_of(*form.format);
+  if (form.format != nullptr) return rule_of(*form.format);
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     if (options.rule == name(rule)) return rule;
@@ -62,7 +62,7 @@ Converted convert(const Input& input, const ConvertArguments& options, const Tab
 }
 
 std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
-  if (form.format && options.every.empty()) return form_text(form, file);
+  if (form.format != nullptr && options.every.empty()) return form_text(form, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
     if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
@@ -90,7 +90,7 @@ std::vector<std::string> losses(const ConvertArguments& options, const TableForm
 
 int run_convert(const ConvertArguments& options) {
   const TableForm form = table_form(options.to, options.output);
-  const bool is_known = form.format || !options.to.empty() || options.output == "-" ||
+  const bool is_known = form.format != nullptr || !options.to.empty() || options.output == "-" ||
                         options.output.ends_with(".csv") || options.output.ends_with(".json");
   if (!is_known)
     throw InputError("OUT", options.output,
@@ -118,15 +118,20 @@ void add_convert(CommandLine& line) {
       "--position-unit mm");
   verb.option("IN", options->input, "Table or spec, in any known format; - is standard input")
       .required();
-  verb.option("OUT", options->output,
-              "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
-              "is standard output");
-  std::vector<std::string> formats = format_names();
-  formats.insert(formats.begin(), {"csv", "json", "points"});
+  std::vector<std::string> formats{"csv", "json", "points"};
+  std::string words = "csv, json", extensions = ".csv, .json";
+  for (const CamFormat* format : cam_formats()) {
+    formats.emplace_back(format->name);
+    words += std::string(", ") + format->name;
+    const std::string extension = format->extension;
+    if (extension.empty()) continue;
+    extensions += ", " + extension;
+    if (extension.substr(1) != format->name) extensions += std::string(" (") + format->name + ")";
+  }
+  verb.option("OUT", options->output, "File to write: " + extensions + "; - is standard output");
   verb.option("--to", options->to,
-              "Format, if the extension of OUT does not determine it: csv, json, xyva, codesys, "
-              "pairs, sew, kollmorgen; points: CSV of segments with types, for the PT and follow "
-              "modes of Googol")
+              "Format, if the extension of OUT does not determine it: " + words +
+                  "; points: CSV of segments with types, for the PT and follow modes of Googol")
       .check(one_of(formats));
   verb.axis(options->axis);
   verb.option("--rule", options->rule,
