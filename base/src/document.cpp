@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/base/document.hpp"
 
-namespace jounce {
+#include <charconv>
+#include <map>
+#include <system_error>
 
-InputError Document::located(const InputError& error) const {
-  if (!error.document().empty()) return error;
+namespace jounce {
+namespace {
+
+/// The error with the unit of its number, if its key has one. Twelve digits hide the rounding of a change of unit.
+InputError with_unit(const InputError& error, const std::map<std::string, std::string>& units) {
+  const auto unit = units.find(error.key());
+  const std::string& text = error.value();
+  double value = 0;
+  const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (unit == units.end() || unit->second.empty() || unit->second == "1" || bad != std::errc() ||
+      end != text.data() + text.size())
+    return error;
+  const InputError rounded(error.key(), value, error.rule());
+  return InputError(error.key(), rounded.value() + " " + unit->second, error.rule());
+}
+
+}  // namespace
+
+InputError Document::located(const InputError& given) const {
+  if (!given.document().empty()) return given;
+  const InputError error = with_unit(given, units);
   for (std::string key = error.key();; key.erase(key.find_last_of(".["))) {
     if (const auto it = places.find(key); it != places.end())
       return error.at(name, it->second.line, it->second.column);

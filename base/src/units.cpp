@@ -85,8 +85,8 @@ Unit require_unit(std::string_view text) {
   Unit unit = units().parse(text);
   if (!unit)
     throw InputError("unit", std::string(text),
-                     "is not a known unit (m mm um cm in, rad deg rev, pulse, s ms us ns "
-                     "min, kg g, N, J, W, Hz kHz MHz, rpm, A V ohm and their products)");
+                     "is not a known unit; known are m mm um cm in, rad deg rev, pulse, s ms us ns "
+                     "min h, kg g, N J W, Hz kHz MHz, rpm, A V ohm and their products");
   return unit;
 }
 
@@ -126,22 +126,23 @@ double quantity(std::string_view text, std::string_view unit) {
   const auto [end, error] = std::from_chars(begin, whole.data() + whole.size(), value);
   const std::string shown = '"' + std::string(text) + '"';
   if (error != std::errc() || !std::isfinite(value))
-    throw InputError("", shown,
-                     "must be a finite number, with or without a unit, such as \"12.5 " +
-                         std::string(unit) + '"');
+    throw InputError(
+        "", shown,
+        "must be a finite number, with or without a unit" +
+            (unit.empty() ? std::string() : ", such as \"12.5 " + std::string(unit) + '"'));
   const std::string_view given =
       trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())));
   if (given.empty()) return value;
   if (!is_unit(given))
-    throw InputError(
-        "", shown,
-        '"' + std::string(given) + "\" is not a unit; the value must be in " + std::string(unit));
+    throw InputError("", shown,
+                     '"' + std::string(given) + "\" is not a known unit; give the value in " +
+                         std::string(unit));
   try {
     return value * conversion(given, unit);
   } catch (const InputError&) {
     throw InputError("", shown,
-                     "the unit " + std::string(given) + " does not fit; the value must be in " +
-                         std::string(unit));
+                     std::string(given) + " does not measure the same as " + std::string(unit) +
+                         ": give the value in " + std::string(unit));
   }
 }
 

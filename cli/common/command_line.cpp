@@ -79,7 +79,7 @@ std::vector<std::string> meant(std::span<char*> given) {
   for (std::string& word : std::span(words.begin(), end)) {
     if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
     if (word.starts_with("--") && word.ends_with('='))
-      throw InputError(word.substr(0, word.size() - 1), "", "has no value behind its =");
+      throw InputError(word.substr(0, word.size() - 1), "", "has no value after =");
     if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
       word.insert(1, "0");
   }
@@ -99,11 +99,25 @@ std::string stranger(const CLI::App& app, std::span<char*> words) {
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())
       continue;
+    if ((name == "-o" || name == "--output") && app.get_option_no_throw("OUT") != nullptr)
+      return "`" + name + "` is not an option of this verb: name the output as the second argument";
     const std::string near = name.size() > 2 ? nearest(name, options) : "";
     return "`" + name + "` is not an option of this verb" +
-           (near.empty() ? "" : ". Did you mean " + near + "?");
+           (near.empty() ? "" : ": did you mean " + near + "?");
   }
   return "";
+}
+
+/// The parser's sentence, in the words of the other messages: what is missing, or one too many.
+std::string words_of(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string required = " is required";
+  if (text.ends_with(required))
+    return text.substr(0, text.size() - required.size()) + " is missing";
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return text;
+  const std::size_t colon = text.find(": ");
+  return "`" + text.substr(colon == std::string::npos ? 0 : colon + 2) +
+         "` is one argument too many";
 }
 
 /// The error of the command line, with the nearest verb or option if there is one, and the command that lists all.
@@ -111,24 +125,24 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::sp
   std::vector<std::string> verbs;
   for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
   const std::string given = words.size() > 1 ? words[1] : "";
-  const std::string all = " (jounce --help shows all)";
-  if (given.empty()) return "no verb given" + all;
+  const std::string all = " (see jounce --help)";
+  if (given.empty()) return "the verb is missing" + all;
   const bool is_verb = std::find(verbs.begin(), verbs.end(), given) != verbs.end();
   if (!is_verb && given[0] != '-') {
     const std::string near = nearest(given, verbs);
-    return "`" + given + "` is not a verb" + (near.empty() ? "" : ". Did you mean " + near + "?") +
+    return "`" + given + "` is not a verb" + (near.empty() ? "" : ": did you mean " + near + "?") +
            all;
   }
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
   const std::string strange = stranger(asked, words.subspan(is_verb ? 2 : 1));
-  return (strange.empty() ? error.what() : strange) +
-         (is_verb ? " (jounce " + given + " --help shows all)" : all);
+  return (strange.empty() ? words_of(error) : strange) +
+         (is_verb ? " (see jounce " + given + " --help)" : all);
 }
 
 }  // namespace
 
 CommandLine::CommandLine()
-    : app_(std::make_unique<CLI::App>("Design, check, optimise, prove and play motion tables.",
+    : app_(std::make_unique<CLI::App>("Design, check, optimize, prove and play motion tables.",
                                       "jounce")) {
   app_->formatter(std::make_shared<Help>());
   app_->set_version_flag("--version", made_by());

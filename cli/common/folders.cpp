@@ -17,7 +17,9 @@ void require_folders(std::initializer_list<AskedOutput> outputs) {
       throw InputError(option, path, "is a folder: name a file in it");
     const fs::path folder = fs::path(path).parent_path();
     if (!folder.empty() && !fs::is_directory(folder, none))
-      throw InputError(option, path, "cannot be written: missing folder " + folder.string());
+      throw InputError(option, path,
+                       "cannot be written, because the folder " + folder.string() +
+                           " does not exist: make it first");
   }
 }
 

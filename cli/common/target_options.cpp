@@ -84,10 +84,12 @@ Target target_of(const TargetOptions& options, Domain axis, Interpolation rule,
   if (const ControllerTable* controller = controller_table(options.controller)) {
     if (controller->axis != axis)
       throw InputError("--controller", options.controller,
-                       std::string("needs a table over ") + name(controller->axis));
+                       std::string("needs a table over ") + (controller->axis == Domain::master
+                                                                 ? "a master, such as a cam"
+                                                                 : "time, such as a move"));
     if (controller->rule != rule)
       throw InputError("--controller", options.controller,
-                       std::string("needs a ") + name(controller->rule) + " table");
+                       std::string("needs --rule ") + name(controller->rule));
     target = jounce::target_of(*controller, units, x_step, "--resolution");
   }
   const std::string rate = rate_unit(units.position, units.x, 1);

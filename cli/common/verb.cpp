@@ -38,7 +38,7 @@ std::string put(const std::string& word, Target& target) {
     return "";
   } else {
     if (std::is_unsigned_v<Target> && word.starts_with('-'))
-      return "must be a number, not negative";
+      return "must be a number of at least 0";
     return read(word, target) ? "" : "must be a number";
   }
 }
@@ -69,8 +69,10 @@ Check one_of(std::vector<std::string> words) {
   return [words = std::move(words)](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return "";
     const std::string near = nearest(text, words);
-    return fmt::format("must be one of {}{}", fmt::join(words, ", "),
-                       near.empty() ? "" : "; did you mean " + near + "?");
+    if (near.empty()) return fmt::format("must be one of {}", fmt::join(words, ", "));
+    return words.size() > 8
+               ? fmt::format("is unknown: did you mean {}?", near)
+               : fmt::format("must be one of {}: did you mean {}?", fmt::join(words, ", "), near);
   };
 }
 
@@ -79,8 +81,8 @@ Check whole(std::int64_t low, std::int64_t high) {
     std::int64_t value = 0;
     if (put(text, value).empty() && value >= low && value <= high) return "";
     if (high == std::numeric_limits<std::int64_t>::max())
-      return fmt::format("must be a whole number, {} or more", low);
-    return fmt::format("must be a whole number, {} to {}", low, high);
+      return fmt::format("must be a whole number of at least {}", low);
+    return fmt::format("must be a whole number from {} to {}", low, high);
   };
 }
 
@@ -88,7 +90,7 @@ Check within(double low, double high) {
   return [=](const std::string& text) {
     const auto value = number_in(text);
     const bool good = value && *value >= low && *value <= high;
-    return good ? std::string() : fmt::format("must be a number, {} to {}", low, high);
+    return good ? std::string() : fmt::format("must be a number from {} to {}", low, high);
   };
 }
 
@@ -96,7 +98,7 @@ Check seconds() {
   return [](const std::string& text) {
     const auto value = number_in(text);
     const bool good = value && *value >= 1e-3 && *value <= 1e12;
-    return good ? std::string() : "must be a number of seconds, 0.001 to 1e12";
+    return good ? std::string() : "must be a number of seconds from 0.001 to 1e12";
   };
 }
 
@@ -192,13 +194,13 @@ Option Verb::flag(const std::string& name, bool& target, const std::string& help
 Option Verb::axis(std::string& target) const {
   return option(
       "--axis", target,
-      "NAME of the axis in a spec with several axes, or of the cam in a file with several cams");
+      "Name of the axis in a spec with several axes, or of the cam in a file with several cams");
 }
 
 Option Verb::machine(std::string& target) const {
   return option(
       "--machine", target,
-      "For a G-code program: SPEC of kind \"path\" with the axes and limits of the machine");
+      "For a G-code program: spec of kind \"path\" with the axes and limits of the machine");
 }
 
 void Verb::work(Work work) const {

@@ -22,7 +22,7 @@ std::string said_of(StreamError error, const std::string& reason) {
 
 void require_name_on_bus(const std::string& argument, const std::string& name) {
   if (!wire::is_executor_name(name))
-    throw InputError(argument, name, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+    throw InputError(argument, name, "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
 }
 
 Nanos nanos(double seconds) {

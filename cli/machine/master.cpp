@@ -93,7 +93,7 @@ int run_master(const MasterArguments& options) {
 void add_master(CommandLine& line) {
   const auto options = std::make_shared<MasterArguments>();
   const Verb verb = line.verb(
-      "master", "Send the positions of a simulated master: for tests without the line",
+      "master", "Send the positions of a simulated master, for tests without the machine",
       "jounce master line.toml --as line\n"
       "jounce master line.csv --as line --noise 20um --resolution 50um\n"
       "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");

@@ -61,13 +61,13 @@ int run_page(const PageArguments& options) {
 
 void add_page(CommandLine& line) {
   const auto options = std::make_shared<PageArguments>();
-  const Verb verb =
-      line.verb("page", "Serve a live page of axes; its address permits a browser to send orders",
-                "jounce page feeder knife --port 8080\n"
-                "jounce page feeder --url 'udpm://239.255.76.67:7667?ttl=1' --key line.key\n"
-                "`jounce run --web` starts one beside its executor.");
+  const Verb verb = line.verb(
+      "page", "Serve a live web page of axes, from which a browser can also send commands",
+      "jounce page feeder knife --port 8080\n"
+      "jounce page feeder --url 'udpm://239.255.76.67:7667?ttl=1' --key line.key\n"
+      "`jounce run --web` starts one beside its executor.");
   verb.option("NAME", options->axes, "Names of the executors to show").required();
-  verb.option("--port", options->port, "On 127.0.0.1; 0: any free one")
+  verb.option("--port", options->port, "Port on 127.0.0.1; 0: any free port")
       .check(whole(0, 65535))
       .shown();
   verb.option("--seconds", options->seconds,

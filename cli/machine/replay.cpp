@@ -85,7 +85,7 @@ void add_replay(CommandLine& line) {
   verb.option("--csv", options->csv,
               "Recorded ticks to write, in the format of `jounce run --log`");
   verb.option("--last", options->last,
-              "Number of last cycles to write (default: --plot 5000, --csv all)")
+              "Number of last cycles to write; default: 5000 for --plot, all for --csv")
       .check(whole(1, 10'000'000));
   verb.flag("--json", options->json, "Result as JSON");
   verb.work([options] { return run_replay(*options); });

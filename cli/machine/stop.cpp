@@ -45,7 +45,7 @@ int run_stop(const StopArguments& options) {
 
 void add_stop(CommandLine& line) {
   const auto options = std::make_shared<StopArguments>();
-  const Verb verb = line.verb("stop", "Stop an axis, also one that another session moves",
+  const Verb verb = line.verb("stop", "Stop an axis, even if another program moves it",
                               "jounce stop feeder\n"
                               "jounce stop feeder --abort");
   verb.option("NAME", options->executor, "Name of the executor").required();

@@ -15,9 +15,9 @@ void require_live(const StreamArguments& options) {
   if (!options.start_at.empty())
     throw InputError("--start-at", options.start_at, "is a position of a live master: add --live");
   if (options.at_next_cut)
-    throw InputError("--at-next-cut", "", "is the end of a cam with a live master: add --live");
+    throw InputError("--at-next-cut", "", "applies to a cam with a live master: add --live");
   if (options.keep_velocity)
-    throw InputError("--keep-velocity", "", "is for a cam with a live master: add --live");
+    throw InputError("--keep-velocity", "", "applies to a cam with a live master: add --live");
 }
 
 int run_stream(const StreamArguments& options) {
@@ -40,7 +40,7 @@ void add_stream(CommandLine& line) {
       "stream", "Send a table to an executor; the motion starts when the whole table has arrived",
       "jounce stream cam.toml --to feeder\n"
       "jounce stream first.csv --to feeder --swap second.csv    one after the other, in motion\n"
-      "jounce stream cam.toml --to knife --live --start-at 250mm with its live master\n"
+      "jounce stream cam.toml --to knife --live --start-at 250mm   with its live master\n"
       "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut "
       "on\n"
       "jounce stream xyz.toml --to x,y,z                        several axes, in the same tick\n"
@@ -79,8 +79,9 @@ void add_stream(CommandLine& line) {
   verb.flag("--relative", options->relative,
             "With --rolling, --bank or a live follow spec: begin at the position of the axis "
             "instead of that of the table");
-  verb.option("--ahead", options->capacity,
-              "With --rolling: number of rows before the start; the buffer holds twice as many")
+  verb.option(
+          "--ahead", options->capacity,
+          "With --rolling: number of rows to send before the start; the buffer holds twice as many")
       .needs(rolling)
       .check(whole(2, 1 << 20))
       .shown();

@@ -34,8 +34,9 @@ BankPlan bank_plan_of(const StreamArguments& options) {
   const TableFile first = bank_of(load(options.file, options.axis));
   const TableFile second = bank_of(load(options.bank, options.axis));
   if (!fit_in_one_queue(first, second))
-    throw InputError("--bank", options.bank,
-                     "must be over the same, in the same units, as " + options.file);
+    throw InputError(
+        "--bank", options.bank,
+        "must be over the same variable (time or master) and in the same units as " + options.file);
   return bank_plan(first, second, options.loops, options.relative);
 }
 
@@ -44,7 +45,8 @@ BankPlan bank_plan_of(const StreamArguments& options) {
 int stream_rolling(const StreamArguments& options) {
   if (is_of_tables(options)) {
     throw InputError("--rolling", "",
-                     "streams one table over time: omit --swap, --master, --live and --until");
+                     "cannot be combined with --swap, --master, --live and --until: it sends one "
+                     "table over time");
   }
   RowPlan plan = row_plan_of(options);
   Link link(options.link);
@@ -90,7 +92,8 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
 int stream_banks(const StreamArguments& options) {
   if (options.rolling || is_of_tables(options)) {
     throw InputError("--bank", options.bank,
-                     "fills two banks of rows: omit --rolling, --swap, --master, --live, --until");
+                     "cannot be combined with --rolling, --swap, --master, --live and --until: it "
+                     "fills two banks of rows");
   }
   return play(bank_plan_of(options), options, BankOptions::Until::finished,
               options.file + " and " + options.bank, "finished");

@@ -164,8 +164,8 @@ int stream_table(const StreamArguments& options) {
   if (is_live_follow(input, options)) return stream_follow(input, options);
   if (options.relative)
     throw InputError("--relative", "",
-                     "is for --rolling, --bank and live follow specs: a whole table begins at its "
-                     "first position");
+                     "applies to --rolling, --bank and live follow specs only: other tables begin "
+                     "at their first position");
   StreamPlan plan = plan_of(options, options.to, input);
   Link link(options.link);
   plan.start_tick = tick_of(options, link, options.to);

@@ -2,7 +2,9 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/check_text.hpp"
@@ -45,9 +47,12 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
     });
     return;
   }
-  std::string known;
-  for (const auto& [name, target] : all) known += (known.empty() ? "" : ", ") + name;
-  throw InputError("--limit", text, "must be KEY=VALUE with one of " + known);
+  std::vector<std::string> known;
+  for (const auto& [name, target] : all) known.push_back(name);
+  const std::string near = nearest(key, known);
+  throw InputError("--limit", text,
+                   fmt::format("must be KEY=VALUE with one of {}{}", fmt::join(known, ", "),
+                               near.empty() || near == key ? "" : ": did you mean " + near + "?"));
 }
 
 void set_limits(Input& input, const CheckArguments& options) {
@@ -55,7 +60,7 @@ void set_limits(Input& input, const CheckArguments& options) {
   try {
     require_valid(input.limits);
   } catch (const InputError& error) {
-    throw InputError("--limit", error.value(), error.key() + " " + error.rule());
+    throw InputError("--limit " + error.key(), error.value(), error.rule());
   }
 }
 
@@ -123,12 +128,15 @@ void add_check(CommandLine& line) {
       .check(whole(0, 3))
       .shown();
   verb.option("--slave", options->slave,
-              "Rest position of the slave at the start of the coupling; default: the first value "
+              "For a spec with [coupling]: rest position of the slave at its start; default: the "
+              "first value "
               "of the cam");
   verb.option("--master", options->master,
-              "Position of the master at that time; default: the start of the cam");
+              "For a spec with [coupling]: position of the master at that time; default: the start "
+              "of the cam");
   verb.option("--master-velocity", options->master_velocity,
-              "Velocity of the master at that time, per second; default: that of [master]");
+              "For a spec with [coupling]: velocity of the master at that time, per second; "
+              "default: that of [master]");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_check(*options); });
 }

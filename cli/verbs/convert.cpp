@@ -65,10 +65,13 @@ std::string text_of(const TableFile& file, const ConvertArguments& options, cons
   if (form.format != nullptr && options.every.empty()) return form_text(form, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
+    if (unit->empty())
+      throw InputError(option, "",
+                       "is missing: the file names no unit. Give one, such as mm or deg");
   if (options.every.empty()) return form_text(form, file);
   if (form.name != "csv" || options.output.ends_with(".json"))
-    throw InputError("--every", options.every, "writes samples, as CSV only");
+    throw InputError("--every", options.every,
+                     "writes samples, which are CSV: end OUT in .csv, and leave out --to");
   try {
     return samples_csv(file, quantity(options.every, file.units.x));
   } catch (const InputError& error) {
@@ -88,13 +91,23 @@ std::vector<std::string> losses(const ConvertArguments& options, const TableForm
   return all;
 }
 
+/// The extension of the file or --to must determine the format.
+void require_known_ending(const ConvertArguments& options, const TableForm& form) {
+  const std::string& path = options.output;
+  if (form.format != nullptr || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
+      path.ends_with(".json"))
+    return;
+  std::string endings = ".csv, .json";
+  for (const CamFormat* format : cam_formats())
+    if (*format->extension != 0) endings += std::string(", ") + format->extension;
+  throw InputError(
+      "OUT", path,
+      "must end in one of " + endings + "; for another ending, name the format with --to");
+}
+
 int run_convert(const ConvertArguments& options) {
   const TableForm form = table_form(options.to, options.output);
-  const bool is_known = form.format != nullptr || !options.to.empty() || options.output == "-" ||
-                        options.output.ends_with(".csv") || options.output.ends_with(".json");
-  if (!is_known)
-    throw InputError("OUT", options.output,
-                     "has no extension of a known format: name the format with --to");
+  require_known_ending(options, form);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options, form);

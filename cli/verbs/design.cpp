@@ -79,7 +79,7 @@ void add_design(CommandLine& line) {
   const auto options = std::make_shared<DesignArguments>();
   const Verb verb = line.verb("design", "Make the table of a spec",
                               "jounce design cam.toml -o cam.csv --curve cam.curve.json");
-  verb.option("SPEC", options->spec, "Spec to make; - is standard input").required();
+  verb.option("SPEC", options->spec, "Spec; - is standard input").required();
   verb.option("-o,--output", options->output,
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
               "becomes a-NAME.csv for each");

@@ -46,7 +46,7 @@ void add_events(CommandLine& line) {
               "- is standard input")
       .required();
   verb.option("-o,--output", options->output, "CSV to write; - is standard output");
-  verb.flag("--json", options->json, "For machines");
+  verb.flag("--json", options->json, "Events as JSON");
   verb.work([options] { return run_events(*options); });
 }
 

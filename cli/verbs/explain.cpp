@@ -75,7 +75,7 @@ int run_explain(const ExplainArguments& options) {
 void add_explain(CommandLine& line) {
   const auto options = std::make_shared<ExplainArguments>();
   const Verb verb =
-      line.verb("explain", "Explain a fault, a refusal, a finding, or an error of a controller",
+      line.verb("explain", "Explain a fault, a rejection, a finding, or an error of a controller",
                 "jounce explain following_error");
   verb.option("CODE", options->code,
               "Number or name, as in a message, a log or a status; or the rule of a finding");

@@ -29,11 +29,13 @@ Law law_of(const std::string& word) {
 }
 
 void draw(const LawsArguments& options) {
-  if (options.law.empty()) throw InputError("--output", options.output, "draws one law: name it");
+  if (options.law.empty())
+    throw InputError("--output", options.output, "needs a LAW: name the law to draw");
   const Law law = law_of(options.law);
   const auto rising = rising_laws();
   if (std::find(rising.begin(), rising.end(), law) == rising.end())
-    throw InputError("LAW", options.law, "has no shape of its own to draw");
+    throw InputError("LAW", options.law,
+                     "has no shape to draw, because its points define it: choose another law");
   CurveLook look;
   look.title = info(law).title;
   look.label = info(law).name;

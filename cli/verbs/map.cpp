@@ -67,7 +67,7 @@ void add_map(CommandLine& line) {
   verb.option("FILE", options->file, "Spec of a knife or a shear; - is standard input").required();
   verb.option("--from", options->from, "Shortest cut; default: the whole range of interest");
   verb.option("--to", options->to, "Longest cut");
-  verb.option("--steps", options->steps, "Number of lengths, both ends included")
+  verb.option("--steps", options->steps, "Number of lengths from --from to --to, both included")
       .check(whole(2, 100000));
   verb.option("--line-speed", options->line_speed,
               "Speed of the line; default: the velocity of [master], or line_speed of a shear");

@@ -17,7 +17,9 @@ namespace {
 
 /// Writes a new key. A key is not printed, and never replaces a file.
 int make_key(const std::string& output) {
-  if (output == "-") throw InputError("--output", output, "must be a file: a key is a secret");
+  if (output == "-")
+    throw InputError("--output", output,
+                     "must be a file, because a key is a secret: give a file name");
   write_new_key(output);
   return fine;
 }

@@ -58,7 +58,7 @@ Input slave_of(const Input& input) {
   const bool is_cam = std::holds_alternative<Cam>(*input.curve);
   if (!is_cam || !input.spec)
     throw InputError("--over", "time",
-                     input.name + (is_cam ? " is a table without a master: give its spec"
+                     input.name + (is_cam ? " is a table, which has no master: give its spec"
                                           : " is over time already: leave out --over"));
   return over_time(input);
 }
@@ -93,8 +93,8 @@ int run_plot(const PlotArguments& options) {
   require_other_file(options.file, options.output);
   if (!options.plane.empty()) {
     const std::vector<Input> axes = load_program(options.file, options.machine, "");
-    write_svg(options.output, svg(with_option_names(
-                                  {"plane"}, [&] { return path_figure(axes, options.plane); })));
+    write_svg(options.output,
+              svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); })));
     return fine;
   }
   SvgOptions look;

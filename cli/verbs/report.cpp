@@ -27,7 +27,7 @@ struct ReportArguments {
 void require_page(const char* option, const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
   if (path != "-" && !ending.empty() && ending != ".html" && ending != ".htm")
-    throw InputError(option, path, "must end in .html: a report is a page of HTML");
+    throw InputError(option, path, "must end in .html");
 }
 
 int run_report(const ReportArguments& options) {

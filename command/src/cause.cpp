@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "jounce/command/causes.hpp"
-#include "jounce/profiles/error.hpp"
+#include "jounce/command/refusal_text.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::array entries{
     Entry{Cause::none, "none", "Nothing is wrong.", "Nothing."},
     Entry{Cause::aborted, "aborted",
           "Aborted on request: the setpoint stays where it was in that cycle.",
-          "Remove the reason of the abort, reset the axis, and send the motion again."},
+          "Remove the reason for the abort, reset the axis, and send the motion again."},
     Entry{Cause::disabled_in_motion, "disabled_in_motion",
           "The axis was disabled in motion: the setpoint stays where it was in that cycle.",
           "Look for what took the enable away: the drive, an operator, or a second program."},
@@ -28,12 +29,13 @@ constexpr std::array entries{
           "a table: report it, the table was checked."},
     Entry{Cause::out_of_range, "out_of_range",
           "The next setpoint is outside position_min and position_max.",
-          "With a live master: shorten its way, or shift the cam. With a table: report it, the "
+          "With a live master: shorten its travel, or shift the cam. With a table: report it, the "
           "table was checked."},
-    Entry{Cause::following_error, "following_error",
-          "The following error was above following_error for longer than following_time.",
-          "Check load, brake and tuning, and the torque with `jounce validate`. Reset the axis "
-          "after that."},
+    Entry{
+        Cause::following_error, "following_error",
+        "The following error exceeded its limit, following_error, for longer than following_time.",
+        "Check the load, the brake and the tuning of the drive, and check the torque with `jounce "
+        "validate`. Then reset the axis."},
     Entry{Cause::positive_soft_limit, "positive_soft_limit",
           "The motion would have passed position_max: the axis stopped before it.",
           "Reset the axis, then move it back."},
@@ -78,7 +80,7 @@ constexpr std::array entries{
           "The axis is not at the position where the armed table begins; move it there first.",
           "Arm the table again: the axis was moved, or its position was set, after the arm."},
     Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Name a later tick. The time of the stream is not the time of the axis."},
+          "Give a later tick: `jounce monitor NAME --json` shows the present one."},
     Entry{Cause::no_value, "no_value", "The command has no table or no value.",
           "Send the table, or the number, with the command."},
     Entry{Cause::leaving, "leaving", "The executor is shutting down and accepts no table.",
@@ -129,7 +131,7 @@ constexpr std::array entries{
           "End a repeating table where it begins, or let it hold its end."},
     Entry{Cause::master_outside_cam, "master_outside_cam",
           "The master leaves the range of a cam that has no values outside.",
-          "Shorten the way of the master, or make the cam hold, wrap or advance."},
+          "Shorten the travel of the master, or make the cam hold, wrap or advance."},
     Entry{Cause::position_limit, "position_limit", "The motion leaves the position range.",
           "Shift or shorten the motion, or widen position_min and position_max."},
     Entry{Cause::velocity_limit, "velocity_limit",
@@ -141,7 +143,8 @@ constexpr std::array entries{
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
           "Stretch the motion, or choose a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position jumps.",
-          "End a cam that wraps where it begins; let one that advances advance."},
+          "Let a cam that wraps end where it begins; use advance for a cam that gains a distance "
+          "in each period."},
     Entry{Cause::velocity_step, "velocity_step",
           "The velocity jumps by more than the acceleration limit permits in one tick.",
           "Smooth the table there: use more points, or cubic interpolation."},
@@ -153,7 +156,7 @@ constexpr std::array entries{
           "Export the table in the unit of the axis."},
     Entry{Cause::no_master_input, "no_master_input",
           "The axis has no live master: [follow] names none, or the master is lost.",
-          "Give the axis a master in [follow], wait until it is there, or send the master as a "
+          "Give the axis a master in [follow], wait until it sends, or send the master as a "
           "table over time."},
     Entry{Cause::would_reverse, "would_reverse",
           "The axis could reach its cam only against the direction of its start mode.",
@@ -165,7 +168,7 @@ constexpr std::array entries{
     Entry{Cause::no_ramp, "no_ramp", "No ramp within the limits brings the axis onto its cam.",
           "Raise the limits of the ramp, or slow the master down."},
     Entry{Cause::not_in_sync, "not_in_sync", "The master ends before the axis has reached its cam.",
-          "Give a shorter distance of the ramp, or a longer way of the master."},
+          "Give a shorter distance of the ramp, or a longer travel of the master."},
     Entry{Cause::home_timeout, "home_timeout", "The homing took longer than its timeout.",
           "Give a longer timeout or a higher search velocity; check that the override is not 0."},
     Entry{Cause::home_not_found, "home_not_found",
@@ -207,6 +210,25 @@ bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
 }
 
+/// " mm/s", the unit of the numbers of a rejection; "" if it is not known.
+std::string unit_of(Cause cause, const std::string& unit) {
+  if (unit.empty() || cause == Cause::master_outside_cam) return "";
+  switch (cause) {
+    case Cause::start_velocity:
+    case Cause::end_velocity:
+    case Cause::velocity_limit:
+    case Cause::velocity_step:
+      return " " + unit + "/s";
+    case Cause::acceleration_limit:
+    case Cause::acceleration_step:
+      return " " + unit + "/s^2";
+    case Cause::jerk_limit:
+      return " " + unit + "/s^3";
+    default:
+      return " " + unit;
+  }
+}
+
 const Entry& entry(Cause cause) {
   const auto* const found = std::find_if(entries.begin(), entries.end(),
                                          [&](const Entry& e) { return e.cause == cause; });
@@ -227,15 +249,23 @@ const char* meaning(Cause cause) {
   return entry(cause).meaning;
 }
 
-std::string Refusal::text() const {
-  const std::string words = std::string(name(cause)) + ": " + meaning(cause);
+std::string text(const Refusal& refusal, const std::string& unit) {
+  const Cause cause = refusal.cause;
+  std::string words = std::string(name(cause)) + ": " + meaning(cause);
   if (!is_measured(cause)) return words;
-  if (cause == Cause::start_position) {
-    const std::string begins = std::isnan(value) ? "" : "it begins at " + number(value) + ", ";
-    return words + " (" + begins + "the axis stands at " + number(limit) + ")";
-  }
-  const std::string instant = std::isnan(where) ? "" : " at " + number(where) + " s";
-  return words + " (" + number(value) + instant + ", limit " + number(limit) + ")";
+  words.pop_back();  // the full stop: the numbers follow
+  const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
+  if (cause == Cause::start_position)
+    return words + ": " +
+           (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + ", ") +
+           "the axis stands at " + shown(refusal.limit) + ".";
+  const std::string instant =
+      std::isnan(refusal.where) ? "" : " at " + six_digits(refusal.where) + " s";
+  return words + ": " + shown(refusal.value) + instant + ", limit " + shown(refusal.limit) + ".";
+}
+
+std::string Refusal::text() const {
+  return jounce::text(*this, "");
 }
 
 }  // namespace jounce

@@ -49,8 +49,8 @@ Target target_of(const ControllerTable& controller, const Units& units,
   } catch (const InputError&) {
     throw InputError("controller", std::string("\"") + controller.name + '"',
                      std::string("counts in whole ") + controller.step + ", not in " + units.x +
-                         ": give the size of one with " + key + ", such as \"0.01 " + units.x +
-                         '"');
+                         ": give the size of one count with " + key + ", such as \"0.01 " +
+                         units.x + '"');
   }
   return target;
 }

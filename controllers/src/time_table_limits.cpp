@@ -31,9 +31,10 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
     before = whole;
   }
   if (loops != 1 && points.size() > pt_fifo)
-    throw InputError("loops", std::to_string(loops),
-                     "only a table in one FIFO can be repeated, which holds 1024 segments, not " +
-                         std::to_string(points.size()));
+    throw InputError(
+        "loops", std::to_string(loops),
+        "must be 1: only a table in one FIFO can repeat, and the FIFO holds 1024 segments, not " +
+            std::to_string(points.size()));
 }
 
 std::string googol::broken_follow_rule(double master) {
@@ -52,12 +53,12 @@ const char* himc::pvt_limit_error(const std::string& quantity) {
 void himc::require_pvt(std::span<const double> x) {
   if (x.size() > pvt_points)
     throw InputError("knot", std::to_string(x.size()) + " knots",
-                     "HIMC's MovePVT takes at most 50");
+                     "must be at most 50, the greatest number for MovePVT of HIMC");
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i == 0 ? x[i] == 0 : x[i] > x[i - 1]) continue;
     throw InputError(key("knot", i), x[i],
                      (i == 0 ? std::string("must be 0")
-                             : "must be greater than " + number(x[i - 1]) + ", the knot before") +
+                             : "must be greater than " + number(x[i - 1]) + ", the previous knot") +
                          " (HIMC error 0x83aa08b6, PVT time sequence)");
   }
 }

@@ -45,7 +45,7 @@ Input only_axis(std::vector<Input> all, const std::string& path) {
   if (all.size() > 1)
     throw InputError(
         "axis", "",
-        "is missing: this verb works with one axis, " + shown_path(path) + " has " + names_of(all));
+        "is missing: " + shown_path(path) + " has several axes. Choose one of " + names_of(all));
   return std::move(all.front());
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 const DiscPart& require_disc(const Spec& spec) {
   if (!spec.disc)
-    throw spec.document.located(
-        InputError("disc", "", "is missing: give base_radius and roller_radius"));
+    throw spec.document.located(InputError(
+        "disc", "", "is missing: add the section [disc] with base_radius and roller_radius"));
   return *spec.disc;
 }
 

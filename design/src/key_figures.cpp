@@ -264,8 +264,8 @@ std::vector<LimitMargin> rooms_of(const Input& input) {
   }
   const std::string hint = nearest(name, known);
   throw InputError("figure", '"' + name + '"',
-                   (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") +
-                       std::string("must be one of ") + list);
+                   std::string("must be one of ") + list +
+                       (hint.empty() ? "" : ": did you mean \"" + hint + "\"?"));
 }
 
 std::vector<const Offer*> chosen(const std::vector<Offer>& offers,

@@ -12,6 +12,7 @@
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/design/sync_cam.hpp"
 #include "jounce/optimize/least_peak.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/warnings.hpp"
 
 #include "design/src/cam_of.hpp"
@@ -88,9 +89,8 @@ std::string numbered(std::size_t i, const std::string& name) {
 /// The mode of [polydyne] in cycles per unit of the master.
 Mode mode_over_master(const Spec& spec) {
   if (!spec.master)
-    throw InputError(
-        "polydyne", "",
-        "needs the speed for which it is made: add [master] with velocity and distance");
+    throw InputError("polydyne", "",
+                     "needs the speed of the master: add [master] with velocity and distance");
   const double speed = spec.master->velocity / seconds_per_unit(spec);
   return {spec.polydyne->frequency / speed, spec.polydyne->damping};
 }
@@ -248,9 +248,11 @@ std::vector<Made> make_motions(const Spec& spec) {
 
 std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
-    throw InputError("kind", "\"axis\"", "an axis has no table: run it with `jounce run`");
+    throw InputError("kind", "\"axis\"",
+                     "is an axis, which has no table: run it with `jounce run`");
   if (std::holds_alternative<DriveAlone>(spec.subject))
-    throw InputError("kind", "\"drive\"", "a drive has no table: use it with `jounce identify`");
+    throw InputError("kind", "\"drive\"",
+                     "is a drive, which has no table: use it with `jounce identify`");
   if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
   all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));
@@ -298,10 +300,10 @@ Trajectory master_of(const Spec& spec) {
   // Every period has its own breaks, and each is integrated.
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
-                     "must be 1e-9 to 1e4 times the length of the cam, " + number(turn));
+                     "must be 1e-9 to 1e4 times the length of the cam, " + six_digits(turn));
   if (master.distance / velocity < 1e-6)
     throw InputError("master.velocity", master.velocity,
-                     "must be lower: the master would pass its distance in less than 1 us");
+                     "must be lower: the master passes its distance in less than 1 us");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Extrapolation::hold);
@@ -343,7 +345,7 @@ Limits slave_limits_by_master(const Spec& spec) {
                           std::optional<double>& by_master) {
     if (over_time && !spec.master)
       throw InputError(std::string("limits.slave.") + name, *over_time,
-                       "is a limit over time, which needs the speed of the master: add [master]");
+                       "is a limit over time: add [master], the speed of the master");
     if (spec.master) power *= spec.master->velocity;
     if (over_time) by_master = *over_time / power;
   };
@@ -382,8 +384,9 @@ RampedLimits ramped_limits(const Spec& spec) {
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
-    throw InputError("kind", "",
-                     "only a cam has free knots: for other kinds use [[optimize.parameter]]")
+    throw InputError(
+        "kind", "",
+        "must be \"cam\" for free knots and shapes: for other kinds add [[optimize.parameter]]")
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(

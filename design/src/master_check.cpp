@@ -47,9 +47,9 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.margin = limit.value > 0 ? 1 - f.value / limit.value : -f.value;
   f.broken = true;
   f.unit = master_rate_unit(spec, 2);
-  f.advice =
-      fmt::format("the slave's {} limit binds at any speed: [master] acceleration: at most {}",
-                  limit.quantity, rounded(limit.value));
+  f.advice = fmt::format(
+      "the slave reaches limits.slave.{} at any speed: [master] acceleration at most {}",
+      limit.quantity, rounded(limit.value));
   const double steady = greatest_master_velocity(cam, spec.slave).value;
   if (spec.master->velocity > steady)
     f.advice += fmt::format("; and velocity at most {} even without it", rounded(steady));
@@ -71,7 +71,8 @@ Finding master_finding(const Cam& cam, const Spec& spec) {
   f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
   f.broken = speed > limit.value * (1 + 1e-12);
   f.unit = master_rate_unit(spec, 1);
-  if (f.broken) f.advice = "the slave's " + limit.quantity + " limit binds: slow the master down";
+  if (f.broken)
+    f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";
   return f;
 }
 

@@ -72,7 +72,7 @@ OutputEvents output_events(const std::vector<Input>& axes) {
             {},
             {}};
   throw spec.document.located(
-      InputError("compare", "", "is missing: the spec has neither [compare] nor [[switch]]"));
+      InputError("compare", "", "is missing: add [compare] or [[switch]] to the spec"));
 }
 
 std::string to_json(const OutputEvents& events) {

@@ -18,9 +18,9 @@ double seconds(const Input& input) {
 
 Trajectory master_of(const Input& input) {
   if (!input.spec)
-    throw InputError(
-        "master", "",
-        "a cam table does not contain the motion of its master: give the spec, or a master table")
+    throw InputError("master", "",
+                     "is missing: a cam table does not contain the motion of its master. Give the "
+                     "spec, or a master table")
         .at(input.name);
   return make_master(*input.spec);
 }

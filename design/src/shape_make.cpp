@@ -103,7 +103,7 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive) {
   if (!std::holds_alternative<CamSpec>(spec.subject))
     throw InputError("kind", "",
-                     "only a cam has free shapes: for other kinds use [[optimize.parameter]]")
+                     "must be \"cam\" for free shapes: for other kinds add [[optimize.parameter]]")
         .at(spec.document.name);
   try {
     return problem_of(spec, against_a_drive);

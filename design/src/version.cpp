@@ -45,7 +45,8 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                        [&](const Input& other) { return other.axis == one.axis; }))
         throw InputError("axis", "",
                          "is missing: " + *file + " has no axis " +
-                             (one.axis.empty() ? "without a name" : one.axis));
+                             (one.axis.empty() ? "without a name" : one.axis) +
+                             ". Name the axis to compare");
   for (Input& one : before) {
     const auto other = std::find_if(after.begin(), after.end(),
                                     [&](const Input& each) { return each.axis == one.axis; });

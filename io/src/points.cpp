@@ -77,7 +77,7 @@ class Reader {
     first_row_ = at_;
     reserve();
     while (next_line()) read_row();
-    if (points_.lines.empty()) fail("", "", "has a header but no points");
+    if (points_.lines.empty()) fail("", "", "has a header but no points: add at least one row");
   }
 
  private:
@@ -143,13 +143,15 @@ class Reader {
     if (column.name.empty() ||
         number_at(column.name.data(), column.name.data() + column.name.size(), '.').end !=
             column.name.data())
-      fail("header", cell, "must name the columns, with units: time [s], position [mm]");
+      fail("header", cell,
+           "must be the name of a column, with or without a unit, such as position [mm]");
     if (bracket != cell.npos) {
       if (cell.back() != ']') fail(column.name, cell, "needs a closing bracket after its unit");
       column.unit = trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2));
       if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
     }
-    if (points_.find(column.name) != nullptr) fail(column.name, cell, "occurs twice");
+    if (points_.find(column.name) != nullptr)
+      fail(column.name, cell, "is the name of two columns: rename one");
     is_words_.push_back(column.name == "type");
     points_.columns.push_back(std::move(column));
   }
@@ -232,8 +234,8 @@ class Reader {
     if (cells == wanted) return;
     const bool commas = separator_ == ',' && cells == 2 * wanted;
     fail("row", cell,
-         "is in a row of " + std::to_string(cells) + " values, the header names " +
-             std::to_string(wanted) +
+         "ends a row of " + std::to_string(cells) + " values, but the header names " +
+             std::to_string(wanted) + " columns" +
              (commas ? ": decimal commas need semicolons between columns" : ""));
   }
 

@@ -14,7 +14,7 @@ void require_ascending(const Points& points, const std::vector<double>& time) {
   for (std::size_t i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1]))
       throw InputError("time", time[i],
-                       "must be greater than " + number(time[i - 1]) + " s, the row before")
+                       "must be greater than " + number(time[i - 1]) + " s, the previous row")
           .at(points.document, static_cast<int>(points.lines[i]));
 }
 
@@ -32,7 +32,8 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
   if (points.find("torque") != nullptr) return column(points, "torque", "N m");
   if (points.find("current") == nullptr) return {};
   if (drive.motor.torque_constant == 0)
-    throw InputError("current", "", "needs motor.torque_constant in the drive")
+    throw InputError("current", "",
+                     "needs motor.torque_constant in the drive: add it, or remove this column")
         .at(points.document, 1);
   std::vector<double> values = column(points, "current", "A");
   for (double& value : values) value *= drive.motor.torque_constant;

@@ -61,7 +61,8 @@ class Lines {
 
 void read_version(Lines& lines) {
   const std::string_view line = lines.next();
-  if (!line.starts_with(first_line)) lines.fail("", "", "a table begins with `# jounce table 1`");
+  if (!line.starts_with(first_line))
+    lines.fail("", "", "must begin with the line `# jounce table 1`");
   io_detail::require_version(
       std::string(line.substr(first_line.size())),
       [&](const auto& value, const auto& rule) { lines.fail("jounce table", value, rule); });
@@ -83,12 +84,15 @@ Head read_head(Lines& lines) {
     const std::string key(line.substr(2, colon - 2));
     const std::string text(line.substr(colon + 2));
     if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end())
-      lines.fail(key, text, "is not a key of the table's head");
+      lines.fail(key, text, "is not a key of the head of a table: remove it");
     if (!head.emplace(key, HeadEntry{text, lines.line()}).second)
-      lines.fail(key, text, "stands twice");
+      lines.fail(key, text, "is there twice: remove one");
   }
   for (const char* key : {"axis", "rule", "outside", "knots", "sha256"})
-    if (!head.contains(key)) lines.fail(key, "", "is missing from the table's head");
+    if (!head.contains(key))
+      lines.fail(
+          key, "",
+          "is missing from the head of the table: add the line # " + std::string(key) + ": VALUE");
   return head;
 }
 
@@ -104,9 +108,9 @@ void read_columns_line(Lines& lines, TableParts& parts) {
   const auto names = csv_cells(lines.at_end() ? std::string_view() : lines.next());
   const auto expected = io_detail::column_names(parts.axis, parts.rule);
   if (names.size() != expected.size())
-    lines.fail(
-        "columns", std::to_string(names.size()),
-        "a " + std::string(name(parts.rule)) + " table has " + std::to_string(expected.size()));
+    lines.fail("columns", std::to_string(names.size()),
+               "a " + std::string(name(parts.rule)) + " table has exactly " +
+                   std::to_string(expected.size()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string unit = column_unit(lines, names[i], expected[i]);
     const std::string rule = io_detail::take_unit(parts, i, unit);

@@ -86,7 +86,7 @@ Json parse_strictly(const std::string& text, const std::string& document) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw InputError(value.get<std::string>(), "", "stands twice").at(document);
+      throw InputError(value.get<std::string>(), "", "is there twice: remove one").at(document);
     return true;
   };
   try {

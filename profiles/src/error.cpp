@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/six_digits.hpp"
+
 namespace jounce {
 
 std::string number(double value) {
@@ -18,6 +20,23 @@ std::string number(double value) {
 
 namespace {
 
+/// Rounded to this number of significant digits; an exponent without plus sign and leading zeros.
+std::string rounded(double value, int digits) {
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+  std::string all(text, end.ptr);
+  const std::size_t e = all.find('e');
+  if (e == std::string::npos) return all;
+  std::size_t sign = e + 1;
+  if (all[sign] == '+')
+    all.erase(sign, 1);
+  else if (all[sign] == '-')
+    ++sign;
+  while (all[sign] == '0' && sign + 1 < all.size()) all.erase(sign, 1);
+  return all;
+}
+
 /// The text, or its beginning where it is too long to read.
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 200;
@@ -30,13 +49,31 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
+std::string six_digits(double value) {
+  const bool whole = std::abs(value) < 1e9 && value == std::trunc(value);
+  return rounded(value, whole ? 9 : 6);
+}
+
+std::string six_digits_up(double value) {
+  const std::string text = six_digits(value);
+  double shown = 0;
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  if (!std::isfinite(value) || shown >= value) return text;
+  return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
+}
+
+std::string six_digits_down(double value) {
+  const std::string text = six_digits_up(-value);
+  return text.starts_with('-') ? text.substr(1) : value == 0 ? "0" : '-' + text;
+}
+
 InputError::InputError(std::string key, std::string value, std::string rule)
     : key_(std::move(key)), value_(std::move(value)), rule_(std::move(rule)) {
   compose();
 }
 
 InputError::InputError(std::string key, double value, std::string rule)
-    : InputError(std::move(key), number(value), std::move(rule)) {}
+    : InputError(std::move(key), rounded(value, 12), std::move(rule)) {}
 
 InputError InputError::at(std::string document, int line, int column) const {
   InputError placed = *this;

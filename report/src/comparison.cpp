@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "jounce/base/units.hpp"
@@ -110,16 +111,36 @@ Version in_units(Version version, const Units& units) {
   return version;
 }
 
+namespace {
+
+/// Both over the master or both over time, in units that measure the same.
+void require_comparable(const Version& before, const Version& after) {
+  const std::string names = before.name + " and " + after.name + " cannot be compared: ";
+  if (before.curve.index() != after.curve.index())
+    throw InputError("", "", names + "one is over the master, the other over time");
+  const Units& old = before.labels.units;
+  const Units& now = after.labels.units;
+  for (const auto& [what, a, b] :
+       {std::tuple(before.labels.over_master ? "master" : "time", &old.x, &now.x),
+        {"position", &old.position, &now.position}})
+    try {
+      (void)factor(*a, *b);
+    } catch (const InputError&) {
+      throw InputError(
+          "", "",
+          names + "the unit of the " + what + " is " + *a + " in one, " + *b + " in the other");
+    }
+}
+
+}  // namespace
+
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance) {
   const Units& units = after.labels.units;
+  require_comparable(before, after);
   const Version old = in_units(before, units);
   return std::visit(
       [&]<class Over>(const Curve<Over>& b) -> Comparison {
-        const auto* a = std::get_if<Curve<Over>>(&old.curve);
-        if (a == nullptr)
-          throw InputError("axis", before.labels.over_master ? "master" : "time",
-                           before.name + " and " + after.name +
-                               " cannot be compared: one is over the master, the other over time");
+        const auto* a = &std::get<Curve<Over>>(old.curve);
         Comparison result{before.name, after.name, after.labels, compare(*a, b), {}, {}, {},
                           {},          {}};
         for (std::size_t k = 0; k < result.beyond.size(); ++k)

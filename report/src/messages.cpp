@@ -99,10 +99,10 @@ std::vector<Message> messages_named(const std::vector<Message>& all, const std::
   std::vector<std::string> names;
   for (const Message& one : all) names.push_back(one.name);
   const std::string meant = nearest(code, names);
-  throw InputError("code", code,
-                   "is not the number or name of a message" +
-                       (meant.empty() ? "; " : "; did you mean " + meant + "? ") +
-                       "`jounce explain` lists all");
+  throw InputError(
+      "code", code,
+      "is not the number or name of a message: " +
+          (meant.empty() ? "`jounce explain` lists all" : "did you mean " + meant + "?"));
 }
 
 }  // namespace jounce

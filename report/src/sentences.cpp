@@ -35,7 +35,9 @@ bool is_position_limit(const Finding& finding) {
 
 /// Verdict of a curve against a limit, with its margin.
 std::string verdict(const Finding& finding) {
-  const std::string limit = rounded(finding.limit);
+  // The limit of a master is not in the spec: it follows from those of the slave.
+  const bool derived = finding.rule.text().starts_with("limit/master_");
+  const std::string limit = rounded(finding.limit) + (derived ? " (from limits.slave)" : "");
   if (finding.broken && is_position_limit(finding))
     return fmt::format("is outside the limit {} by {}", limit,
                        rounded(std::abs(finding.value - finding.limit)));
@@ -126,19 +128,19 @@ std::string of_sync(const Finding& f, const std::string& where) {
     return fmt::format("the carriage is in step for only {} {}, from {}: less than {} {}",
                        rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
   if (f.rule == "knife/reversal")
-    return f.broken ? fmt::format("the knife turns back at {}", where)
-                    : fmt::format("the knife never turns back; it is slowest at {}", where);
+    return f.broken ? fmt::format("the knife reverses at {}", where)
+                    : fmt::format("the knife never reverses; it is slowest at {}", where);
   if (f.rule == "gear/ratio_step")
     return fmt::format("the ratio steps from {} to {} {} at {}, where the slave engages",
                        rounded(f.limit), rounded(f.value), f.unit, where);
   if (f.rule == "gear/reversal")
-    return fmt::format("the slave turns back while it engages, fastest at {}", where);
+    return fmt::format("the slave reverses while it engages, fastest at {}", where);
   if (f.rule == "knife/slip")
     return fmt::format("the blade is {:.3g} % slower along the web than in step at {}",
                        100 * f.value, where);
   if (f.broken)
-    return fmt::format("the blade is in the web for {} {}, but in step for only {}",
-                       rounded(f.limit), f.unit, rounded(f.value));
+    return fmt::format("the blade is in the web for {} {}, but in step for only {} {}",
+                       rounded(f.limit), f.unit, rounded(f.value), f.unit);
   return fmt::format("the blade is in step for {} {}, in the web for {}", rounded(f.value), f.unit,
                      rounded(f.limit));
 }
@@ -147,16 +149,23 @@ std::string of_sync(const Finding& f, const std::string& where) {
 std::string of_fill(const Finding& f, const std::string& value, const std::string& where,
                     const Labels& labels) {
   if (f.rule == "fill/limits")
-    return fmt::format("no velocities keep the limits from {} to the next knot, {} later", where,
-                       with_unit(f.value, labels.units.x));
+    return fmt::format("no velocities keep the limits between {} and the next knot, {} later",
+                       where, with_unit(f.value, labels.units.x));
   return fmt::format(
       "{} {} at the knots of {} rules out {}", f.quantity, value, where,
-      f.rule == "fill/convex" ? "the bend of the data" : "a way without turning back");
+      f.rule == "fill/convex" ? "the bend of the data" : "a motion without reversal");
+}
+
+/// A quantity at a place; for a step, its size.
+std::string at_its_place(const Finding& f, const std::string& value, const std::string& where) {
+  constexpr std::string_view step = "step of ";
+  if (!f.quantity.starts_with(step)) return fmt::format("{} is {} at {}", f.quantity, value, where);
+  return fmt::format("{} steps by {} at {}", f.quantity.substr(step.size()), value, where);
 }
 
 /// A step at a joint, against the required order.
 std::string of_step(const Finding& f, const std::string& value, const std::string& where) {
-  return f.broken ? fmt::format("{} is {} at {}", f.quantity, value, where)
+  return f.broken ? at_its_place(f, value, where)
                   : fmt::format("{} is continuous (largest step {})", f.quantity.substr(8), value);
 }
 
@@ -178,7 +187,7 @@ std::string of_limit(const Finding& f, const Labels& labels, const std::string& 
 std::string sentence(const Finding& f, const Labels& labels) {
   const std::string value = with_unit(f.value, labels.unit_of(f));
   const std::string where = place(f, labels);
-  const auto is_at = [&] { return fmt::format("{} is {} at {}", f.quantity, value, where); };
+  const auto is_at = [&] { return at_its_place(f, value, where); };
   if (f.rule.name() == "integration") return fmt::format("the integration ended at {}", where);
   switch (f.rule.family()) {
     case RuleFamily::table:

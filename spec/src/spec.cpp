@@ -13,6 +13,7 @@
 
 #include "spec/src/axis_drive.hpp"
 #include "spec/src/toml/parts.hpp"
+#include "spec/src/toml/toml_syntax.hpp"
 
 namespace jounce {
 namespace {
@@ -29,7 +30,10 @@ struct Kind {
 };
 
 void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
-  TomlReader units = top.table("units");
+  const bool over_master = kind.runs == Kind::over_master;
+  TomlReader units =
+      top.table("units", over_master ? "units = { position = \"mm\", master = \"deg\" }"
+                                     : "units = { position = \"mm\" }");
   spec.units.position = spec_detail::read_position_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
   try {
@@ -37,7 +41,6 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
   } catch (const InputError&) {
     units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
   }
-  const bool over_master = kind.runs == Kind::over_master;
   spec.units.x = over_master ? read_unit(units, "master", nullptr) : spec.time_unit;
   if (kind.runs == Kind::no_curve && units.has("master"))
     spec.master_unit = read_unit(units, "master", nullptr);
@@ -103,7 +106,9 @@ void read_axis(TomlReader& top, Spec& spec) {
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
-  if (!spec.drive) top.fail("drive", "", "is missing: a spec of kind drive needs a [drive]");
+  if (!spec.drive)
+    top.fail("drive", "",
+             "is missing: add the section [drive]; `jounce new drive` writes an example");
   spec.subject = DriveAlone{};
 }
 
@@ -152,9 +157,11 @@ constexpr std::array kinds{
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
-    top.fail("kind", "\"machine\"", "is for `jounce run`: give the spec of one of its axes here");
+    top.fail("kind", "\"machine\"",
+             "is a machine: run it with `jounce run`, or give the spec of one of its axes here");
   if (kind == "sweep")
-    top.fail("kind", "\"sweep\"", "is for `jounce sweep`: give the spec that it varies here");
+    top.fail("kind", "\"sweep\"",
+             "is a sweep: start it with `jounce sweep`, or give the spec that it varies here");
 }
 
 void read_body(TomlReader& top, Spec& spec) {
@@ -190,7 +197,8 @@ void spec_detail::require_version(TomlReader& top) {
   const auto version = top.optional_count("jounce");
   if (*version != Spec::version)
     top.fail("jounce", std::to_string(*version),
-             "this program reads format version " + std::to_string(Spec::version));
+             "must be " + std::to_string(Spec::version) +
+                 ", the format version that this program reads");
 }
 
 namespace {
@@ -208,7 +216,8 @@ void require_shallow_keys(const Document& document) {
     if (c == '.')
       ++dots;
     else if (!word && std::exchange(dots, 0) >= most && (c == '=' || c == ']'))
-      throw InputError("key", "", "has more than " + std::to_string(most) + " parts between dots")
+      throw InputError("key", "",
+                       "must have at most " + std::to_string(most) + " parts between dots")
           .at(document.name, line);
   }
 }
@@ -218,27 +227,25 @@ void require_shallow_keys(const Document& document) {
 toml::table spec_detail::parse_toml(const Document& document) {
   require_shallow_keys(document);
   if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw InputError("", "", "the file is empty").at(document.name, 1);
+    throw InputError("", "", "the file is empty: `jounce new` writes a spec to start with")
+        .at(document.name, 1);
   try {
     return toml::parse(std::string_view(document.text), std::string_view(document.name));
   } catch (const toml::parse_error& error) {
     if (begins_as_points(document.text))
-      throw InputError(
-          "", "",
-          "is a table of points: name it in a spec (kind = \"pvt\" for points over time): "
-          "points = \"" +
-              document.name + '"')
+      throw InputError("", "",
+                       "is a table of points: name it in a spec with points = \"" + document.name +
+                           "\"; kind = \"pvt\" takes points over time")
           .at(document.name, 1);
     if (begins_as_gcode(document.text))
-      throw InputError(
-          "", "",
-          "is a G-code program: give its machine, a spec of kind \"path\", with --machine, or name "
-          "the program in that spec: gcode = { file = \"" +
-              document.name + "\" }")
+      throw InputError("", "",
+                       "is a G-code program: name its machine, a spec of kind \"path\", with "
+                       "--machine, or name the program in that spec with gcode = { file = \"" +
+                           document.name + "\" }")
           .at(document.name, 1);
     const auto at = error.source().begin;
-    throw InputError("", "", "is not TOML: " + std::string(error.description()))
-        .at(document.name, static_cast<int>(at.line), static_cast<int>(at.column));
+    throw syntax_error(document, static_cast<int>(at.line), static_cast<int>(at.column),
+                       std::string(error.description()));
   }
 }
 

@@ -129,14 +129,13 @@ TEST(Admit, ATableThatDoesNotEndAtRest) {
   EXPECT_EQ(refusal->value, 2);
   EXPECT_DOUBLE_EQ(refusal->limit, 0.1);  // 100 u/s^2 for 1 ms
   EXPECT_EQ(refusal->where, 1);           // local time, though the table starts at 10 s
-  EXPECT_EQ(refusal->text(), "end_velocity: The table does not end at rest. (2 at 1 s, limit 0.1)");
+  EXPECT_EQ(refusal->text(), "end_velocity: The table does not end at rest: 2 at 1 s, limit 0.1.");
 }
 
 TEST(Refusal, HasNumbersOnlyWhereOneBrokeABound) {
   EXPECT_EQ(Refusal{.cause = Cause::not_enabled}.text(), "not_enabled: The axis is disabled.");
   const Refusal target{.cause = Cause::position_limit, .value = 400, .limit = 300};
-  EXPECT_EQ(target.text(),
-            "position_limit: The motion leaves the position range. (400, limit 300)");
+  EXPECT_EQ(target.text(), "position_limit: The motion leaves the position range: 400, limit 300.");
 }
 
 TEST(Admit, AnAccelerationStepCountsOnlyWhereJerkIsLimited) {

@@ -326,7 +326,8 @@ std::string refused(std::vector<MachineAxis> axes) {
 
 TEST(Machine, RefusesWhatIsNoMachine) {
   EXPECT_THAT(refused({}), HasSubstr("needs at least one axis"));
-  EXPECT_THAT(refused({axis("a"), axis("a")}), HasSubstr("name = a: is the name of another axis"));
+  EXPECT_THAT(refused({axis("a"), axis("a")}),
+              HasSubstr("name = a: is the name of two axes of the machine: rename one of them"));
   EXPECT_THAT(refused({axis("")}), HasSubstr("needs a name"));
   EXPECT_THAT(refused({axis("a", {.what = What::master, .index = 0})}),
               HasSubstr("no such master"));

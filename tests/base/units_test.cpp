@@ -48,13 +48,13 @@ std::string complaint(const char* text, const char* unit) {
 }
 
 TEST(Quantity, SaysWhatIsWrongAndWhatFits) {
-  EXPECT_EQ(complaint("3 deg", "mm"), "the unit deg does not fit; the value must be in mm");
-  EXPECT_EQ(complaint("3 furlong", "mm"), "\"furlong\" is not a unit; the value must be in mm");
+  EXPECT_EQ(complaint("3 deg", "mm"), "deg does not measure the same as mm: give the value in mm");
+  EXPECT_EQ(complaint("3 furlong", "mm"), "\"furlong\" is not a known unit; give the value in mm");
   for (const char* text : {"", "mm", "nan", "inf", "-inf mm", "1e400"})
     EXPECT_EQ(complaint(text, "mm"),
               "must be a finite number, with or without a unit, such as \"12.5 mm\"")
         << text;
-  EXPECT_EQ(complaint("1,5 mm", "mm"), "\",5 mm\" is not a unit; the value must be in mm");
+  EXPECT_EQ(complaint("1,5 mm", "mm"), "\",5 mm\" is not a known unit; give the value in mm");
 }
 
 TEST(RateUnit, ReadsAsPeopleWriteIt) {

@@ -145,7 +145,7 @@ TEST(BSpline, NamesWhatItRefuses) {
             "control = 2 values: must be at least 3, one more than the degree");
   EXPECT_EQ(of({1, {0, 0, 1}, {0, 1}}), "knots = 3 values: must be 4");
   EXPECT_EQ(of({1, {0, 0, 2, 1}, {0, 1}}),
-            "knots[4] = 1: must not be less than 2, the knot before");
+            "knots[4] = 1: must not be less than 2, the previous knot");
   EXPECT_EQ(of({1, {0, 0, 1, 1, 2, 2}, {0, 1, 2, 3}}),
             "knots[3] = 1: occurs more than 1 times: the curve would break");
   EXPECT_EQ(of({1, {0, 1, 1, 2}, {0, 1}}),
@@ -169,7 +169,7 @@ TEST(BSpline, NamesWhatItRefuses) {
   EXPECT_EQ(complaint([&] {
               return bezier_chain(breaks, std::vector<double>{0, 1, 2}, 1);
             }),
-            "breaks[3] = 1: must be greater than 1, the break before");
+            "breaks[3] = 1: must be greater than 1, the previous break");
 }
 
 }  // namespace

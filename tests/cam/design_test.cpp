@@ -231,30 +231,31 @@ std::string complaint(const CamSpec& spec) {
 
 TEST(Design, NamesWhatContradictsItself) {
   CamSpec spec;
-  EXPECT_EQ(complaint(spec), "segment = none: a cam needs at least one segment");
+  EXPECT_EQ(complaint(spec), "segment: is missing: a cam needs at least one [[segment]]");
 
   spec.segments = {{Law::quintic, {75, 100, 1, 0}, ""}, {Law::quintic, {75, 225, 1, 0}, ""}};
   EXPECT_EQ(complaint(spec),
-            "segment[2].end.master = 75: must be greater than 75, the knot before");
+            "segment[2].end.master = 75: must be greater than 75, the previous knot");
 
   spec.segments = {{Law::line, {100, 50, 0.6, {}}, ""}};
-  EXPECT_EQ(
-      complaint(spec),
-      "segment[1].end.geo_velocity = 0.6: must be 0.5, which the law `line` beside it has there");
+  EXPECT_EQ(complaint(spec),
+            "segment[1].end.geo_velocity = 0.6: must be 0.5, the value of the adjacent law `line`: "
+            "change this number or that law");
 
   spec.segments = {{Law::modified_sine, {100, 50, 1, 0.1}, ""}};
-  EXPECT_EQ(
-      complaint(spec),
-      "segment[1].end.geo_acceleration = 0.1: must be 0, which the law `modified_sine` beside "
-      "it has there");
+  EXPECT_EQ(complaint(spec),
+            "segment[1].end.geo_acceleration = 0.1: must be 0, the value of the adjacent law "
+            "`modified_sine`: change this number or that law");
 
   spec.segments = {{Law::dwell, {100, 50, {}, {}}, ""}};
-  EXPECT_EQ(complaint(spec), "segment[1].end.slave = 50: a dwell must stay at 0");
+  EXPECT_EQ(complaint(spec),
+            "segment[1].end.slave = 50: must be 0, the start of this dwell: change it, or take "
+            "another law");
 
   spec.segments = {{Law::harmonic_combination, {100, 50}}, {Law::dwell, {200, 50}}};
   EXPECT_EQ(complaint(spec),
-            "segment[1].law = harmonic_combination: reverses at master 100, where the law `dwell` "
-            "beside it has no acceleration; a law from rest to rest would do");
+            "segment[1].law = harmonic_combination: reverses at master 100, where the adjacent law "
+            "`dwell` has no acceleration: use a law from rest to rest");
 
   spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
   EXPECT_EQ(complaint(spec).substr(0, 67),

@@ -182,12 +182,12 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
   EXPECT_EQ(complaint(replaced(good, "1\t2", "1\tnan")),
             "t:3: Y = \"nan\": must be a finite number");
   EXPECT_EQ(complaint(replaced(good, "1\t2", "0\t2")),
-            "t:3: knot[2].master = 0: must be greater than 0, the knot before");
+            "t:3: knot[2].master = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")), "t:4: row = 3 values: must have 4");
   EXPECT_EQ(complaint(replaced(good, "X\tY\tV\tA", "X\tY\tA\tV")).substr(0, 13), "t:1: columns ");
   EXPECT_EQ(complaint("5\n0;0\n1;1\n"),
             "t:1: number of points = 5: the file holds 2: is it complete?");
-  EXPECT_EQ(complaint("1 2 3 4\n"), "t: knots = 1: a table needs at least two");
+  EXPECT_EQ(complaint("1 2 3 4\n"), "t: knots = 1: must be at least 2");
   EXPECT_EQ(complaint("# knots: 9\n" + good), "t:1: knots = 9: the file holds 3: is it complete?");
   EXPECT_EQ(complaint("# master: degrie\n" + good), "t:1: master = degrie: is not a known unit");
   EXPECT_NE(complaint("CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n").find("KAS"), std::string::npos);

@@ -52,15 +52,16 @@ TEST(Googol, OnlyOneFifoCanBeRepeated) {
 TEST(Himc, TakesFiftyPoints) {
   EXPECT_EQ(message([] { himc::require_pvt(times(50)); }), "");
   EXPECT_EQ(message([] { himc::require_pvt(times(51)); }),
-            "knot = 51 knots: HIMC's MovePVT takes at most 50");
+            "knot = 51 knots: must be at most 50, the greatest number for MovePVT of HIMC");
 }
 
 TEST(Himc, TimesBeginAtZeroAndAscend) {
   std::vector<double> x = times(5);
   x[3] = 2;
-  EXPECT_EQ(message([&] { himc::require_pvt(x); }),
-            "knot[4].time = 2: must be greater than 2, the knot before (HIMC error 0x83aa08b6, PVT "
-            "time sequence)");
+  EXPECT_EQ(
+      message([&] { himc::require_pvt(x); }),
+      "knot[4].time = 2: must be greater than 2, the previous knot (HIMC error 0x83aa08b6, PVT "
+      "time sequence)");
   x[0] = 0.5;
   EXPECT_EQ(message([&] { himc::require_pvt(x); }),
             "knot[1].time = 0.5: must be 0 (HIMC error 0x83aa08b6, PVT time sequence)");

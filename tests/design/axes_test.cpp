@@ -26,7 +26,7 @@ TEST(Axes, AreChosenByName) {
   EXPECT_EQ(test::key_of([&] { axes_named({named("x"), named("x")}, "x", "f"); }), "axis");
   EXPECT_EQ(only_axis({named("x")}, "f").axis, "x");
   EXPECT_EQ(test::rule_of([&] { only_axis(both, "-"); }),
-            "is missing: this verb works with one axis, standard input has x, y");
+            "is missing: standard input has several axes. Choose one of x, y");
 }
 
 TEST(Axes, OfTwoFilesArePairedByName) {
@@ -38,11 +38,11 @@ TEST(Axes, OfTwoFilesArePairedByName) {
   EXPECT_EQ(test::rule_of([] {
               paired_axes({named("x"), named("y")}, {named("x")}, "a", "b");
             }),
-            "is missing: b has no axis y");
+            "is missing: b has no axis y. Name the axis to compare");
   EXPECT_EQ(test::rule_of([] {
               paired_axes({named("x")}, {named("x"), named("y")}, "a", "b");
             }),
-            "is missing: a has no axis y");
+            "is missing: a has no axis y. Name the axis to compare");
 }
 
 }  // namespace

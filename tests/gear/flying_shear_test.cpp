@@ -179,7 +179,7 @@ TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.key(), "cut_length");
     EXPECT_EQ(error.rule(), "must be at least " + number(least.value) +
-                                " at this line_speed; or line_speed at most " +
+                                " at this line_speed, or line_speed at most " +
                                 number(fastest.value) +
                                 ": a shorter return breaks limits.acceleration");
   }

@@ -261,21 +261,25 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
   const auto text = [](const FollowPlan& plan) -> std::string {
     return test::error_of([&] { (void)cam_spec(plan); });
   };
-  EXPECT_EQ(text({}), "point = none: there must be a sync point or a zone after the start");
+  EXPECT_EQ(text({}), "point: is missing: add a [[point]] or a [[zone]] after the start");
   EXPECT_EQ(text({.points = {{0, 1}}}),
-            "point[1].master = 0: must be greater than 0, where the start, a point or a zone is");
+            "point[1].master = 0: must be greater than 0, the place of the start, of a point or of "
+            "a zone");
   EXPECT_EQ(text({.zones = {{5, 5, 1}}}), "zone[1].to = 5: must be greater than 5");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {40, 60, 1}}}),
-            "zone[2].from = 40: must be at least 50, where the one before ends");
+            "zone[2].from = 40: must be at least 50, the end of the previous zone or point");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {50, 60, 2}}}),
-            "zone[2].ratio = 2: must be 1, the ratio there: change the ratio earlier");
+            "zone[2].ratio = 2: must be 1, the ratio of the slave there: let it reach the new "
+            "ratio before this zone");
   EXPECT_EQ(text({.zones = {{0, 50, 1, 3}}}),
-            "zone[1].slave = 3: must be 0, where the slave is then");
+            "zone[1].slave = 3: must be 0, the position of the slave there: leave it out, or "
+            "change the point or zone before");
   EXPECT_EQ(text({.points = {{20, 30}, {30, 35}}, .zones = {{10, 40, 1}}}),
-            "point[2].slave = 35: must be 40, where zone 1 leads");
+            "point[2].slave = 35: must be 40, the position of the slave in zone 1 at this master: "
+            "leave it out");
   EXPECT_THAT(text({.points = {{20, 30}}, .zones = {{30, 40, 1}}}), HasSubstr("zone[1].slave"));
   EXPECT_EQ(text({.points = {{100, 50, 1}}, .periodic = true, .start_ratio = 0}),
-            "periodic = true: needs the ratio of its start, 0, at its end, where it is 1");
+            "periodic = true: needs the same ratio at start and end: they are 0 and 1");
   EXPECT_THAT(text({.points = {{NAN, 0}}}), HasSubstr("point[1].master = nan"));
 }
 

@@ -240,9 +240,9 @@ TEST(Follow, RefusesWhatCannotBePlayed) {
   const auto text = [](const FollowSpec& spec) -> std::string {
     return test::error_of([&] { (void)follow(spec); });
   };
-  EXPECT_EQ(text({}), "table = none: there must be at least one");
+  EXPECT_EQ(text({}), "table: is missing: give at least one");
   EXPECT_EQ(text({{{{{100, 50}, {100, 60}}}}}),
-            "segment[2].master = 100: must be greater than 100, the point before");
+            "segment[2].master = 100: must be greater than 100, the previous point");
   EXPECT_EQ(text({{example_7_8(), {{{100, NAN}}}}}),
             "table[2].segment[1].slave = nan: must be a finite number");
   EXPECT_THAT(text({{example_7_7(), example_7_7()}}), HasSubstr("table[1].loops = 0: is endless"));

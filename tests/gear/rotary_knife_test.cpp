@@ -350,10 +350,11 @@ TEST(RotaryKnife, RefusesWhatCannotBeCut) {
   RotaryKnifeSpec spec = case_y();
   spec.cut_length = 0.26;
   EXPECT_EQ(refusal(spec),
-            "cut_length = 0.26: must be longer than the web in step, 0.26179938779914946");
+            "cut_length = 0.26: must be longer than the sync zone on the web, 0.2618: shorten the "
+            "sync zone, or cut longer");
   spec = case_y();
   spec.sync_angle = 7;
-  EXPECT_NE(refusal(spec).find("sync_angle = 7: is in step for 7"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("sync_angle = 7: makes a sync zone of 7"), std::string::npos);
   spec = case_y();
   spec.sync_length = 0.3;
   EXPECT_NE(refusal(spec).find("leave one out"), std::string::npos);

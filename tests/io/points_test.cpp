@@ -44,9 +44,11 @@ TEST(Points, MayHaveTabsAndWords) {
 
 TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint(""), "p.csv: is empty: the first line must name the columns");
-  EXPECT_EQ(complaint("time [s],position [mm]\n"), "p.csv:1: has a header but no points");
+  EXPECT_EQ(complaint("time [s],position [mm]\n"),
+            "p.csv:1: has a header but no points: add at least one row");
   EXPECT_EQ(complaint("0,1\n1,2\n"),
-            "p.csv:1: header = 0: must name the columns, with units: time [s], position [mm]");
+            "p.csv:1: header = 0: must be the name of a column, with or without a unit, such as "
+            "position [mm]");
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
             "p.csv:1: time = time [s: needs a closing bracket after its unit");
   EXPECT_EQ(complaint("time [s],position [mm]\r0,1\r1,2\r"),
@@ -54,13 +56,15 @@ TEST(Points, NameWhatIsWrongAndWhere) {
             "file with "
             "line ends LF or CRLF");
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
-  EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time = time: occurs twice");
+  EXPECT_EQ(complaint("time,time\n0,1\n"),
+            "p.csv:1: time = time: is the name of two columns: rename one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
-            "p.csv:3: row = 1: is in a row of 1 values, the header names 2");
+            "p.csv:3: row = 1: ends a row of 1 values, but the header names 2 columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
-            "p.csv:3: row = 2: is in a row of 3 values, the header names 2");
+            "p.csv:3: row = 2: ends a row of 3 values, but the header names 2 columns");
   EXPECT_EQ(complaint("time,position\n0,0\n0,5,1,25\n"),
-            "p.csv:3: row = 5: is in a row of 4 values, the header names 2: decimal commas need "
+            "p.csv:3: row = 5: ends a row of 4 values, but the header names 2 columns: decimal "
+            "commas need "
             "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
             "p.csv:3: position: is empty: every point needs a number");

@@ -144,7 +144,7 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5\n", "")),
             "t:5: knots = 3: the file holds 2 rows: is it complete?");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "0,2,1.5")),
-            "t:9: knot[2].time = 0: must be greater than 0, the knot before");
+            "t:9: knot[2].time = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(csv, "[mm/s]", "[mm/min]")),
             "t:7: velocity = [mm/min]: the unit must be mm/s");
   EXPECT_TRUE(complaint(replaced(csv, "1,2,1.5", "1,2.5,1.5")).find("does not match the content") !=
@@ -156,7 +156,7 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
   EXPECT_EQ(complaint(replaced(json, "\"jounce_table\": 1", "\"jounce_table\": 2")),
             "t: jounce_table = 2: this program reads schema version 1");
   EXPECT_EQ(complaint(replaced(json, "\"knots\": 3", "\"knots\": 3, \"knots\": 3")),
-            "t: knots: stands twice");
+            "t: knots: is there twice: remove one");
   EXPECT_EQ(complaint(replaced(json, "1.5", "null")),
             "t: columns.velocity[2] = null: must be a finite number");
   EXPECT_EQ(complaint(replaced(json, "\"axis\": \"time\",", "")), "t: axis: is missing");

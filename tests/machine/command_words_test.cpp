@@ -34,7 +34,7 @@ TEST(CommandWords, TheFirstOptionSelectsTheCommand) {
             }),
             "--by");
   EXPECT_THAT(test::rule_of([] { command_of({.what = "move"}, mm); }),
-              HasSubstr("must have one of --to, --by"));
+              HasSubstr("needs one of --to, --by"));
 }
 
 TEST(CommandWords, AWrongValueIsNamed) {
@@ -47,7 +47,7 @@ TEST(CommandWords, AWrongValueIsNamed) {
   EXPECT_EQ(test::rule_of([] {
               require_taken({.what = "enable", .options = {{"to", "5"}}});
             }),
-            "enable takes nothing more");
+            "does not apply to enable, which has no value and no option");
 }
 
 TEST(CommandWords, EachOptionIsListedOnce) {

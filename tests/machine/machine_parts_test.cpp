@@ -54,7 +54,7 @@ TEST_F(MachineParts, FollowEachOtherByName) {
   EXPECT_EQ(parts.axes[0].follow.index, 1U);
   EXPECT_EQ(parts.axes[0].follow.what, Follow::What::setpoint);
   EXPECT_THAT(test::error_of([&] { machine_parts({.files = {slave}}); }),
-              testing::HasSubstr("follow.axis = line: this machine has no axis of this name"));
+              testing::HasSubstr("follow.axis = line: is not an axis of this machine"));
 }
 
 TEST_F(MachineParts, SendTheirNoticesWithTheNameOfTheAxis) {

@@ -92,7 +92,7 @@ TEST(InputsFor, AreChosenByNameThenByPlace) {
   EXPECT_EQ(test::rule_of([&] {
               inputs_for({"a", "b", "c"}, {x, y}, "f");
             }),
-            "names 3 axes, f has 2");
+            "names 3 axes, but f has 2: name one executor for each axis");
 }
 
 }  // namespace

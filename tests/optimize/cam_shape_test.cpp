@@ -315,7 +315,7 @@ TEST(CamShapes, RefuseWhatCannotBe) {
   EXPECT_EQ(complaint(good), "no error");
   CamShapeProblem bad = good;
   bad.shapes.clear();
-  EXPECT_EQ(complaint(bad), "shapes = none: at least one segment must be free");
+  EXPECT_EQ(complaint(bad), "shapes: are missing: free at least one segment");
   bad = good;
   bad.shapes = {{7}};
   EXPECT_EQ(complaint(bad), "segment[8].free.shape = 100: is not the number of a segment");

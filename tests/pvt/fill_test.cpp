@@ -506,7 +506,7 @@ TEST(Fill, NamesWhatItRefuses) {
   const FillSpec good{.x = {0, 1, 2}, .p = {0, 1, 0}};
   FillSpec spec = good;
   spec.x[2] = 1;
-  EXPECT_EQ(complaint(spec), "knot[3].time = 1: must be greater than 1, the knot before");
+  EXPECT_EQ(complaint(spec), "knot[3].time = 1: must be greater than 1, the previous knot");
   spec = good;
   spec.v = {1};
   EXPECT_EQ(complaint(spec), "v = 1 values: must be one for each knot, or none: there are 3 knots");

@@ -224,10 +224,10 @@ TEST(Pt, AContinuedFirstSegmentTakesOverFromThePassBefore) {
 
 TEST(Pt, BadInputNamesThePoint) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(message({}), "point = none: a PT table needs at least one point");
-  EXPECT_EQ(message({{0, 1}}), "point[1].time = 0: must be greater than 0, where the table begins");
+  EXPECT_EQ(message({}), "point: is missing: a PT table needs at least one point");
+  EXPECT_EQ(message({{0, 1}}), "point[1].time = 0: must be greater than 0, the start of the table");
   EXPECT_EQ(message({{1, 1}, {3, 2}, {3, 4}}),
-            "point[3].time = 3: must be greater than 3, the point before");
+            "point[3].time = 3: must be greater than 3, the previous point");
   EXPECT_EQ(message({{1, 1}, {nan, 2}}), "point[2].time = nan: must be a finite number");
   EXPECT_EQ(message({{1, nan}}), "point[1].position = nan: must be a finite number");
   EXPECT_EQ(message({{1, 1}}, nan), "start_rate = nan: must be a finite number");

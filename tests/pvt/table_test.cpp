@@ -109,18 +109,16 @@ std::string complaint(Interpolation rule, Columns columns) {
 }
 
 TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
-  EXPECT_EQ(complaint(Interpolation::linear, {{0}, {0}, {}, {}}),
-            "knots = 1: a table needs at least two");
-  EXPECT_EQ(complaint(Interpolation::linear, {{}, {}, {}, {}}),
-            "knots = 0: a table needs at least two");
+  EXPECT_EQ(complaint(Interpolation::linear, {{0}, {0}, {}, {}}), "knots = 1: must be at least 2");
+  EXPECT_EQ(complaint(Interpolation::linear, {{}, {}, {}, {}}), "knots = 0: must be at least 2");
   EXPECT_EQ(complaint(Interpolation::linear, {{0, 1, 1}, {0, 1, 2}, {}, {}}),
-            "knot[3].time = 1: must be greater than 1, the knot before");
+            "knot[3].time = 1: must be greater than 1, the previous knot");
   EXPECT_EQ(complaint(Interpolation::linear, {{0, 1, 0.5}, {0, 1, 2}, {}, {}}),
-            "knot[3].time = 0.5: must be greater than 1, the knot before");
+            "knot[3].time = 0.5: must be greater than 1, the previous knot");
   EXPECT_EQ(complaint(Interpolation::linear, {{-0.0, 0.0}, {0, 1}, {}, {}}),
-            "knot[2].time = 0: must be greater than -0, the knot before");
+            "knot[2].time = 0: must be greater than -0, the previous knot");
   EXPECT_EQ(complaint(Interpolation::linear, {{0.0, -0.0}, {0, 1}, {}, {}}),
-            "knot[2].time = -0: must be greater than 0, the knot before");
+            "knot[2].time = -0: must be greater than 0, the previous knot");
   constexpr double most = std::numeric_limits<double>::max();
   constexpr double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(complaint(Interpolation::linear,

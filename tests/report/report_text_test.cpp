@@ -109,7 +109,7 @@ TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
   ramp.where_unit = "s";
   EXPECT_EQ(sentence(ramp, labels), "the correction reaches velocity 150 mm/s after 0.03 s");
   EXPECT_EQ(sentence(joint("polydyne/geo_acceleration", "step of geo_acceleration", 5.83), labels),
-            "step of geo_acceleration is 5.83 mm/deg^2 at 460 deg");
+            "geo_acceleration steps by 5.83 mm/deg^2 at 460 deg");
   const std::string json = to_json({{start}}, labels);
   EXPECT_NE(json.find("\"limit\":null,\"margin\":null"), std::string::npos) << json;
 }

@@ -135,7 +135,7 @@ TEST(AxisDriveSpec, RefusesSensorsThatNoMachineHas) {
               HasSubstr("period = 0: must be greater than 0"));
   EXPECT_THAT(complaint(machine + "negative_switch = { position = 5 }\n"
                                   "positive_switch = { position = 5 }\n"),
-              HasSubstr("must lie above the negative switch, 5"));
+              HasSubstr("must be above the position of the negative switch, 5"));
   EXPECT_THAT(complaint("[drive]\ntype = \"shared_memory\"\nname = \"x\"\n"
                         "increments_per_rev = 1000\nposition_per_rev = 360\n"
                         "[drive.machine]\nindex = { period = 360 }\n"),

@@ -40,8 +40,9 @@ TEST(SpecCompare, NamesWhatIsWrong) {
   };
   EXPECT_THAT(complaint("[compare]\nmode = \"fifo_time\"\npulse = 1\n"),
               ::testing::HasSubstr("compare.point: is missing"));
-  EXPECT_THAT(complaint("[compare]\nmode = \"equal\"\nposition = 1\naxis = \"x\"\n"),
-              ::testing::HasSubstr("compare.axis = \"x\": must name one of the spec's axes"));
+  EXPECT_THAT(
+      complaint("[compare]\nmode = \"equal\"\nposition = 1\naxis = \"x\"\n"),
+      ::testing::HasSubstr("compare.axis = \"x\": must be the name of an axis of this spec"));
   EXPECT_THAT(complaint("[compare]\nmode = \"equal\"\nposition = 1\npulse = 1\n"),
               ::testing::HasSubstr("compare.pulse"));
   EXPECT_EQ(
@@ -122,7 +123,7 @@ TEST(SpecCompensation, NamesWhatIsWrong) {
               ::testing::HasSubstr("then[1].values"));
   EXPECT_THAT(complaint("reference = [{ axis = \"y\", base = 0, interval = 10, count = 2 }]\n"
                         "values = [0, 1]\n"),
-              ::testing::HasSubstr("must name one of the spec's axes"));
+              ::testing::HasSubstr("must be the name of an axis of this spec"));
 }
 
 }  // namespace

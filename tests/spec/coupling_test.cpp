@@ -73,7 +73,7 @@ TEST(SpecCoupling, RefusesWithPlaceKeyValueAndRule) {
   EXPECT_EQ(complaint(cam("[coupling]\nslave_scaling = -1\n")),
             "a.toml:9:17: coupling.slave_scaling = -1: must be greater than 0");
   EXPECT_NE(complaint(cam("[coupling]\nstart = \"ramp_in\"\nacceleration = 1\n"))
-                .find("coupling.velocity_diff = missing: start = \"ramp_in\" needs it"),
+                .find("coupling.velocity_diff: is missing: start = \"ramp_in\" needs it"),
             std::string::npos);
   EXPECT_NE(complaint(cam("[coupling]\nstart = \"ramp\"\n")).find("coupling.start = \"ramp\""),
             std::string::npos)

@@ -120,7 +120,7 @@ TEST(DriveSpec, RefusesWithPlaceAndRule) {
   EXPECT_THAT(refused(model + "[[drive.mass]]\nbelt_stiffness = 1\n"), HasSubstr("pulley_radius"));
   EXPECT_THAT(
       refused("model = \"servo_400w\"\nposition_per_rev = 10\n[[drive.mass]]\nmass = 1\n", "deg"),
-      HasSubstr("needs a position in a unit of length"));
+      HasSubstr("applies to a position in a unit of length"));
   EXPECT_THAT(refused("model = \"servo_9\"\nposition_per_rev = 1\n"), HasSubstr("servo_400w"));
   EXPECT_THAT(refused("model = \"servo_400w\"\nposition_per_rev = 0\n[[drive.mass]]\nmass = 1\n"),
               HasSubstr("drive.position_per_rev = 0: must not be 0"));
@@ -141,7 +141,7 @@ TEST(DriveSpec, ReadsTolerancesAsSharesOrInTheirUnits) {
   EXPECT_THAT(said(""), HasSubstr("share: is missing"));
   EXPECT_THAT(said("share = 0.1\nshares = 1\n"), HasSubstr("did you mean share?"));
   EXPECT_THAT(refused(model + "[drive.tolerances]\nmethod = \"corners\"\n"),
-              HasSubstr("needs a [[drive.tolerances.number]]"));
+              HasSubstr("needs at least one [[drive.tolerances.number]]"));
   EXPECT_THAT(
       refused(model + "[[drive.tolerances.number]]\nkey = \"motor.inertai\"\nshare = 0.1\n"),
       HasSubstr("did you mean motor.inertia?"));

@@ -85,16 +85,17 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {
   EXPECT_EQ(error_of("[[segment]]\nmaster = 10\nslave = 1\n[[segment]]\nmaster = 10\nslave = 2\n"),
-            "f.toml:8:10: segment[2].master = 10: must be greater than 10, the point before");
+            "f.toml:8:10: segment[2].master = 10: must be greater than 10, the previous point");
   EXPECT_EQ(error_of("[[follow.table]]\nloops = 0\nsegment = [{ master = 1, slave = 1 }]\n"
                      "[[follow.table]]\nsegment = [{ master = 1, slave = 1 }]\n"),
-            "f.toml:5:9: follow.table[1].loops = 0: is endless, which only the last table can be: "
-            "give the number of passes before the next table");
+            "f.toml:5:9: follow.table[1].loops = 0: is endless: only the last table can be. Give "
+            "the number of passes before the next table");
   EXPECT_EQ(error_of("[[zone]]\nfrom = 5\nto = 4\nratio = 1\n"),
             "f.toml:6:6: zone[1].to = 4: must be greater than 5");
-  EXPECT_THAT(error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
-                       "ratio = 1\n"),
-              HasSubstr("f.toml:5:12: follow.periodic = true: needs the ratio of its start"));
+  EXPECT_THAT(
+      error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
+               "ratio = 1\n"),
+      HasSubstr("f.toml:5:12: follow.periodic = true: needs the same ratio at start and end"));
   EXPECT_THAT(error_of("[[segment]]\nmaster = 1\nslave = 1\nrepeat = 3\n"),
               HasSubstr("needs increments = true"));
   EXPECT_THAT(error_of("[follow]\nlaw = \"parabola\"\n[[point]]\nmaster = 1\nslave = 1\n"),
@@ -118,7 +119,7 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
   const std::string googol = "[follow]\ncontroller = \"googol\"\nincrements = true\n[[segment]]\n";
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 512\n"), "");
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 513\n"),
-            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table, the size of a "
+            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table, the size of the "
             "FIFO of memory 1");
   EXPECT_EQ(complaint(googol + "master = 0.5\nslave = 1\n"),
             "f.toml:8:10: segment[1].master = 0.5: must be a whole number of pulses: GT_FollowData "

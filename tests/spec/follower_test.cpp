@@ -54,7 +54,7 @@ TEST(FollowerSpec, RefusesWhatCannotBe) {
   const auto with = [](const std::string& more) {
     return refused(head + master + follower + more);
   };
-  EXPECT_THAT(refused(head + follower), HasSubstr("follower: needs a [master]"));
+  EXPECT_THAT(refused(head + follower), HasSubstr("follower: needs the speed of the master"));
   EXPECT_THAT(with("prelod = 3\n"), HasSubstr("follower.prelod = 3: is not a key"));
   EXPECT_THAT(
       with("[follower.limits]\nleast_force = -20\n"),
@@ -67,7 +67,8 @@ TEST(FollowerSpec, RefusesWhatCannotBe) {
   EXPECT_THAT(refused(turned), HasSubstr("follower.settle = -0.5: must not be negative"));
   turned = head + master + follower;
   turned.replace(turned.find("\"mm\""), 4, "\"deg\"");
-  EXPECT_THAT(refused(turned), HasSubstr("needs a slave with a unit of length, not deg"));
+  EXPECT_THAT(refused(turned),
+              HasSubstr("needs a slave with a unit of length, such as mm, not deg"));
 }
 
 }  // namespace

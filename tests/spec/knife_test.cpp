@@ -72,10 +72,10 @@ TEST(KnifeSpec, NumbersThePiecesOfALawOnce) {
 
 TEST(KnifeSpec, RefusesInTheDocumentsWords) {
   EXPECT_EQ(refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
-            "k.toml:6:14: knife.cut_length = 0.2: must be longer than the web in step, "
-            "0.26179938779914946");
+            "k.toml:6:14: knife.cut_length = 0.2: must be longer than the sync zone on the web, "
+            "0.2618: shorten the sync zone, or cut longer");
   EXPECT_EQ(refusal("pulse", "cut_length = 4.71\nsync_angle = 10\n"),
-            "k.toml:4:1: knife.turn: is missing: how many pulse are one revolution");
+            "k.toml:4:1: knife.turn: is missing: add turn = NUMBER, one revolution in pulse");
   EXPECT_THAT(refusal("deg", "cut_length = 4\n"), HasSubstr("knife.sync_angle: is missing"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nsync_length = 1\n"),
               HasSubstr("knife.sync_length = 1: cannot be combined"));
@@ -93,7 +93,7 @@ TEST(KnifeSpec, SaysThatTheKnifeTurnsBackAndWhatToDo) {
   EXPECT_NEAR(worst.where, 12.5, 1e-6);
   EXPECT_EQ(worst.advice,
             "cut lengths above 19.8968 in need a stop between the cuts: set dwell = true");
-  EXPECT_EQ(sentence_over(worst, "in"), "the knife turns back at 12.5 in");
+  EXPECT_EQ(sentence_over(worst, "in"), "the knife reverses at 12.5 in");
   EXPECT_TRUE(check_sync(spec("deg", "cut_length = 25\nsync_angle = 10\ndwell = true\n")).ok());
 }
 

@@ -32,8 +32,8 @@ TEST(KnotsSpec, FillsInWhatKnotsLeaveOutAndKeepsWhatTheyGive) {
 
 TEST(KnotsSpec, FillsInNothingSilently) {
   EXPECT_THAT(complaint(spec(three_knots)),
-              ::testing::HasSubstr("knot[1].velocity: is missing: give it, or set a rule at the "
-                                   "top: velocities = \"clamped\""));
+              ::testing::HasSubstr("knot[1].velocity: is missing: add a velocity to each knot, or "
+                                   "a rule at the top, such as velocities = \"clamped\""));
 }
 
 TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {

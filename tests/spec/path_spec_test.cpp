@@ -111,9 +111,9 @@ TEST(PathSpecFile, ReadsEachDefinitionOfAnArc) {
 
 TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
   EXPECT_THAT(complaint(command("type = \"arc\"\nvia = [1, 1, 0]\nto = [2, 0, 0]\nradius = 3")),
-              HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key of this table"));
+              HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key here"));
   EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
-              HasSubstr("path.toml:21:1: command[1].to = an array: is not a key of this table"));
+              HasSubstr("path.toml:21:1: command[1].to = an array: is not a key here"));
   EXPECT_THAT(complaint(command("type = \"dwell\"\ntime = 1\nvelocity = 3")),
               HasSubstr("command[1].velocity"));
   EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 0]\nturns = 1")),
@@ -129,7 +129,8 @@ TEST(PathSpecFile, PlacesItsErrors) {
               HasSubstr("path.toml:19:6: command[1].to = an array: must be a list of 3 numbers"));
   EXPECT_THAT(
       complaint(command("type = \"arc\"\nradius = 3\nto = [100, 0, 0]\nrotation = \"clockwise\"")),
-      HasSubstr("path.toml:19:10: command[1].radius = 3: is less than half the chord"));
+      HasSubstr("path.toml:19:10: command[1].radius = 3: must be at least half the distance from "
+                "start to end"));
   EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [60, 0, 0]\nto = [100, 0, 0]\nrotation = "
                                 "\"clockwise\"")),
               HasSubstr("path.toml:19:10: command[1].center"));

@@ -64,7 +64,7 @@ TEST_F(PointFile, MayLeaveOutWhatIsFilledIn) {
   ASSERT_EQ(columns.v.size(), 3U);
   EXPECT_GT(columns.v[1], 0);
   EXPECT_THAT(complaint(pvt, "time [s],position [mm]\n0,0\n1,2\n"),
-              "points.csv:1: velocity: is missing: give the column, or set a rule in the spec: "
+              "points.csv:1: velocity: is missing: add the column, or a rule in the spec, such as "
               "velocities = \"clamped\"");
 }
 

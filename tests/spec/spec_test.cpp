@@ -95,8 +95,9 @@ TEST(Spec, ReadsWhatTheSlaveMayDoOverTime) {
   EXPECT_DOUBLE_EQ(*spec.slave.velocity, 400);
   EXPECT_EQ(spec.slave.acceleration, 6000);
   EXPECT_FALSE(spec.slave.jerk);
-  EXPECT_EQ(complaint(std::string(cam) + "[limits.slave]\njerk = -1\n"),
-            "a.toml:11:8: limits.slave.jerk = -1: a limit must be greater than 0");
+  EXPECT_EQ(
+      complaint(std::string(cam) + "[limits.slave]\njerk = -1\n"),
+      "a.toml:11:8: limits.slave.jerk = -1: must be greater than 0; leave it out for no limit");
   EXPECT_NE(complaint(std::string(move) + "[limits.slave]\njerk = 1\n"), "") << "a cam's key";
 }
 
@@ -127,22 +128,20 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadSpec,
     ::testing::Values(
         Bad{cam, "jounce = 1", "jounce = 2",
-            "a.toml:1:10: jounce = 2: this program reads format version 1"},
+            "a.toml:1:10: jounce = 2: must be 1, the format version that this program reads"},
         Bad{cam, "jounce = 1\n", "",
             "a.toml: jounce: is missing: a spec begins with `jounce = 1`, the version of its "
             "format"},
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
-            "a.toml:2:8: kind = \"cma\": did you mean \"cam\"? It must be one of cam, gear, "
-            "follow, "
-            "knife, shear, indexer, move, queue, axes, path, pvt, pt, axis, drive"},
+            "a.toml:2:8: kind = \"cma\": is unknown: did you mean \"cam\"?"},
         Bad{cam, "\"deg\"", "\"degrees\"",
-            "a.toml:3:20: units.master = \"degrees\": is not a known unit, such as mm, "
-            "deg, rev, pulse, s, ms"},
+            "a.toml:3:20: units.master = \"degrees\": is not a known unit; known are mm, m, um, "
+            "in, deg, rad, rev, pulse, s, ms and their products"},
         Bad{cam, "position = \"mm\"", "position = 3",
             "a.toml:3:38: units.position = 3: must be a string in quotes"},
         Bad{cam, "slave = 50", "slave = \"50 deg\"",
-            "a.toml:7:31: segment[1].end.slave = \"50 deg\": the unit deg does not fit; the "
-            "value must be in mm"},
+            "a.toml:7:31: segment[1].end.slave = \"50 deg\": deg does not measure the same as mm: "
+            "give the value in mm"},
         Bad{cam, "slave = 50", "slave = nan",
             "a.toml:7:31: segment[1].end.slave = nan: must be a finite number"},
         Bad{cam, "slave = 50", "slave = -inf",
@@ -155,26 +154,23 @@ INSTANTIATE_TEST_SUITE_P(
             "such as \"12.5 mm\""},
         Bad{cam, ", slave = 50", "", "a.toml:7:7: segment[1].end.slave: is missing"},
         Bad{cam, "master = 180", "master = 0",
-            "a.toml:7:18: segment[1].end.master = 0: must be greater than 0, the knot before"},
+            "a.toml:7:18: segment[1].end.master = 0: must be greater than 0, the previous knot"},
         Bad{cam, "master = 180", "master = -5",
-            "a.toml:7:18: segment[1].end.master = -5: must be greater than 0, the knot before"},
+            "a.toml:7:18: segment[1].end.master = -5: must be greater than 0, the previous knot"},
         Bad{cam, "\"quintic\"", "\"modified_sin\"",
-            "a.toml:6:7: segment[1].law = \"modified_sin\": did you mean \"modified_sine\"? It "
-            "must be one of line, dwell, quintic, septic, nonic, polynomial, cubic_spline, "
-            "quintic_spline, hermite, cubic, 345, 4567, 56789, parabola, simple_sine, "
-            "inclined_sine, "
-            "modified_sine, modified_trapezoid, modified_constant_velocity, scca, gutman_13, "
-            "freudenstein_13, freudenstein_135, minimum_peak_jerk, sine_straight, "
-            "harmonic_combination, modified_trapezoid_ru, double_harmonic, eighth_degree"},
+            "a.toml:6:7: segment[1].law = \"modified_sin\": is unknown: did you mean "
+            "\"modified_sine\"?"},
         Bad{cam, "\"quintic\"", "\"dwell\"",
-            "a.toml:7:31: segment[1].end.slave = 50: a dwell must stay at 0"},
+            "a.toml:7:31: segment[1].end.slave = 50: must be 0, the start of this dwell: change "
+            "it, or take another law"},
         Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
-            "a.toml:9:1: limits.geo_velocty = 1: is not a key of this table: did you mean "
+            "a.toml:9:1: limits.geo_velocty = 1: is not a key here: did you mean "
             "geo_velocity?"},
         Bad{cam, "geo_velocity = 1", "geo_velocity = 0",
-            "a.toml:9:16: limits.geo_velocity = 0: a limit must be greater than 0"},
+            "a.toml:9:16: limits.geo_velocity = 0: must be greater than 0; leave it out for no "
+            "limit"},
         Bad{cam, "geo_velocity = 1", "velocity = 1",
-            "a.toml:9:1: limits.velocity = 1: is not a key of this table; possible keys: "
+            "a.toml:9:1: limits.velocity = 1: is not a key here; possible keys: "
             "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min, slave"},
         Bad{cam, "[limits]", "[limits",
             "a.toml:8:8: is not TOML: Error while parsing table header: expected ']', saw "
@@ -195,22 +191,22 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "to = 100", "from = -1e308\nto = 1e308",
             "a.toml:4:1: move.to - from = inf: must be a finite number"},
         Bad{move, "jerk = 500", "",
-            "a.toml:4:1: move.jerk: an s_curve needs either jerk or smoothing (the rise time of "
-            "the acceleration)"},
+            "a.toml:4:1: move.jerk: is missing: add jerk = NUMBER, or smoothing = \"50 ms\", the "
+            "rise time of the acceleration"},
         Bad{move, "jerk = 500", "smoothing = 0",
             "a.toml:9:13: move.smoothing = 0: must be greater than 0"},
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
-            "a.toml:9:1: move.jerk = 500: is not a key of this table; possible keys: acceleration, "
+            "a.toml:9:1: move.jerk = 500: is not a key here; possible keys: acceleration, "
             "deceleration, from, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
-            "a.toml:11:8: knot[2].time = 0: must be greater than 0, the knot before"},
+            "a.toml:11:8: knot[2].time = 0: must be greater than 0, the previous knot"},
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
-            "a.toml: knots = 1: a table needs at least two"},
+            "a.toml: knots = 1: must be at least 2"},
         Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
-            "a.toml:6:1: knot[1].acceleration: is missing: give it, or set a rule at the top: "
-            "velocities = \"clamped\""},
+            "a.toml:6:1: knot[1].acceleration: is missing: add a velocity to each knot, or a rule "
+            "at the top, such as velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
-            "a.toml: knots = 1: a table needs at least two"}));
+            "a.toml: knots = 1: must be at least 2"}));
 
 TEST(BadSpecs, EmptyFilesSaySo) {
   EXPECT_EQ(complaint(""), "a.toml:1: the file is empty");
@@ -224,7 +220,7 @@ TEST(BadSpecs, AKeyOfVeryManyPartsIsRefused) {
   };
   std::string key;
   for (int i = 0; i < 50'000; ++i) key += "a.";
-  const std::string why = "a.toml:2: key: has more than 256 parts between dots";
+  const std::string why = "a.toml:2: key: must have at most 256 parts between dots";
   EXPECT_EQ(refusal("jounce = 1\n" + key + "b = 1\n"), why);
   EXPECT_EQ(refusal("jounce = 1\n[" + key + "b]\n"), why);
   EXPECT_EQ(refusal("jounce = 1\nx = { " + key + "b = 1 }\n"), why);

@@ -80,7 +80,7 @@ TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
   text.replace(text.find("\"pulse\""), 7, "\"deg\"");
   EXPECT_THAT(complaint(text),
               HasSubstr("counts in whole pulse, not in deg: "
-                        "give the size of one with master_resolution, such as \"0.01 deg\""));
+                        "give the size of one count with master_resolution, such as \"0.01 deg\""));
   const Made made = make(parse_spec(text + "master_resolution = 0.5\n", "a"));
   EXPECT_LE(made.sampled.table.size(), 17U);
   for (const double x : made.sampled.table.columns().x) EXPECT_EQ(2 * x, std::round(2 * x));

@@ -63,7 +63,8 @@ TEST(PtSpec, TakesIncrements) {
   EXPECT_EQ(f.end(), 3072);
   EXPECT_EQ(f.at(3072).position, 4096);
   EXPECT_EQ(message(googol("[pt]\nincrements = true\n[[point]]\ntime = 0\nposition = 1\n")),
-            "t.toml:7:8: point[1].time = 0: an increment must be greater than 0");
+            "t.toml:7:8: point[1].time = 0: must be greater than 0: with increments = true it "
+            "counts from the previous point");
 }
 
 TEST(PtSpec, LoopsAreNamedByPassOrHaveNoEnd) {
@@ -74,7 +75,7 @@ TEST(PtSpec, LoopsAreNamedByPassOrHaveNoEnd) {
   EXPECT_EQ(endless.outside(), Extrapolation::advance);
   EXPECT_EQ(endless.at(3072e3 + 512).position, 4096e3 + 256);
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = 0\noutside = \"hold\"\n")),
-              HasSubstr("pt.outside: needs a table with an end"));
+              HasSubstr("pt.outside: does not apply to loops = 0"));
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = -1\n")),
               HasSubstr("pt.loops = -1: must be at least 1, or 0 for an endless table"));
 }
@@ -172,10 +173,12 @@ TEST(PvtSpec, KeepsHimcsLimits) {
   EXPECT_EQ(message(text), "");
   std::string back = text;
   back.replace(back.find("time = 7\n"), 9, "time = 6\n");
-  EXPECT_THAT(message(back), HasSubstr("knot[8].time = 6: must be greater than 6, the knot before "
-                                       "(HIMC error 0x83aa08b6"));
-  EXPECT_THAT(message(text + "[[knot]]\ntime = 50\nposition = 0\nvelocity = 0\n"),
-              HasSubstr("knot = 51 knots: HIMC's MovePVT takes at most 50"));
+  EXPECT_THAT(message(back),
+              HasSubstr("knot[8].time = 6: must be greater than 6, the previous knot "
+                        "(HIMC error 0x83aa08b6"));
+  EXPECT_THAT(
+      message(text + "[[knot]]\ntime = 50\nposition = 0\nvelocity = 0\n"),
+      HasSubstr("knot = 51 knots: must be at most 50, the greatest number for MovePVT of HIMC"));
 }
 
 }  // namespace

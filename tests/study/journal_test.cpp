@@ -89,7 +89,7 @@ TEST_F(JournalFile, IsOfOneThingOnly) {
 
 TEST_F(JournalFile, IsWrittenByOneAtATime) {
   const Journal journal(path, "id");
-  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is used by another run"));
+  EXPECT_THAT(error_of([&] { lines(); }), HasSubstr("is in use by another run"));
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ class Spawn {
     pid_t child = 0;
     const int error =
         posix_spawn(&child, "/proc/self/exe", &actions_, &attributes_, arguments.data(), environ);
-    if (error != 0) fail(error, "the process of the live page");
+    if (error != 0) fail(error, "cannot start the process of the live page");
     return child;
   }
 

@@ -72,7 +72,7 @@ void require_valid(const TrackerSpec& spec) {
   require_finite("latency", spec.latency);
   if (spec.order != 2 && spec.order != 3)
     throw InputError("order", std::to_string(spec.order), "must be 2 or 3");
-  if (!(spec.jump >= 0)) throw InputError("jump", spec.jump, "must be 0 or more");
+  if (!(spec.jump >= 0)) throw InputError("jump", spec.jump, "must be at least 0");
 }
 
 Jet Estimate::at(double t) const {

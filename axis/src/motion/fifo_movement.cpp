@@ -36,9 +36,9 @@ SegmentFifos::Layout layout(const FifoSpec& spec) {
 
 std::optional<double> origin_of(const FifoSpec& spec) {
   if (spec.origin) require_finite("origin", *spec.origin);
-  if (!(spec.range.lowest <= 0)) throw InputError("lowest", spec.range.lowest, "must be 0 or less");
+  if (!(spec.range.lowest <= 0)) throw InputError("lowest", spec.range.lowest, "must be at most 0");
   if (!(spec.range.highest >= 0))
-    throw InputError("highest", spec.range.highest, "must be 0 or more");
+    throw InputError("highest", spec.range.highest, "must be at least 0");
   if (spec.origin || !spec.from) return spec.origin;
   return spec.from->position;
 }

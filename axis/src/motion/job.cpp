@@ -147,7 +147,8 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
       cam_(std::move(cam)),
       in_sync_(time_->start()) {
   if (time_->outside() == Extrapolation::advance)
-    throw InputError("outside", "advance", "is for cams only: a table over time ends, or wraps");
+    throw InputError("outside", "advance",
+                     "applies to cams only: let a table over time hold or wrap");
   if (cam_) {
     couple(coupling, position, tick);
   } else {

@@ -5,12 +5,13 @@
 
 #include "jounce/axis/homing.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
 
 double required(const char* key, const std::optional<double>& limit) {
-  if (!limit) throw InputError(key, "missing", "an axis needs this limit");
+  if (!limit) throw InputError(key, "", "is missing: an axis needs this limit");
   return *limit;
 }
 
@@ -19,7 +20,8 @@ double stop_limit(const char* key, double value, double limit) {
   require_finite(key, value);
   // A table may use its full limit; a stop with hardly more would never end.
   if (value >= 1.1 * limit) return value;
-  throw InputError(key, value, "must be at least 1.1 times the limit, " + number(1.1 * limit));
+  throw InputError(key, value,
+                   "must be at least 1.1 times the limit, " + six_digits_up(1.1 * limit));
 }
 
 void not_negative(const char* key, double value) {
@@ -36,7 +38,7 @@ HomingSpec resolved(HomingSpec homing, const Limits& limits) {
     require_finite(key, value);
     if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
     if (value > limit)
-      throw InputError(key, value, "must not exceed the axis's limit, " + number(limit));
+      throw InputError(key, value, "must be at most the limit of the axis, " + number(limit));
   };
   within("homing.search_velocity", homing.search_velocity, *limits.velocity / 10, *limits.velocity);
   within("homing.index_velocity", homing.index_velocity, homing.search_velocity / 4,
@@ -59,9 +61,11 @@ AxisConfig resolved(AxisConfig config) {
     throw InputError("longest_gap", std::to_string(config.longest_gap), "must be at least 1 tick");
   require_valid(config.limits);
   require_finite("position", config.position);
-  if (config.position < config.limits.position_min.value_or(config.position) ||
-      config.position > config.limits.position_max.value_or(config.position))
-    throw InputError("position", config.position, "must lie within position_min and position_max");
+  if (const auto& least = config.limits.position_min; least && config.position < *least)
+    throw InputError("position", config.position,
+                     "must be at least position_min, " + number(*least));
+  if (const auto& most = config.limits.position_max; most && config.position > *most)
+    throw InputError("position", config.position, "must be at most position_max, " + number(*most));
   required("limits.velocity", config.limits.velocity);
   config.stop_acceleration =
       stop_limit("stop_acceleration", config.stop_acceleration,

@@ -18,9 +18,11 @@ constexpr Jet lost{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
 void require_names(const std::vector<MachineAxis>& axes) {
   std::set<std::string> seen;
   for (const MachineAxis& axis : axes) {
-    if (axis.name.empty()) throw InputError("name", "missing", "an axis of a machine needs a name");
+    if (axis.name.empty())
+      throw InputError("name", "", "is missing: each axis of a machine needs a name");
     if (!seen.insert(axis.name).second)
-      throw InputError("name", axis.name, "is the name of another axis of the machine");
+      throw InputError("name", axis.name,
+                       "is the name of two axes of the machine: rename one of them");
   }
 }
 
@@ -29,8 +31,9 @@ void require_one_period(const std::vector<MachineAxis>& axes) {
   for (const MachineAxis& axis : axes)
     if (axis.config.period != period)
       throw InputError(axis.name + ".cycle", static_cast<double>(axis.config.period) * 1e-9,
-                       "all axes of a machine have one cycle: that of " + axes.front().name +
-                           " is " + number(static_cast<double>(period) * 1e-9) + " s");
+                       "must be " + number(static_cast<double>(period) * 1e-9) +
+                           " s, the cycle of " + axes.front().name +
+                           ": all axes of a machine have the same cycle");
 }
 
 void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) {
@@ -56,7 +59,7 @@ std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes) {
     for (std::size_t k = i; !placed[k]; k = axes[k].follow.index) {
       if (std::find(chain.begin(), chain.end(), k) != chain.end())
         throw InputError(axes[k].name + ".follow", axes[axes[k].follow.index].name,
-                         "these axes follow each other in a ring");
+                         "the axes follow each other in a ring: let one of them follow no axis");
       chain.push_back(k);
       if (axes[k].follow.what != Follow::What::setpoint) break;
     }
@@ -69,9 +72,10 @@ std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes) {
 }
 
 std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t masters) {
-  if (axes.empty()) throw InputError("axes", "", "a machine needs at least one axis");
+  if (axes.empty()) throw InputError("axes", "", "are missing: a machine needs at least one axis");
   if (axes.size() > Machine::most_axes)
-    throw InputError("axes", static_cast<double>(axes.size()), "a machine has at most 64 axes");
+    throw InputError("axes", static_cast<double>(axes.size()),
+                     "must be at most 64, the greatest number of axes of a machine");
   require_names(axes);
   require_one_period(axes);
   require_leaders(axes, masters);

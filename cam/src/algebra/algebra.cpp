@@ -105,7 +105,7 @@ Cam part(const Cam& f, double from, double to) {
   const double apart = axis_rounding(f.start(), f.end());
   if (f.outside() == Extrapolation::refuse && (from < f.start() - apart || to > f.end() + apart))
     throw InputError(from < f.start() - apart ? "from" : "to", from < f.start() - apart ? from : to,
-                     "leaves the cam, which runs from " + interval(f));
+                     "must lie within the cam, " + interval(f));
   Segments segments = cut(f, from, to);
   if (segments.empty())
     throw InputError("to", to,

@@ -38,7 +38,7 @@ bool over_time(StartMode mode) {
 
 void require_some(const char* key, const std::optional<double>& value, StartMode mode) {
   if (!value)
-    throw InputError(key, "missing", std::string("start = \"") + name(mode) + "\" needs it");
+    throw InputError(key, "", std::string("is missing: start = \"") + name(mode) + "\" needs it");
 }
 
 bool finite(const MotionState& s) {

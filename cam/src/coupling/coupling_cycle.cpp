@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/coupling/settle.hpp"
 
@@ -194,7 +195,7 @@ void require_valid(const Trigger& trigger, const Cam& cam, const std::string& pr
         "must lie within the cam, " + number(cam.start()) + " to " + number(cam.end()));
   if (!(trigger.window >= 0 && trigger.window <= cam.length() / 2))
     throw InputError(prefix + "_window", trigger.window,
-                     "must be from 0 to half of the cam, " + number(cam.length() / 2));
+                     "must be from 0 to half of the cam, " + six_digits(cam.length() / 2));
 }
 
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -36,11 +37,12 @@ void require_few_periods(double first, double last, std::size_t breaks) {
   constexpr double most = 2e6;
   if (!(std::abs(first) < farthest && std::abs(last) < farthest))
     throw InputError("master", first,
-                     "is the number of a period of the cam: it must be below 1e15");
+                     "is the number of a period of the cam, which must be below 1e15");
   if ((last - first + 1) * static_cast<double>(breaks) > most)
     throw InputError("master", last - first + 1,
                      "periods of a cam with " + std::to_string(breaks) +
-                         " breaks are too many: at most 2e6 breaks are passed in one motion");
+                         " breaks: one motion passes at most 2e6 breaks. Shorten the master, or "
+                         "simplify the cam");
 }
 
 Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(std::move(master)) {
@@ -48,7 +50,7 @@ Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(s
   if (cam_.outside() == Extrapolation::refuse &&
       (travel.min.value < cam_.start() || travel.max.value > cam_.end()))
     throw InputError(
-        "master", number(travel.min.value) + " to " + number(travel.max.value),
+        "master", six_digits(travel.min.value) + " to " + six_digits(travel.max.value),
         "must stay within the cam, " + number(cam_.start()) + " to " + number(cam_.end()));
   breaks_.assign(master_.breaks().begin(), master_.breaks().end());
   for (const double level : levels(cam_, travel.min.value, travel.max.value)) {

@@ -13,6 +13,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce::camming {
 namespace {
@@ -24,7 +25,7 @@ class Resolver {
  public:
   explicit Resolver(const CamSpec& spec) : spec_(spec) {
     if (spec.segments.empty())
-      throw InputError("segment", "none", "a cam needs at least one segment");
+      throw InputError("segment", "", "is missing: a cam needs at least one [[segment]]");
     for (std::size_t i = 0; i <= spec.segments.size(); ++i) add_knot(i);
     if (spec.slave_period) require_whole_turns();
   }
@@ -106,8 +107,9 @@ void Resolver::add_knot(std::size_t i) {
   if (knot.geo_acceleration)
     require_finite(key_of(i, "geo_acceleration").c_str(), *knot.geo_acceleration);
   if (i > 0 && !(knot.master > knots_.back().master))
-    throw InputError(key_of(i, "master"), knot.master,
-                     "must be greater than " + number(knots_.back().master) + ", the knot before");
+    throw InputError(
+        key_of(i, "master"), knot.master,
+        "must be greater than " + number(knots_.back().master) + ", the previous knot");
   knots_.push_back(knot);
 }
 
@@ -152,7 +154,7 @@ void Resolver::require_form_and_points(std::size_t i) const {
     if (p > 0 && !(master > segment.points[p - 1].master))
       throw InputError(
           point, master,
-          "must be greater than " + number(segment.points[p - 1].master) + ", the point before");
+          "must be greater than " + number(segment.points[p - 1].master) + ", the previous point");
   }
 }
 
@@ -163,15 +165,16 @@ void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field
   if (!value) value = demanded;
   if (std::abs(*value - demanded) > rounded_input * scale)
     throw InputError(key_of(knot, name), *value,
-                     "must be " + number(demanded) + ", which the law `" +
-                         jounce::name(law(segment)) + "` beside it has there");
+                     "must be " + six_digits(demanded) + ", the value of the adjacent law `" +
+                         jounce::name(law(segment)) + "`: change this number or that law");
 }
 
 void Resolver::demand(std::size_t i) {
   const Ends ends = info(law(i)).ends;
   if (ends == Ends::standing && knots_[i].slave != knots_[i + 1].slave)
     throw InputError(key_of(i + 1, "slave"), knots_[i + 1].slave,
-                     "a dwell must stay at " + number(knots_[i].slave));
+                     "must be " + number(knots_[i].slave) +
+                         ", the start of this dwell: change it, or take another law");
   const double slope = chord(i);
   const double velocity = ends == Ends::straight ? slope : 0;
   for (std::size_t k = i; k <= i + 1; ++k) {
@@ -212,9 +215,9 @@ void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
   const auto neighbor = beside(i, reversal_first ? -1 : 1);
   if (!neighbor || !rests(*neighbor)) return;
   throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
-                   "reverses at master " + number(knots_[knot].master) + ", where the law `" +
-                       name(law(*neighbor)) +
-                       "` beside it has no acceleration; a law from rest to rest would do");
+                   "reverses at master " + number(knots_[knot].master) +
+                       ", where the adjacent law `" + name(law(*neighbor)) +
+                       "` has no acceleration: use a law from rest to rest");
 }
 
 /// Finds the inflection if the knot of the reversal gives an acceleration that it can meet.
@@ -231,7 +234,7 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const double least = least_deceleration(placed.spec->law);
   if (!(deceleration > least))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
-                     "must be beyond " + number(least * unit) +
+                     "must be beyond " + six_digits(least * unit) +
                          ": a smaller value puts the inflection of the law `" +
                          name(placed.spec->law) + "` outside its segment");
   placed.form.inflection = inflection_for(placed.spec->law, deceleration);

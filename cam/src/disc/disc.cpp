@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/disc/pitch.hpp"
 
@@ -36,7 +37,7 @@ double start_height(const DiscSpec& spec) {
   const double prime = spec.base_radius + spec.roller_radius;
   if (!(std::abs(spec.offset) < prime))
     throw InputError("offset", spec.offset,
-                     "must be less than " + number(prime) + ", base_radius + roller_radius");
+                     "must be less than " + six_digits(prime) + ", base_radius + roller_radius");
   return std::sqrt((prime - spec.offset) * (prime + spec.offset));
 }
 
@@ -46,10 +47,11 @@ double start_angle(const DiscSpec& spec, double travel) {
   const double l = spec.arm_length;
   const double c = spec.centre_distance;
   if (!(std::abs(c - l) < prime && prime < c + l))
-    throw InputError("arm_length", l,
-                     "does not reach the base circle: base_radius + roller_radius = " +
-                         number(prime) + " must lie between " + number(std::abs(c - l)) + " and " +
-                         number(c + l) + ", the difference and sum of arm and centre distance");
+    throw InputError(
+        "arm_length", l,
+        "does not reach the base circle: base_radius + roller_radius = " + six_digits(prime) +
+            " must lie between " + six_digits(std::abs(c - l)) + " and " + six_digits(c + l) +
+            ", the difference and the sum of arm length and center distance");
   // Computed from the half angle: an arc cosine loses half the digits near a stretched or folded
   // arm.
   const double start = 2 * std::atan2(std::sqrt((prime - (c - l)) * (prime + (c - l))),
@@ -57,8 +59,9 @@ double start_angle(const DiscSpec& spec, double travel) {
   const double swing = cam_detail::arm_angle(spec) * travel;
   if (!(start + swing < std::numbers::pi))
     throw InputError("arm_length", l,
-                     "lets the arm swing to " + number((start + swing) * 360 / turn) +
-                         " deg from the line of centres: it must stay below 180 deg");
+                     "lets the arm swing to " + six_digits((start + swing) * 360 / turn) +
+                         " deg from the line of centers, which must stay below 180 deg: shorten "
+                         "the stroke or the arm");
   return start;
 }
 
@@ -67,8 +70,8 @@ Cam whole_turn(const Cam& cam, double angle) {
   const double lobes = turn / (cam.length() * angle);
   const double whole = std::round(lobes);
   if (!(whole >= 1 && whole <= 1000 && std::abs(lobes - whole) <= 1e-9 * whole))
-    throw InputError("cam", number(cam.length() * angle * 360 / turn) + " deg long",
-                     "must be one turn, or a whole part of one, to become a disc");
+    throw InputError("cam", six_digits(cam.length() * angle * 360 / turn) + " deg long",
+                     "must be 360 deg, or 360 deg divided by a whole number, to become a disc");
   const Range travel = extrema(cam, 0);
   const double step = cam.jet(cam.end(), Side::left)[0] - cam.jet(cam.start())[0];
   if (std::abs(step) > 1e-9 * (travel.max.value - travel.min.value))
@@ -77,9 +80,9 @@ Cam whole_turn(const Cam& cam, double angle) {
         "must end where it begins, at " + number(cam.jet(cam.start())[0]) + ", to become a disc");
   const Jump jump = largest_jump(cam, 0);
   if (std::abs(jump.step) > 1e-9 * (travel.max.value - travel.min.value))
-    throw InputError(
-        "cam", number(jump.step),
-        "is a step of the slave at master " + number(jump.where) + ", which no disc can have");
+    throw InputError("cam", six_digits(jump.step),
+                     "is a step of the slave at master " + six_digits(jump.where) +
+                         ", which no disc can have: remove it");
   const Cam lift = with(shifted(cam, 0, -travel.min.value), Extrapolation::wrap);
   return repeated(lift, static_cast<int>(whole));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/disc/pitch.hpp"
 
@@ -128,8 +129,9 @@ void require_tolerance(const Disc& disc, double distance, double tolerance) {
   const double size = disc.spec().base_radius + disc.spec().roller_radius +
                       extrema(disc.lift(), 0).max.value + std::abs(distance);
   if (!(tolerance >= 1e-10 * size))
-    throw InputError("tolerance", tolerance,
-                     "must be at least " + number(1e-10 * size) + ", 1e-10 of the cam's size");
+    throw InputError(
+        "tolerance", tolerance,
+        "must be at least " + six_digits_up(1e-10 * size) + ", 1e-10 of the cam's size");
 }
 
 }  // namespace
@@ -139,9 +141,10 @@ Contour contour(const Disc& disc, double distance, double tolerance, Pieces piec
   require_tolerance(disc, distance, tolerance);
   const Jump jump = largest_jump(disc.lift(), 1);
   if (std::abs(jump.step) > 1e-9 * std::abs(extrema(disc.lift(), 1).peak().value))
-    throw InputError("cam", number(jump.step),
-                     "is a step of the velocity at master " + number(jump.where) +
-                         ": the contour would have a corner there, which no roller follows");
+    throw InputError("cam", six_digits(jump.step),
+                     "is a step of the velocity at master " + six_digits(jump.where) +
+                         ": the contour would have a corner there, which no roller can follow. Use "
+                         "a law with a continuous velocity");
   return Flattening(disc, distance, tolerance, pieces).contour();
 }
 

@@ -68,7 +68,7 @@ void require_valid(const BSplineSpec& spec) {
   for (std::size_t i = 1; i < t.size(); ++i)
     if (t[i] < t[i - 1])
       throw InputError(counted("knots", i), t[i],
-                       "must not be less than " + number(t[i - 1]) + ", the knot before");
+                       "must not be less than " + number(t[i - 1]) + ", the previous knot");
   for (std::size_t i = p + 1; i < spec.control.size(); ++i)
     if (t[i] > t[p] && t[i] < t[spec.control.size()] && t[i] == t[i + p])
       throw InputError(counted("knots", i), t[i],
@@ -186,7 +186,7 @@ std::vector<Segment> bezier_chain(std::span<const double> breaks, std::span<cons
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     if (!(breaks[i + 1] > breaks[i]))
       throw InputError(counted("breaks", i + 1), breaks[i + 1],
-                       "must be greater than " + number(breaks[i]) + ", the break before");
+                       "must be greater than " + number(breaks[i]) + ", the previous break");
     segments.push_back(bezier(breaks[i + 1] - breaks[i], control.subspan(i * p, p + 1)));
   }
   return segments;

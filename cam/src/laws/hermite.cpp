@@ -58,7 +58,7 @@ void require_valid(std::span<const HermitePoint> points) {
     if (!(points[i].master > points[i - 1].master))
       throw InputError(
           key + "master", points[i].master,
-          "must be greater than " + number(points[i - 1].master) + ", the point before");
+          "must be greater than " + number(points[i - 1].master) + ", the previous point");
     if (points[i].geo_jerk.has_value() != points[0].geo_jerk.has_value())
       throw InputError(key + "geo_jerk", "", "must be given at all points or at none");
   }

@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // Every law uses one of three kinds of rise, and one method for end velocities.
 //
@@ -193,7 +194,7 @@ std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) 
 }
 
 [[noreturn]] void refuse(const char* key, const std::string& value, Law law) {
-  throw InputError(key, value, std::string("the law `") + name(law) + "` does not take this");
+  throw InputError(key, value, std::string("the law `") + name(law) + "` has no such parameter");
 }
 
 std::vector<Segment> rise(Law law, const LawForm& form) {
@@ -322,7 +323,8 @@ void require_valid(Law law, const LawForm& form) {
   }
   if (form.shares && law != Law::scca) refuse("shares", number((*form.shares)[0]) + ", ...", law);
   if (!form.shares && law == Law::scca)
-    throw InputError("shares", "none", "the law `scca` needs [sine, constant, cosine]");
+    throw InputError("shares", "",
+                     "is missing: the law `scca` needs shares = [sine, constant, cosine]");
 }
 
 std::vector<Segment> scca(double b, double c, double d, double straight) {
@@ -330,7 +332,9 @@ std::vector<Segment> scca(double b, double c, double d, double straight) {
   require_not_negative("shares[2]", c);
   require_not_negative("shares[3]", d);
   require_not_negative("straight", straight);
-  if (std::abs(b + c + d - 1) > 1e-12) throw InputError("shares", b + c + d, "must sum to 1");
+  if (std::abs(b + c + d - 1) > 1e-12)
+    throw InputError("shares", six_digits(b) + " + " + six_digits(c) + " + " + six_digits(d),
+                     "must add up to 1, not " + six_digits(b + c + d));
   const double half = (1 - straight) / 2;
   return ramped({b, c, d}, half, straight, {b, c, d}, half);
 }

@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. The requirement x = y everywhere gives
 //
@@ -42,9 +43,9 @@ void require_smooth(const Cam& f, const char* whose, int order) {
   if (step.step == 0) return;
   throw InputError("polydyne", "",
                    std::string(whose) + OverMaster::names[static_cast<std::size_t>(order)] +
-                       " would step by " + number(step.step) + " at " + number(step.where) +
-                       ", which no follower can follow: the wanted output must begin and end with "
-                       "geo_acceleration and geo_jerk 0, as the laws 56789 and nonic do");
+                       " would step by " + six_digits(step.step) + " at " + six_digits(step.where) +
+                       ", which no follower can follow. Use laws that begin and end with "
+                       "geo_acceleration and geo_jerk 0, such as 56789 or nonic");
 }
 
 Report warnings_of(const Cam& cam) {

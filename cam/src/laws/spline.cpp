@@ -79,7 +79,7 @@ void cam_detail::require_points(const std::vector<SplinePoint>& points, std::siz
     if (i > 0 && !(p.master > points[i - 1].master))
       throw InputError(
           point_key(i, "master"), p.master,
-          "must be greater than " + number(points[i - 1].master) + ", the point before");
+          "must be greater than " + number(points[i - 1].master) + ", the previous point");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/switches/switch_machine.hpp"
 
@@ -40,28 +41,30 @@ void require_track(const CamSwitchSpec& spec, std::size_t i) {
   require_not_negative((at.key + ".hysteresis").c_str(), t.hysteresis);
   const auto same = [&](const auto& other) { return other.track == t.track; };
   if (std::any_of(spec.tracks.begin(), spec.tracks.begin() + static_cast<std::ptrdiff_t>(i), same))
-    at.fail("track", t.track, "has its options twice");
+    at.fail("track", t.track, "has two sets of options: keep one");
   if (std::none_of(spec.switches.begin(), spec.switches.end(), same))
-    at.fail("track", t.track, "has options, but no switch");
+    at.fail("track", t.track, "has options but no switch: add a [[switch]] with this track");
 }
 
 /// Checks the width of the range, and the gap that a rotary axis leaves.
 void require_range(const CamSwitch& s, const Entry& at, double hysteresis, double period) {
   if (!s.last_on_position)
-    at.fail("last_on_position", s.first_on_position,
-            "is missing: a switch in position mode is a range");
+    throw InputError(
+        at.key + ".last_on_position", "",
+        "is missing: a switch in position mode is on from first_on_position to last_on_position");
   const double last = *s.last_on_position;
   at.finite("last_on_position", last);
   const double difference = last - s.first_on_position;
   const double width = difference < 0 ? difference + period : difference;
   if (period == 0 && difference < 0)
     at.fail("last_on_position", last,
-            "must be above first_on_position: only a rotary axis has ranges across its period; for "
-            "an output that is on outside a range, invert the track");
+            "must be above first_on_position = " + number(s.first_on_position) +
+                ": only a rotary axis has ranges across its period. Invert the track for an output "
+                "that is on outside the range");
   if (!(width > 0) || (period > 0 && width > period))
     at.fail("last_on_position", last,
             period > 0 ? "must lie within one period of first_on_position, and not on it"
-                       : "must be above first_on_position");
+                       : "must be above first_on_position = " + number(s.first_on_position));
   if (!(hysteresis < width))
     at.fail("last_on_position", last,
             "the range must be wider than the hysteresis of its track, " + number(hysteresis));
@@ -77,8 +80,8 @@ void require_duration(const CamSwitch& s, const Entry& at, const SwitchTrack& tr
     at.fail("duration", duration, "must be greater than 0");
   if (!(duration + track.off_compensation - track.on_compensation > 0))
     at.fail("duration", duration,
-            "must be longer: after the compensations of its track it is " +
-                number(duration + track.off_compensation - track.on_compensation));
+            "must be longer: with the compensations of its track it is " +
+                six_digits(duration + track.off_compensation - track.on_compensation));
 }
 
 void require_switch(const CamSwitchSpec& spec, std::size_t i) {
@@ -90,14 +93,19 @@ void require_switch(const CamSwitchSpec& spec, std::size_t i) {
   at.finite("first_on_position", s.first_on_position);
   if (period > 0 && !(2 * track.hysteresis < period))
     at.fail("track", s.track,
-            "its hysteresis must be less than half the period, " + number(period / 2));
+            "the hysteresis of this track must be less than half the period, " +
+                six_digits(period / 2));
   if (s.mode == CamSwitchMode::position) {
-    if (s.duration) at.fail("duration", *s.duration, "belongs to mode \"time\"");
+    if (s.duration)
+      at.fail("duration", *s.duration, "applies to mode = \"time\" only: leave it out");
     return require_range(s, at, track.hysteresis, period);
   }
   if (s.last_on_position)
-    at.fail("last_on_position", *s.last_on_position, "belongs to mode \"position\"");
-  if (!s.duration) at.fail("duration", 0, "is missing: a switch in time mode needs a duration");
+    at.fail("last_on_position", *s.last_on_position,
+            "applies to mode = \"position\" only: leave it out");
+  if (!s.duration)
+    throw InputError(at.key + ".duration", "",
+                     "is missing: a switch in time mode needs a duration");
   require_duration(s, at, track);
 }
 

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "jounce/optimize/spline_times.hpp"
+#include "jounce/profiles/moves/explain.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 #include "jounce/profiles/sequences/via.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 
 namespace jounce::design_detail {
@@ -39,8 +41,8 @@ Trajectory made(const SCurveSpec& s) {
 InputError refused(const PointToPointSpec& s, const MotionState& to, MoveStatus status) {
   const Durations all = durations(s.from, to, s.bounds);
   return {"duration", *s.duration,
-          std::string(explain(status)) + "; the next possible one is " +
-              number(all.at_least(*s.duration))};
+          std::string(explain(status)) + "; the next longer possible duration is " +
+              six_digits_up(all.at_least(*s.duration))};
 }
 
 MotionState target_of(const PointToPointSpec& s) {
@@ -259,9 +261,12 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   std::vector<Profile> profiles(axes.axes.size());
   const std::vector<AxisMove> moves = with_followers(axes);
   const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
-  if (all.status != MoveStatus::ok) throw InputError(key_of(all.axis), "", explain(all.status));
+  if (all.status != MoveStatus::ok) {
+    const AxisMove& move = moves[all.axis];
+    throw InputError(key_of(all.axis), "", explain(all.status, move.from, move.to, move.bounds));
+  }
   if (!(all.duration > 0))
-    throw InputError("axis", "", "all axes are at their targets: there is no motion");
+    throw InputError("axis", "", "does not move: all axes are at their targets");
   std::vector<Trajectory> motions;
   for (std::size_t i = 0; i < profiles.size(); ++i)
     motions.push_back(

@@ -58,6 +58,17 @@ Trajectory without_slivers(const Trajectory& curve) {
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }
 
+/// The error with the name and the unit of the axis whose number it has: to[3] -> to[3] (z).
+InputError named(const InputError& error, const GcodeMachine& machine) {
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    const std::string key = "to[" + std::to_string(i + 1) + "]";
+    if (error.key() == key)
+      return InputError(key + " (" + machine.axes[i].name + ")",
+                        error.value() + " " + machine.axes[i].unit, error.rule());
+  }
+  return InputError(error.key(), error.value(), error.rule());
+}
+
 Plan planned(const PathSpec& path) {
   if (path.program.commands().empty())
     throw InputError("command", "",
@@ -68,7 +79,7 @@ Plan planned(const PathSpec& path) {
     return plan(path.program, path.limits);
   } catch (const InputError& error) {
     if (error.line() == 0) throw;
-    throw InputError(error.key(), error.value(), error.rule()).at(path.source, error.line());
+    throw named(error, path.machine).at(path.source, error.line());
   }
 }
 

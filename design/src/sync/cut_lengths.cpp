@@ -66,8 +66,7 @@ std::optional<double> shortest_shear(FlyingShear shear, double speed, const CutL
 std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
   if (!spec.sync_time && !spec.sync_length)
     throw InputError("shear.sync_time", "",
-                     "is missing: a map of cut lengths needs it, or sync_length (without one, no "
-                     "sync remains at the fastest line)");
+                     "is missing: a map of cut lengths needs sync_time or sync_length");
   const double least =
       spec_detail::in_document("shear.", [&] { return least_cut_length(spec).value; });
   const double scale = std::isfinite(least) ? least : spec.cut_length;
@@ -92,7 +91,7 @@ CutLengths cut_lengths(const Spec& spec) {
       if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
         return std::move(*found);
     throw InputError("kind", "",
-                     "must be a knife or a shear: no other kind has a map of cut lengths");
+                     "must be \"knife\" or \"shear\": other kinds have no map of cut lengths");
   } catch (const InputError& error) {
     throw spec.document.located(error);
   }

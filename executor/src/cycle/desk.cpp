@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "jounce/command/command_table.hpp"
+#include "jounce/command/refusal_text.hpp"
 #include "jounce/executor/commands.hpp"
 #include "jounce/executor/events.hpp"
 #include "jounce/executor/recorder.hpp"
@@ -366,9 +367,9 @@ void Desk::answer(const Request& request, const std::optional<Refusal>& refused)
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
-  receiver_.refuse(request.session, request.command, refused->text(),
+  receiver_.refuse(request.session, request.command, text(*refused, options_.units.position),
                    static_cast<std::int32_t>(refused->cause));
-  notify("refused: " + refused->text());
+  notify("refused: " + text(*refused, options_.units.position));
 }
 
 void Desk::take_ticks() {
@@ -410,7 +411,9 @@ void Desk::write(const Tick& tick) {
 void Desk::compare(const Tick& tick) {
   const std::string at = " at tick " + std::to_string(tick.tick);
   if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
-  if (tick.dropped) notify("the armed motion did not start" + at + ": " + tick.dropped->text());
+  if (tick.dropped)
+    notify("the armed motion did not start" + at + ": " +
+           text(*tick.dropped, options_.units.position));
   if (tick.finished > last_.finished) notify("finished" + at);
   if (tick.stopped > last_.stopped) notify("stopped" + at);
   if (tick.fault == last_.fault) return;
@@ -453,7 +456,8 @@ wire::Status Desk::status() const {
     status.start_command = start_.command;
     status.start = start_.outcome;
     status.start_cause = static_cast<std::int32_t>(start_.why.cause);
-    if (start_.outcome == wire::StartOutcome::dropped) status.start_reason = start_.why.text();
+    if (start_.outcome == wire::StartOutcome::dropped)
+      status.start_reason = text(start_.why, options_.units.position);
   }
   const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
   if (kept != movements_.end()) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
@@ -22,8 +23,9 @@ void require_valid(const Indexer& spec) {
   // The rounding of cycle / count is not a dwell.
   if (spec.before + spec.motion > room * (1 + 1e-12))
     throw InputError("motion", spec.motion,
-                     "must be at most " + number(room - spec.before) + ": each of the cycle's " +
-                         std::to_string(spec.count) + " parts is " + number(room) + " long");
+                     "must be at most " + six_digits_down(room - spec.before) +
+                         ": cycle / count = " + six_digits(room) +
+                         " less before = " + number(spec.before));
   gearing::require_rest_to_rest("law", spec.law, spec.form);
 }
 

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/cut/knife_shape.hpp"
 
@@ -79,7 +80,7 @@ void require_valid(const RotaryKnifeSpec& spec) {
   require_not_negative("thickness", spec.thickness);
   if (!(spec.thickness < spec.diameter / 2))
     throw InputError("thickness", spec.thickness,
-                     "must be less than the radius of the knife, " + number(spec.diameter / 2));
+                     "must be less than the radius of the knife, " + six_digits(spec.diameter / 2));
   if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
   if (!is_rise_at_rest(spec.law))
@@ -106,7 +107,7 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
     if (spec.matching == KnifeMatching::surface) return along;
     if (!(along < 1))
       throw InputError("sync_length", *spec.sync_length,
-                       "must be less than " + number(spec.diameter / spec.speed_ratio) +
+                       "must be less than " + six_digits(spec.diameter / spec.speed_ratio) +
                            ", the distance of the tip from one side of the knife to the other");
     return std::asin(along);
   }
@@ -115,9 +116,8 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
     return *spec.sync_angle / unit / 2;
   }
   if (!(spec.thickness > 0))
-    throw InputError(
-        "sync_angle", "",
-        "is missing: give it, or a thickness, to stay in step while knife and web touch");
+    throw InputError("sync_angle", "",
+                     "is missing: give sync_angle or sync_length, or the thickness of the web");
   return contact_angle(spec);
 }
 
@@ -137,13 +137,14 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
   if (!(2 * half < pitch))
     throw InputError(key, given,
-                     "is in step for " + number(2 * half * unit) +
+                     "makes a sync zone of " + six_digits(2 * half * unit) +
                          ", which must be less than the angle between two blades, " +
-                         number(pitch * unit));
+                         six_digits(pitch * unit) + " (turn / blades)");
   if (spec.matching == KnifeMatching::horizontal && !(half < pi / 2))
-    throw InputError(
-        key, given,
-        "must end before the blade is level, with horizontal matching: at most half a turn");
+    throw InputError(key, given,
+                     "makes a sync zone of " + six_digits(2 * half * unit) +
+                         ", which must be less than half a turn, " + six_digits(pi * unit) +
+                         ", with horizontal matching");
 }
 
 Knife knife_of(const RotaryKnifeSpec& spec) {
@@ -155,7 +156,8 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
   const KnifeSync sync = sync_of(spec, half);
   if (!(spec.cut_length > 2 * sync.length))
     throw InputError("cut_length", spec.cut_length,
-                     "must be longer than the web in step, " + number(2 * sync.length));
+                     "must be longer than the sync zone on the web, " +
+                         six_digits_up(2 * sync.length) + ": shorten the sync zone, or cut longer");
   return {pitch, spec.thickness > 0 ? contact_angle(spec) : 0, sync,
           KnifeShape(normalised(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }

@@ -5,6 +5,7 @@
 
 #include "jounce/gear/flying_shear.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
@@ -176,8 +177,7 @@ void require_complete(const FlyingShear& spec) {
     throw InputError("sync_length", *spec.sync_length,
                      "cannot be combined with sync_time: give one of them");
   if (longest_sync(spec) && !spec.stroke)
-    throw InputError("sync_time", "",
-                     "is missing: give sync_time or sync_length, or a stroke to use up");
+    throw InputError("sync_time", "", "is missing: give sync_time, sync_length or a stroke");
   if (!spec.acceleration_length && !spec.limits.acceleration && !spec.limits.jerk)
     throw InputError("acceleration_length", "", "is missing: give it, or limits.acceleration");
 }
@@ -198,7 +198,7 @@ std::string limit_of(const std::string& quantity) {
 
 std::string or_slower(const FlyingShear& spec) {
   const double fastest = greatest_line_speed(spec).value;
-  return fastest > 0 ? "; or line_speed at most " + number(fastest) : "";
+  return fastest > 0 ? ", or line_speed at most " + six_digits_down(fastest) : "";
 }
 
 [[noreturn]] void refuse_length(const FlyingShear& spec, const std::string& quantity) {
@@ -207,7 +207,7 @@ std::string or_slower(const FlyingShear& spec) {
   throw InputError(
       "cut_length", spec.cut_length,
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
-          number(least.value) + " at this line_speed" + or_slower(spec) +
+          six_digits_up(least.value) + " at this line_speed" + or_slower(spec) +
           (by_limit ? ": a shorter return breaks " + limit_of(quantity)
                     : ": no master distance is left for the return"));
 }
@@ -216,9 +216,10 @@ std::string or_slower(const FlyingShear& spec) {
   const FlyingShear& spec = shear.spec;
   if (quantity == "sync velocity")
     throw InputError("line_speed", spec.line_speed,
-                     "must be at most " + number(*spec.limits.velocity / shear.ratio) +
-                         ": in step the carriage runs at " + number(shear.ratio * spec.line_speed) +
-                         ", above limits.velocity");
+                     "must be at most " + six_digits_down(*spec.limits.velocity / shear.ratio) +
+                         ": in the sync zone the carriage would move at " +
+                         six_digits(shear.ratio * spec.line_speed) +
+                         ", above limits.velocity = " + number(*spec.limits.velocity));
   if (quantity.starts_with("ramp") && !std::isfinite(cycle.ramp.value))
     throw InputError("ramp", name(spec.ramp),
                      "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
@@ -226,23 +227,23 @@ std::string or_slower(const FlyingShear& spec) {
     const bool up = cycle.accelerate <= cycle.decelerate;
     throw InputError(up ? "acceleration_length" : "deceleration_length",
                      up ? cycle.accelerate : cycle.decelerate,
-                     "must be at least " + number(cycle.ramp.value) + " at this line_speed" +
+                     "must be at least " + six_digits_up(cycle.ramp.value) + " at this line_speed" +
                          or_slower(spec) + ": a shorter one breaks " + limit_of(quantity));
   }
   if (quantity == "stroke") {
     const double ramps = shear.ratio * (cycle.accelerate + cycle.decelerate) / 2;
     throw InputError("stroke", *spec.stroke,
-                     (longest_sync(spec) ? "must be greater than " + number(ramps)
-                                         : "must be at least " + number(cycle.stroke)) +
-                         " at this line_speed" + or_slower(spec) + ": run-up and braking take " +
-                         number(ramps) + " of it");
+                     (longest_sync(spec) ? "must be greater than " + six_digits(ramps)
+                                         : "must be at least " + six_digits_up(cycle.stroke)) +
+                         " at this line_speed" + or_slower(spec) +
+                         ": run-up and braking alone take " + six_digits(ramps));
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),
                      "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (spec.return_length && cycle.back.value > *spec.return_length)
     throw InputError("return_length", *spec.return_length,
-                     "must be at least " + number(cycle.back.value) + " at this line_speed" +
+                     "must be at least " + six_digits_up(cycle.back.value) + " at this line_speed" +
                          or_slower(spec) + ": a shorter one breaks " + limit_of(quantity));
   refuse_length(spec, quantity);
 }

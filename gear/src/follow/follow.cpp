@@ -42,7 +42,7 @@ std::vector<PtRate> ratios_of(const FollowSpec& spec, std::size_t table, double 
 }
 
 void require_valid(const FollowSpec& spec) {
-  if (spec.tables.empty()) throw InputError("table", "none", "there must be at least one");
+  if (spec.tables.empty()) throw InputError("table", "", "is missing: give at least one");
   require_finite("start_ratio", spec.start_ratio);
   std::size_t total = 0;
   for (std::size_t i = 0; i < spec.tables.size(); ++i) {
@@ -50,8 +50,8 @@ void require_valid(const FollowSpec& spec) {
     const std::string key = prefix(spec, i) + "loops";
     if (loops < 1 && i + 1 < spec.tables.size())
       throw InputError(key, std::to_string(loops),
-                       "is endless, which only the last table can be: give the number of passes "
-                       "before the next table");
+                       "is endless: only the last table can be. Give the number of passes before "
+                       "the next table");
     const auto passes = static_cast<std::size_t>(std::max<std::int64_t>(loops, 1));
     if (!segments.empty() && passes > (most_segments - total) / segments.size())
       throw InputError(key, std::to_string(loops),

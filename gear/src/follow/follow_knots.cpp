@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/detail/local_velocities.hpp"
 
 namespace jounce::gear_detail {
@@ -40,7 +41,7 @@ class Knots {
     const auto items = sorted();
     for (const Item& item : items) item.is_zone ? add_zone(item.index) : add_point(item.index);
     if (all_.size() < 2)
-      throw InputError("point", "none", "there must be a sync point or a zone after the start");
+      throw InputError("point", "", "is missing: add a [[point]] or a [[zone]] after the start");
     close();
     fill();
   }
@@ -58,7 +59,7 @@ class Knots {
       if (i > 0 && !(p.master > plan_.points[i - 1].master))
         throw InputError(
             key("point", i, "master"), p.master,
-            "must be greater than " + number(plan_.points[i - 1].master) + ", the point before");
+            "must be greater than " + number(plan_.points[i - 1].master) + ", the previous point");
     }
     for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
       const FollowZone& z = plan_.zones[i];
@@ -67,11 +68,12 @@ class Knots {
       require_finite(key("zone", i, "ratio").c_str(), z.ratio);
       require_finite(key("zone", i, "slave").c_str(), z.slave.value_or(0));
       if (!(z.to > z.from))
-        throw InputError(key("zone", i, "to"), z.to, "must be greater than " + number(z.from));
+        throw InputError(key("zone", i, "to"), z.to,
+                         "must be greater than from = " + number(z.from));
       if (i > 0 && !(z.from >= plan_.zones[i - 1].to))
         throw InputError(
             key("zone", i, "from"), z.from,
-            "must be at least " + number(plan_.zones[i - 1].to) + ", where the one before ends");
+            "must be at least " + number(plan_.zones[i - 1].to) + ", the end of the previous zone");
     }
   }
 
@@ -101,7 +103,7 @@ class Knots {
     if (!(p.master > all_.back().master))
       throw InputError(key("point", i, "master"), p.master,
                        "must be greater than " + number(all_.back().master) +
-                           ", where the start, a point or a zone is");
+                           ", the place of the start, of a point or of a zone");
     all_.push_back({p.master, p.slave, p.ratio, {}});
   }
 
@@ -109,8 +111,9 @@ class Knots {
     const FollowZone& z = plan_.zones[i];
     Knot& before = all_.back();
     if (z.from < before.master)
-      throw InputError(key("zone", i, "from"), z.from,
-                       "must be at least " + number(before.master) + ", where the one before ends");
+      throw InputError(
+          key("zone", i, "from"), z.from,
+          "must be at least " + number(before.master) + ", the end of the previous zone or point");
     const double slave = begin_of(i);
     if (z.from == before.master) {
       join(i, before, slave);
@@ -125,11 +128,14 @@ class Knots {
     const double ratio = plan_.zones[i].ratio;
     if (!near(slave, before.slave))
       throw InputError(key("zone", i, "slave"), slave,
-                       "must be " + number(before.slave) + ", where the slave is then");
+                       "must be " + six_digits(before.slave) +
+                           ", the position of the slave there: leave it out, or change the point "
+                           "or zone before");
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
           key("zone", i, "ratio"), ratio,
-          "must be " + number(*before.ratio) + ", the ratio there: change the ratio earlier");
+          "must be " + six_digits(*before.ratio) +
+              ", the ratio of the slave there: let it reach the new ratio before this zone");
     before.ratio = ratio;
   }
 
@@ -144,8 +150,9 @@ class Knots {
       const double scale = std::abs(p.slave) + std::abs(z.ratio * z.to);
       if (slave && std::abs(*slave - expected) > rounded_input * scale)
         throw InputError(key("point", k, "slave"), p.slave,
-                         "must be " + number(*slave + z.ratio * (p.master - z.from)) +
-                             ", where zone " + std::to_string(i + 1) + " leads");
+                         "must be " + six_digits(*slave + z.ratio * (p.master - z.from)) +
+                             ", the position of the slave in zone " + std::to_string(i + 1) +
+                             " at this master: leave it out");
       if (!slave) slave = expected;
     }
     if (slave) return *slave;
@@ -170,8 +177,8 @@ class Knots {
     if (!last.ratio) last.ratio = first.ratio;
     if (!near(*first.ratio, *last.ratio))
       throw InputError("periodic", "true",
-                       "needs the ratio of its start, " + number(*first.ratio) +
-                           ", at its end, where it is " + number(*last.ratio));
+                       "needs the same ratio at start and end: they are " +
+                           six_digits(*first.ratio) + " and " + six_digits(*last.ratio));
   }
 
   /// Ratios left out: between the mean ratios before and after, so that nothing overshoots.

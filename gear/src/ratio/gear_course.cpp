@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -67,7 +68,7 @@ void require_inside(const GearCourse& c, const char* list, std::size_t i, double
   if (at + distance > c.master_end)
     throw InputError(
         key(list, i, "distance"), distance,
-        "leads to " + number(at + distance) + ", beyond the end at " + number(c.master_end));
+        "leads to " + six_digits(at + distance) + ", beyond the end at " + number(c.master_end));
 }
 
 const char* name_of(double ratio) {
@@ -93,8 +94,9 @@ Chain ratios(const GearCourse& c) {
     require_finite(key("change", i, "ratio").c_str(), change.ratio);
     require_not_negative(key("change", i, "distance").c_str(), change.distance);
     if (change.at < chain.x)
-      throw InputError(key("change", i, "at"), change.at,
-                       "must not lie before " + number(chain.x) + ", where the change before ends");
+      throw InputError(
+          key("change", i, "at"), change.at,
+          "must not lie before " + six_digits(chain.x) + ", the end of the previous change");
     chain.run_to(change.at, ratio, name_of(ratio));
     if (change.distance > 0) add_clutch(chain, ratio, change, key("change", i, "law"));
     ratio = change.ratio;

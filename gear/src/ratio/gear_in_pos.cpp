@@ -14,6 +14,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G),
 // which for the quintic is
@@ -46,7 +47,7 @@ void require_valid(const GearInPosSpec& spec) {
   require_positive("master_period", spec.master_period.value_or(1));
   if (spec.master_start_distance == 0)
     throw InputError("master_start_distance", "0",
-                     "must not be 0: the slave needs a distance to reach the ratio");
+                     "must be greater than 0: the slave needs a distance to reach the ratio");
   const Ends ends = info(spec.law).ends;
   if (ends != Ends::given && ends != Ends::moving)
     throw InputError("law", name(spec.law), "must accept a velocity at its end: try \"quintic\"");
@@ -170,13 +171,13 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
   const double last = gear.curve->end();
   if (!(from <= first))
     throw InputError("master_start", from,
-                     "is past " + number(first) +
-                         ", where the engagement begins (master_sync_position less "
+                     "is past " + six_digits(first) +
+                         ", the start of the engagement (master_sync_position less "
                          "master_start_distance): begin there, or shorten the start distance to " +
-                         number(std::abs(last - from)));
+                         six_digits_down(std::abs(last - from)));
   if (!(to >= last))
     throw InputError("master_end", to,
-                     "must not be before the end of the engagement, " + number(last));
+                     "must not be before the end of the engagement, " + six_digits(last));
   SyncCam made{*gear.curve};
   std::vector<Segment> segments;
   const auto add = [&](double length, double y0, double slope, const char* name) {

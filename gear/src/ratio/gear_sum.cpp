@@ -38,7 +38,7 @@ Wide dot(std::span<const std::int64_t> numerators, std::span<const std::int64_t>
 }  // namespace
 
 GearSum GearSum::of(std::span<const Gear> gears) {
-  if (gears.empty()) throw InputError("gears", "0", "must be at least one");
+  if (gears.empty()) throw InputError("gears", "0", "must be at least 1");
   GearSum sum;
   for (const Gear& gear : gears) {
     const std::int64_t common = std::gcd(sum.denominator_, gear.denominator());

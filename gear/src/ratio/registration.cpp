@@ -7,6 +7,7 @@
 #include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
@@ -28,7 +29,7 @@ void require_valid(const Registration& registration, double period) {
   // The rounding of the sum is no way out of the period.
   if (registration.window_from + registration.window_length > period * (1 + 1e-12))
     throw InputError("window_length", registration.window_length,
-                     "must be at most " + number(period - registration.window_from) +
+                     "must be at most " + six_digits_down(period - registration.window_from) +
                          ": the window ends within the period, which is " + number(period));
 }
 

@@ -37,7 +37,9 @@ class Line {
     if (at_ < text_.size() && text_[at_] == '%') {
       ++at_;
       skip_spaces();
-      if (at_ < text_.size()) fail(at_, "", "must be alone in its line: %");
+      if (at_ < text_.size())
+        fail(at_, shown(at_, text_.size()),
+             "must not follow % in the same line: put % in its own line");
       return all;
     }
     for (skip_comments(); at_ < text_.size(); skip_comments()) all.push_back(word());
@@ -46,7 +48,7 @@ class Line {
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& value, const std::string& rule) const {
-    throw InputError("G-code", value, rule).at({}, number_, static_cast<int>(at) + 1);
+    throw InputError('"' + value + '"', "", rule).at({}, number_, static_cast<int>(at) + 1);
   }
 
   void skip_spaces() {
@@ -59,7 +61,9 @@ class Line {
         at_ = text_.size();
       } else if (text_[at_] == '(') {
         const std::size_t end = text_.find(')', at_);
-        if (end == std::string_view::npos) fail(at_, "(", "needs a ) in the same line");
+        if (end == std::string_view::npos)
+          fail(at_, shown(at_, text_.size()),
+               "is a comment without its closing ): close it in the same line");
         at_ = end + 1;
       } else {
         return;
@@ -71,11 +75,13 @@ class Line {
     const std::size_t begin = at_;
     const char first = letter(text_[at_]);
     if (first == '\0')
-      fail(at_, shown(at_, at_ + 1), "is not a word: a word is a letter and a number");
+      fail(at_, shown(at_, at_ + 1),
+           "is not a G-code word: a word is a letter and a number, such as X10");
     const bool behind_number = begin > 0 && (is_digit(text_[begin - 1]) || text_[begin - 1] == '.');
     if (first == 'E' && behind_number)
       fail(begin, "E",
-           "needs a space before it: it is an acceleration, and numbers have no exponent");
+           "follows a number: G-code numbers have no exponent. Write 100000, not 1e5; put a space "
+           "before E if it is an acceleration");
     ++at_;
     GcodeWord word{std::string(1, first), 0, "", static_cast<int>(begin) + 1};
     const bool prefix = (first == 'F' || first == 'E') && at_ < text_.size();
@@ -103,7 +109,9 @@ class Line {
     }
     if (digits == 0)
       fail(begin, letters + shown(first, first + 1),
-           "needs a number: variables and expressions are not supported");
+           "needs a number after " + letters +
+               ": variables (#1) and expressions ([1+2]) are not supported, so have the CAM "
+               "program write numbers");
     return std::string(text_.substr(first, at_ - first));
   }
 
@@ -141,7 +149,8 @@ GcodeBlock read_block(std::string_view line, int number) {
     const GcodeWord& word = block.words[i];
     if (word.letters == "G" || word.letters == "M") continue;
     if (block.find(word.letters) != &word)
-      throw InputError(word.letters, word.text, "is in this block a second time")
+      throw InputError(word.letters + word.text, "",
+                       "is the second " + word.letters + " of this block: remove one")
           .at({}, number, word.column);
   }
   return block;

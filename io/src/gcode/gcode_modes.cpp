@@ -6,6 +6,7 @@
 
 #include "jounce/base/units.hpp"
 
+#include "io/src/gcode/gcode_words.hpp"
 #include "io/src/gcode/interpreter.hpp"
 
 namespace jounce::io_detail {
@@ -30,6 +31,13 @@ int group_of(int code) {
   return found == modal_groups.end() ? -1 : found->second;
 }
 
+/// The tenfold number of a G word; -1 if no G number has more than one decimal or such a size.
+int code_of(const GcodeWord& word) {
+  const double tenfold = 10 * word.value;
+  const int code = tenfold >= 0 && tenfold < 10000 ? static_cast<int>(std::lround(tenfold)) : -1;
+  return std::abs(tenfold - code) < 1e-6 ? code : -1;
+}
+
 bool has_tolerance(const GcodeBlock& block) {
   return std::any_of(block.words.begin(), block.words.end(),
                      [](const GcodeWord& word) { return word.letters == "G" && word.value == 64; });
@@ -50,23 +58,31 @@ void GcodeInterpreter::set_units(const std::string& length) {
   }
 }
 
+void GcodeInterpreter::require_supported(const GcodeBlock& block) const {
+  for (const GcodeWord& word : block.words)
+    if (word.letters == "G" && group_of(code_of(word)) < 0)
+      fail_at(block, word, rule_of_unsupported(word.value));
+}
+
 bool GcodeInterpreter::set_modes(const GcodeBlock& block) {
   std::array<bool, 14> taken{};
   for (const GcodeWord& word : block.words) {
     if (word.letters != "G") continue;
-    const double tenfold = 10 * word.value;
-    const int code = tenfold >= 0 && tenfold < 10000 ? static_cast<int>(std::lround(tenfold)) : -1;
-    const int group = std::abs(tenfold - code) < 1e-6 ? group_of(code) : -1;
-    if (group < 0) fail_at(block, word, "is not supported");
-    if (std::exchange(taken[static_cast<std::size_t>(group)], true))
-      fail_at(block, word, "contradicts another G word of the block");
+    const int code = code_of(word);
+    if (std::exchange(taken[static_cast<std::size_t>(group_of(code))], true))
+      fail_at(block, word, "contradicts another G word of this block: write one of the two");
     set_mode(block, word, code);
   }
   if (block.find("P") != nullptr && !taken[0] && !has_tolerance(block))
-    fail_at(block, *block.find("P"), "belongs to G4 or to G64");
-  if (taken[0] && taken[1]) fail_at(block, "G4", "must not be in a block with a movement");
+    fail_at(block, *block.find("P"),
+            "applies to G4, a dwell, and G64, the greatest deviation; subprograms (M98) are not "
+            "supported");
+  if (taken[0] && taken[1])
+    fail_at(block, "G4", "must not be in a block with a motion: write it in its own block");
   if (taken[0] && has_tolerance(block))
-    fail_at(block, "G64", "must not be in the block of a dwell: P would belong to both");
+    fail_at(block, "G64",
+            "must not be in the block of a dwell, because P would apply to both: write it in its "
+            "own block");
   return taken[0];
 }
 
@@ -130,8 +146,8 @@ void GcodeInterpreter::set_length(const GcodeBlock& block, const GcodeWord& word
       (void)conversion(length, machine_.axes[i].unit);
     } catch (const InputError&) {
       fail_at(block, word,
-              std::string("needs axes that count in a unit of length; ") + letters_[i] +
-                  " counts in " + machine_.axes[i].unit);
+              std::string("needs axes with a unit of length, but axis ") + letters_[i] +
+                  " has the unit " + machine_.axes[i].unit);
     }
   }
   set_units(length);
@@ -141,7 +157,8 @@ void GcodeInterpreter::set_offset(const GcodeBlock& block, const GcodeWord& word
                                   std::size_t number) {
   const auto& offset = machine_.offsets[number];
   if (!offset && number > 0)
-    fail_at(block, word, "needs an offset: add G" + word.text + " = [...] to [gcode]");
+    fail_at(block, word,
+            "needs an offset: add G" + word.text + " = [...] to [gcode] of the machine");
   offset_ = offset.value_or(Point{});
 }
 
@@ -155,7 +172,8 @@ void GcodeInterpreter::set_tolerance(const GcodeBlock& block, const GcodeWord& w
     return;
   }
   if (machine_.settings.corner == Corner::stop)
-    fail_at(block, word, "needs P, the greatest deviation, or a `corner` in [path]");
+    fail_at(block, word,
+            "needs the greatest deviation: write G64 P0.05, or give a `corner` in [path]");
   corner_ = machine_.settings;
 }
 

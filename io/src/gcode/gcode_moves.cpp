@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "jounce/path/arc.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "io/src/gcode/interpreter.hpp"
 
@@ -34,12 +35,15 @@ void GcodeInterpreter::move(const GcodeBlock& block) {
     if (center == nullptr && of_arc) center = &word;
   }
   const bool arc = motion_ == 2 || motion_ == 3;
-  if (center != nullptr && !arc) fail_at(block, *center, "belongs to an arc: G2 or G3");
+  if (center != nullptr && !arc)
+    fail_at(block, *center,
+            "applies to an arc, but the motion is not G2 or G3: remove it, or write G2 or G3");
   if (first == nullptr && center == nullptr) return;
   if (motion_ < 0)
-    fail_at(block, *(first != nullptr ? first : center), "needs G0, G1, G2 or G3 first");
+    fail_at(block, *(first != nullptr ? first : center),
+            "needs a motion: write G0, G1, G2 or G3 before it");
   if (arc && center == nullptr)
-    fail_at(block, *first, "needs a center, I J K, or a radius R: G2, G3");
+    fail_at(block, *first, "needs the center (I J K) or the radius (R) of the arc in this block");
   const Point to = target(block);
   made_.program.set(settings(block, to));
   if (arc)
@@ -48,13 +52,26 @@ void GcodeInterpreter::move(const GcodeBlock& block) {
     made_.program.line(to, block.line);
 }
 
+void GcodeInterpreter::require_inside(const GcodeBlock& block, const GcodeWord& word, std::size_t i,
+                                      double position) const {
+  const GcodeMachine::Axis& axis = machine_.axes[i];
+  const bool below = axis.position_min && position < *axis.position_min;
+  if (!below && !(axis.position_max && position > *axis.position_max)) return;
+  fail_at(block, word,
+          "moves axis " + axis.name + " to " + six_digits(position) + ' ' + axis.unit +
+              (below ? ", below its position_min, " : ", above its position_max, ") +
+              number(below ? *axis.position_min : *axis.position_max) + ' ' + axis.unit +
+              ": change the program or its offset");
+}
+
 Point GcodeInterpreter::target(const GcodeBlock& block) const {
   Point to = made_.program.position();
   for (const GcodeWord& word : block.words) {
     const std::size_t i = axis_of(word.letters);
     if (i == std::string::npos) continue;
     to[i] = (relative_ ? to[i] : offset_[i]) + word.value * scale_[i];
-    if (!std::isfinite(to[i])) fail_at(block, word, "is too large");
+    if (!std::isfinite(to[i])) fail_at(block, word, "is too large for a double");
+    require_inside(block, word, i, to[i]);
   }
   return to;
 }
@@ -62,7 +79,8 @@ Point GcodeInterpreter::target(const GcodeBlock& block) const {
 PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to) const {
   PathSettings now = motion_ == 0 ? rapid_ : feed_;
   if (motion_ != 0 && now.velocity == PathSettings::none)
-    fail_at(block, "F", "is missing: G1, G2 and G3 need a feed, here or as `velocity` of [path]");
+    fail_at(block, "F",
+            "is missing: G1, G2 and G3 need a feed. Add F to this block, or velocity to [path]");
   now.corner = corner_.corner;
   now.value = corner_.value;
   if (motion_ == 0 || feed_word_ == 0) return now;
@@ -78,9 +96,9 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
   const std::size_t first = axis_of(plane_.substr(0, 1));
   const std::size_t second = axis_of(plane_.substr(1, 1));
   if (first == std::string::npos || second == std::string::npos)
-    fail_at(
-        block, given,
-        "is an arc in the plane " + std::string(plane_) + ", of which the machine lacks an axis");
+    fail_at(block, given,
+            "belongs to an arc in the plane " + std::string(plane_) +
+                ", but the axes of the machine are " + letters_);
   const Plane plane{first, second};
   const ArcRotation rotation =
       motion_ == 2 ? ArcRotation::clockwise : ArcRotation::counterclockwise;
@@ -88,10 +106,11 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
   const double tolerance = arc_tolerance * gcode_scale("mm", machine_.axes[first].unit);
   try {
     if (const GcodeWord* const r = block.find("R")) {
-      if (&given != r) fail_at(block, *r, "must not be beside I, J, K");
+      if (&given != r)
+        fail_at(block, *r, "cannot be combined with I, J, K: write the center or the radius");
       for (const char c : center_letters)
         if (const auto* const word = block.find({&c, 1}))
-          fail_at(block, *word, "must not be beside R");
+          fail_at(block, *word, "cannot be combined with R: write the center or the radius");
       const double radius = fitting_radius(r->value * scale_[first], from, to, plane, tolerance);
       made_.program.arc(arc_of_radius(from, radius, to, plane, rotation), block.line);
       return;
@@ -111,7 +130,9 @@ Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane
     const std::size_t i = axis_of(gcode_axes.substr(k, 1));
     const bool inside = i == plane.first || i == plane.second;
     if (word != nullptr && !inside)
-      fail_at(block, *word, "is outside the plane of the arc, " + std::string(plane_));
+      fail_at(block, *word,
+              "is outside the plane of the arc, " + std::string(plane_) +
+                  ": remove it, or change the plane (G17 G18 G19)");
     if (!inside) continue;
     if (word == nullptr && !center_relative_)
       fail_at(block, std::string(center_letters.substr(k, 1)),

@@ -9,6 +9,8 @@
 
 #include "jounce/base/units.hpp"
 
+#include "io/src/gcode/gcode_words.hpp"
+
 namespace jounce::io_detail {
 
 GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
@@ -33,6 +35,7 @@ GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
 
 bool GcodeInterpreter::execute(const GcodeBlock& block) {
   if (block.words.empty()) return true;
+  require_supported(block);
   require_known(block);
   const bool dwell = set_modes(block);
   set_rates(block);
@@ -56,9 +59,11 @@ void GcodeInterpreter::require_known(const GcodeBlock& block) const {
       fail_at(block, word, "must be the first word of its block");
     if (axis_of(word.letters) != std::string::npos) continue;
     if (word.letters.size() == 1 && gcode_axes.find(word.letters[0]) != std::string_view::npos)
-      fail_at(block, word, "is the position of an axis that the machine does not have");
+      fail_at(
+          block, word,
+          "is the position of an axis that the machine does not have: its axes are " + letters_);
     if (std::find(others.begin(), others.end(), word.letters) == others.end())
-      fail_at(block, word, "is not a word that this program reads");
+      fail_at(block, word, rule_of_unsupported(word.letters));
   }
 }
 
@@ -74,11 +79,11 @@ void GcodeInterpreter::add_events(const GcodeBlock& block) {
 
 void GcodeInterpreter::rest(const GcodeBlock& block) {
   const GcodeWord* const p = block.find("P");
-  if (p == nullptr) fail_at(block, "G4", "needs P, the time in s");
+  if (p == nullptr) fail_at(block, "G4", "needs P, the time in s, such as G4 P0.5");
   if (!(p->value >= 0)) fail_at(block, *p, "must not be negative");
   for (const GcodeWord& word : block.words)
     if (axis_of(word.letters) != std::string::npos)
-      fail_at(block, word, "must not be in the block of a dwell");
+      fail_at(block, word, "must not be in the block of a dwell (G4): write it in its own block");
   made_.program.dwell(p->value * machine_.second, block.line);
 }
 
@@ -100,7 +105,7 @@ double gcode_scale(const std::string& from, const std::string& unit) {
 }
 
 void fail_at(const GcodeBlock& block, const GcodeWord& word, const std::string& rule) {
-  throw InputError(word.letters, word.text, rule).at({}, block.line, word.column);
+  throw InputError(word.letters + word.text, "", rule).at({}, block.line, word.column);
 }
 
 void fail_at(const GcodeBlock& block, const std::string& key, const std::string& rule) {

@@ -26,6 +26,8 @@ class GcodeInterpreter {
   [[nodiscard]] std::size_t axis_of(std::string_view letter) const {
     return letter.size() == 1 ? letters_.find(letter[0]) : std::string::npos;
   }
+  /// Throws for a G number that is not supported; require_known(), for a letter.
+  void require_supported(const GcodeBlock& block) const;
   void require_known(const GcodeBlock& block) const;
   void add_events(const GcodeBlock& block);
   void rest(const GcodeBlock& block);
@@ -47,6 +49,9 @@ class GcodeInterpreter {
 
   // gcode_moves.cpp: lines and arcs.
   void move(const GcodeBlock& block);
+  /// Throws if the word moves the axis beyond its position limits.
+  void require_inside(const GcodeBlock& block, const GcodeWord& word, std::size_t axis,
+                      double position) const;
   [[nodiscard]] Point target(const GcodeBlock& block) const;
   /// Feed and corner of the next command. Where only followers move, F counts in their unit.
   [[nodiscard]] PathSettings settings(const GcodeBlock& block, const Point& to) const;

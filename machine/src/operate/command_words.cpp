@@ -106,10 +106,10 @@ Form form_of(const CommandWords& words) {
     if (text_of(words, form.selector()).empty()) continue;
     if (chosen != nullptr)
       throw InputError(dashed(form.selector()), text_of(words, form.selector()),
-                       "must be the only one of " + list);
+                       "cannot be combined with another of " + list);
     chosen = &form;
   }
-  if (chosen == nullptr) throw InputError(words.what, "", "must have one of " + list);
+  if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
   return *chosen;
 }
 
@@ -160,7 +160,7 @@ double factor_of(const std::string& text) {
   const bool percent = !text.empty() && text.back() == '%';
   const auto factor = csv_number(percent ? text.substr(0, text.size() - 1) : text);
   if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))
-    throw InputError(value_word, text, "must be 0% to 200%, or 0 to 2");
+    throw InputError(value_word, text, "must be from 0% to 200%, or from 0 to 2");
   return percent ? *factor / 100 : *factor;
 }
 
@@ -170,7 +170,7 @@ std::pair<double, double> ratio_of(const std::string& text) {
   const auto numerator = csv_number(text.substr(0, colon));
   const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
   if (!numerator || !denominator)
-    throw InputError(value_word, text, "must be a ratio of whole numbers like 3:2");
+    throw InputError(value_word, text, "must be a ratio of whole numbers, such as 3:2");
   return {*numerator, *denominator};
 }
 
@@ -243,7 +243,7 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
       return method_of(text);
     case FieldRange::finite:
       if (text.empty() && option != value_word)
-        throw InputError(name, "missing", words.what + " needs it");
+        throw InputError(name, "", "is missing: " + words.what + " needs it");
       return number_of(name, text, unit);
     case FieldRange::given:
       return text.empty() ? as_configured : number_of(name, text, unit);
@@ -290,9 +290,14 @@ void require_taken(const CommandWords& words) {
   const std::vector<std::string> taken = taken_by(words.what);
   const auto require = [&](const std::string& option, const std::string& text, bool given) {
     if (!given || std::find(taken.begin(), taken.end(), option) != taken.end()) return;
-    throw InputError(
-        dashed(option), text,
-        words.what + " takes " + (taken.empty() ? "nothing more" : joined(taken, dashed)));
+    if (option == value_word && words.what == move_word)
+      throw InputError(
+          dashed(option), text,
+          "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
+    throw InputError(dashed(option), text,
+                     "does not apply to " + words.what +
+                         (taken.empty() ? ", which has no value and no option"
+                                        : ", which has " + joined(taken, dashed)));
   };
   require(value_word, words.value, !words.value.empty());
   for (const auto& [option, given] : words.flags)

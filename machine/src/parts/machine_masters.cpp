@@ -43,14 +43,14 @@ std::function<double()> reader_of(const MachineMasterSpec& spec,
     return [drive, reading] { return (*reading)(told_position(drive->feedback())); };
   }
   ExecutorOptions* const axis = axis_named(encoder.axis, parts);
-  if (axis == nullptr)
-    throw InputError("axis", encoder.axis, "this machine has no axis of this name");
+  if (axis == nullptr) throw InputError("axis", encoder.axis, "is not an axis of this machine");
   if (!axis->drive)
     throw InputError("axis", encoder.axis,
                      "has no [drive], so there is no actual position: add a drive; type = \"null\" "
                      "follows exactly");
   if (!axis->units.position.empty() && axis->units.position != spec.unit)
-    throw InputError("unit", spec.unit, "the unit of the axis is " + axis->units.position);
+    throw InputError("unit", spec.unit,
+                     "must be " + axis->units.position + ", the unit of the axis");
   const auto observed = std::make_shared<ObservedDrive>(axis->drive);
   axis->drive = observed;
   return [observed, reading] { return (*reading)(observed->position()); };
@@ -84,8 +84,9 @@ StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& u
     throw InputError("file", own.file, "must be over time: a master is a function of time");
   const Units units = tables.slave.units;
   if (units.position != unit)
-    throw InputError("file", own.file,
-                     "its unit is " + units.position + ", that of this master is " + unit);
+    throw InputError(
+        "file", own.file,
+        "has the unit " + units.position + ", but this master has " + unit + ": use the same unit");
   const auto table = std::make_shared<const Table>(std::move(tables.slave.table));
   return {content_hash(*table, units), units, table};
 }

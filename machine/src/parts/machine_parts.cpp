@@ -41,8 +41,8 @@ HomingSpec homing_of(const AxisSpec::Homing& spec, double unit) {
 AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
-    throw spec.document.located(
-        InputError("kind", "", "an executor needs a spec of kind \"axis\": see `jounce new axis`"));
+    throw spec.document.located(InputError(
+        "kind", "", "must be \"axis\" for `jounce run`: `jounce new axis` writes an example"));
   const double unit = seconds_per_unit(spec);
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
@@ -82,6 +82,11 @@ std::function<void(const std::string&)> notice_of(const MachineOptions& options,
 ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
   ExecutorOptions executor;
   executor.axis = config_of(spec);
+  if (spec.name.empty())
+    throw InputError("name", "", "is missing: add name = \"NAME\", for streams and commands");
+  if (!wire::is_executor_name(spec.name))
+    throw InputError("name", spec.name,
+                     "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
   executor.switches = spec.switches;
   if (spec.compare) {
     executor.compare = {spec.compare->of, spec.compare->compare};
@@ -116,7 +121,7 @@ std::string meant(const std::string& name, const std::vector<Leader>& leaders, c
   std::vector<std::string> names;
   for (const Leader& leader : leaders) names.push_back(leader.name);
   const std::string near = nearest(name, names);
-  return near.empty() ? else_ : ". Did you mean " + near + "?";
+  return near.empty() ? else_ : ": did you mean " + near + "?";
 }
 
 Follow resolved(const Read& axis, const std::vector<Leader>& axes,
@@ -133,13 +138,14 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
   const auto leader = std::find_if(leaders.begin(), leaders.end(),
                                    [&](const Leader& one) { return one.name == name; });
   if (leader == leaders.end() && of_master)
-    refuse("this machine has no master of this name" +
+    refuse("is not a master of this machine" +
            meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
   if (leader == leaders.end())
-    refuse("this machine has no axis of this name" + meant(name, leaders, ": name its spec too"));
+    refuse("is not an axis of this machine" +
+           meant(name, leaders, ": give its spec to `jounce run` too"));
   if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
-    refuse("its unit is " + leader->unit + ", but units.master of this axis is " +
-           axis.spec.master_unit);
+    refuse("has the unit " + leader->unit + ", but units.master of this axis is " +
+           axis.spec.master_unit + ": use the same unit");
   Follow follow = leader->follow;
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;
@@ -212,6 +218,10 @@ MachineParts machine_parts(const MachineOptions& options) {
                                           ? InputError(key, error.value(), error.rule())
                                           : error);
     }
+    for (const Leader& other : axes)
+      if (other.name == one.spec.name)
+        throw one.spec.document.located(
+            InputError("name", other.name, "is also the name of another axis: rename one of them"));
     axes.push_back({one.spec.name,
                     one.spec.units.position,
                     {.what = Follow::What::setpoint, .index = axes.size()}});

@@ -89,8 +89,9 @@ std::vector<Input> inputs_for(const std::vector<std::string>& executors,
       chosen.push_back(axes[i]);
     else
       throw InputError("to", listed(executors),
-                       "names " + std::to_string(executors.size()) + " axes, " + path + " has " +
-                           std::to_string(axes.size()));
+                       "names " + std::to_string(executors.size()) + " axes, but " + path +
+                           " has " + std::to_string(axes.size()) +
+                           ": name one executor for each axis");
   }
   return chosen;
 }

@@ -77,11 +77,13 @@ void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity qua
   require_finite((key + ".upper").c_str(), bound->upper);
   const std::string interval = "[" + number(bound->lower) + ", " + number(bound->upper) + "]";
   if (bound->lower > bound->upper)
-    throw InputError(key, interval, "the lower bound must not be above the upper bound");
+    throw InputError(key, interval, "must be [lower, upper], in this order");
   if (given < bound->lower || given > bound->upper)
     throw InputError(key, interval, "must contain the given value, " + number(given));
   if (quantity == Quantity::master && (free.knot == 0 || free.knot == problem.cam.segments.size()))
-    throw InputError(key, interval, "the first and last knot of the cam cannot be free");
+    throw InputError(
+        key, interval,
+        "cannot be free: the first and the last knot of the cam are fixed. Leave it out");
   require_law_leaves_free(problem.cam, free.knot, quantity, key, given);
 }
 
@@ -93,7 +95,7 @@ void require_free(const CamProblem& problem) {
     const std::string key = optimizer::free_key(free.knot);
     if (free.knot > last)
       throw InputError(key, static_cast<double>(free.knot),
-                       "the cam has only " + std::to_string(last) + " segments");
+                       "must be at most " + std::to_string(last) + ", the number of segments");
     if (named[free.knot])
       throw InputError(
           key, static_cast<double>(free.knot),
@@ -108,13 +110,15 @@ void require_free(const CamProblem& problem) {
   }
   const auto freedom = optimizer::freedom(problem);
   if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
-    throw InputError("free", "nothing",
-                     "an optimization needs a free quantity: free = { slave = [30, 60] } in a "
-                     "knot, or free = { shape = 60 } in a segment");
+    throw InputError("free", "",
+                     "is missing: add free = { slave = [30, 60] } to a segment to free the knot at "
+                     "its end, or free = { shape = 60 } to free its shape");
 }
 
 void require_objectives(const std::vector<Objective>& minimize) {
-  if (minimize.empty()) throw InputError("minimize", "nothing", "must name at least one objective");
+  if (minimize.empty())
+    throw InputError("minimize", "",
+                     "must name at least one objective, such as [\"peak geo_jerk\"]");
   for (std::size_t i = 1; i < minimize.size(); ++i)
     if (std::find(minimize.begin(), minimize.begin() + static_cast<std::ptrdiff_t>(i),
                   minimize[i]) != minimize.begin() + static_cast<std::ptrdiff_t>(i))

@@ -18,7 +18,7 @@ std::string key_of(std::size_t segment, const char* field) {
 
 void require_shapes(const CamShapeProblem& problem) {
   if (problem.shapes.empty())
-    throw InputError("shapes", "none", "at least one segment must be free");
+    throw InputError("shapes", "", "are missing: free at least one segment");
   for (std::size_t i = 0; i < problem.shapes.size(); ++i) {
     const FreeShape& shape = problem.shapes[i];
     if (shape.segment >= problem.cam.segments.size())
@@ -97,7 +97,7 @@ void require_knots(const CamShapeProblem& problem) {
                                       {".geo_acceleration", free.geo_acceleration}})
       if (bound && !(bound->lower <= bound->upper))
         throw InputError(key + name, number(bound->lower) + " to " + number(bound->upper),
-                         "the lower bound must not be above the upper bound");
+                         "must be [lower, upper], in this order");
   }
 }
 
@@ -123,8 +123,7 @@ void require_valid(const CamShapeProblem& problem) {
   require_knots(problem);
   require_ends(problem);
   require_valid(problem.limits);
-  if (problem.minimize.empty())
-    throw InputError("minimize", "none", "must name at least one figure");
+  if (problem.minimize.empty()) throw InputError("minimize", "", "must name at least one figure");
   for (const auto& stage : problem.minimize)
     if (stage.empty() || (stage.size() > 1 && problem.minimize.size() > 1))
       throw InputError("minimize", std::to_string(stage.size()),

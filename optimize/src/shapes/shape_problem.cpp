@@ -196,7 +196,7 @@ void require_valid(const ShapeProblem& p) {
   require_end("from", p.from, p.degree, p.end - p.begin);
   require_end("to", p.to, p.degree, p.end - p.begin);
   require_periodic(p);
-  if (p.minimize.empty()) throw InputError("minimize", "none", "must name a figure");
+  if (p.minimize.empty()) throw InputError("minimize", "", "must name at least one figure");
   for (std::size_t i = 0; i < p.minimize.size(); ++i) {
     require_figure(item("minimize", i, "figure"), p.minimize[i].figure, p);
     const double weight = p.minimize[i].weight;

@@ -398,8 +398,9 @@ class Rounding {
 
   void require_ramps(const Box& b, std::size_t k) const {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
-      throw InputError("acceleration", b.acceleration,
-                       "an axis that moves, or the path, needs a limit of acceleration")
+      throw InputError(
+          "acceleration", "",
+          "is missing: each axis that moves, or the path, needs a limit of acceleration")
           .at({}, piece(k).line);
   }
 

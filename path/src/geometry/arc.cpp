@@ -3,24 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <string>
 
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
 namespace {
-
-std::string six_digits(double value) {
-  char text[32];
-  static_cast<void>(std::snprintf(text, sizeof text, "%.6g", value));
-  return text;
-}
 
 constexpr double coincident = 1e-9;  // relative: coincident points, a chord of twice the radius
 
@@ -101,7 +95,7 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const double area2 = aa * bb - ab * ab;  // twice the triangle's area, squared
   if (!(area2 > profiles_detail::square(coincident * largest)) || !(std::min(aa, bb) > 0))
     throw InputError(
-        "via", number(std::sqrt(aa)),
+        "via", six_digits(std::sqrt(aa)),
         "start, via point and end must not coincide or lie on a line; the via point is so far "
         "from the start");
   // The center from + x a + y b has the same distance from all three points.
@@ -163,9 +157,10 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
   const double half = vec::norm(chord) / 2;
   const double r = std::abs(radius);
   if (!(half > 0) || half > r * (1 + coincident))
-    throw InputError("radius", radius,
-                     half > 0 ? "is less than half the chord, " + number(half)
-                              : std::string("defines no arc between equal points; give a center"));
+    throw InputError(
+        "radius", radius,
+        half > 0 ? "must be at least half the distance from start to end, " + six_digits_up(half)
+                 : std::string("defines no arc between equal points; give a center"));
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

@@ -25,13 +25,12 @@ namespace {
 void require_inside(const Program& program, const GroupLimits& limits) {
   const auto check = [&](std::size_t axis, double x, int line) {
     const Limits& l = limits.axes[axis];
-    const double low = l.position_min.value_or(-PathSettings::none);
-    const double high = l.position_max.value_or(PathSettings::none);
-    if (x < low || x > high)
-      throw InputError(
-          "to[" + std::to_string(axis + 1) + "]", x,
-          "must be from " + number(low) + " to " + number(high) + ", the limits of the axis")
-          .at({}, line);
+    const bool below = l.position_min && x < *l.position_min;
+    if (!below && !(l.position_max && x > *l.position_max)) return;
+    throw InputError("to[" + std::to_string(axis + 1) + "]", x,
+                     below ? "must be at least position_min, " + number(*l.position_min)
+                           : "must be at most position_max, " + number(*l.position_max))
+        .at({}, line);
   };
   bool limited = false;
   for (const Limits& l : limits.axes) limited = limited || l.position_min || l.position_max;

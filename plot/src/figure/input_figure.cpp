@@ -80,7 +80,7 @@ Figure figure_of(const std::vector<Input>& axes) {
     if (axes[i].labels.units.position != axes.front().labels.units.position)
       throw InputError("axis", "",
                        "is missing: " + axes.front().axis + " and " + axes[i].axis +
-                           " have different units, so one picture cannot show both");
+                           " have different units, so one picture cannot show both. Choose one");
     Figure other = figure_of_axis(axes[i]);
     for (std::size_t k = 0; k < figure.panels.size(); ++k)
       add(figure.panels[k], std::move(other.panels[k]));
@@ -100,8 +100,10 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
       [&]<class Over>(const Curve<Over>& curve) {
         const auto* other = std::get_if<Curve<Over>>(&*before->curve);
         if (other == nullptr)
-          throw InputError("before", before->name,
-                           "has another independent axis than " + input.name);
+          throw InputError(
+              "before", before->name,
+              "and " + input.name +
+                  " cannot share a picture: one is over the master, the other over time");
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       *input.curve);

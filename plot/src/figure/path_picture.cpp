@@ -24,7 +24,8 @@ std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
                        const std::string& plane) {
   const auto at = std::find_if(axes.begin(), axes.end(),
                                [&](const Input& input) { return input.axis == name; });
-  if (at == axes.end()) fail(plane, "must be two names of axes between a comma, such as x,y");
+  if (at == axes.end())
+    fail(plane, "must be the names of two axes of the path, separated by a comma, such as x,y");
   return static_cast<std::size_t>(at - axes.begin());
 }
 

@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // p is the polynomial of degree 11 that has h's Taylor coefficients of order 0 to 5 at s = 0 and 1.
 // Written about 0, with T the first six terms there and u = s - 1,
@@ -98,9 +99,9 @@ Jet hermite_error(double length, double twelfth) {
 void require_tolerance(double tolerance, double magnitude) {
   require_positive("tolerance", tolerance);
   if (tolerance < 1e-14 * magnitude)
-    throw InputError(
-        "tolerance", tolerance,
-        "must be at least " + number(1e-14 * magnitude) + ", the rounding error of the curve");
+    throw InputError("tolerance", tolerance,
+                     "must be at least " + six_digits_up(1e-14 * magnitude) +
+                         ", the rounding error of the curve");
 }
 
 void require_fitting(std::size_t pieces) {

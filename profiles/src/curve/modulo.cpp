@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // fmod is exact in IEEE arithmetic, and so are the differences of remainders that it is used on but
 // for one rounding. With r = x mod M, the way forward from x to a target u is
@@ -139,8 +140,9 @@ void require_agito_modulo(double modulo, int jerk, double speed_max) {
   const double jerk_time = samples / 16384;
   if (!(modulo > jerk_time * speed_max))
     throw InputError("ModRev", modulo,
-                     "must take longer to travel at Speed than the jerk time " + number(jerk_time) +
-                         " s: more than " + number(jerk_time * speed_max) + " counts");
+                     "must take longer to travel at Speed than the jerk time " +
+                         six_digits(jerk_time) + " s: more than " +
+                         six_digits(jerk_time * speed_max) + " counts");
 }
 
 }  // namespace jounce

@@ -37,9 +37,9 @@ std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*,
 const char* advice(const char* quantity, std::size_t order) {
   constexpr std::array of_cams{
       "the curve overshoots between its knots: move them, or lower the velocities there",
-      "lengthen the segment, or take a law with a lower velocity coefficient",
-      "lengthen the segment, or take a law with a lower acceleration coefficient",
-      "lengthen the segment, or take a law with a lower jerk coefficient"};
+      "lengthen the segment, or use a law with a lower velocity coefficient",
+      "lengthen the segment, or use a law with a lower acceleration coefficient",
+      "lengthen the segment, or use a law with a lower jerk coefficient"};
   constexpr std::array of_motions{
       "move the target or the points inside, or lower the velocities beside it",
       "give it more time, or a lower velocity", "give it more time, or a lower acceleration",

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 /// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
 std::string outside(const std::string& name, double value, double min, double max) {
   if (value > max)
-    return name + " " + number(value) + " is above " + name + "_max = " + number(max);
+    return name + " " + six_digits(value) + " is above " + name + "_max = " + number(max);
   if (value < min)
-    return name + " " + number(value) + " is below " + name + "_min = " + number(min);
+    return name + " " + six_digits(value) + " is below " + name + "_min = " + number(min);
   return "";
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
 // in the middle, where a = 0 and the jerk is -m. Its jounce is
@@ -181,7 +182,7 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
   if (plan.half.phases[0].duration <= negligible * total)
     throw InputError("jounce", spec.jounce,
                      "is so high that its phases vanish in the duration of the move, " +
-                         number(total) + " s: use an S-curve");
+                         six_digits(total) + " s: lower it, or use an S-curve");
   return curve(plan, spec.velocity, total, spec.from, spec.to);
 }
 

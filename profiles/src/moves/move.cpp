@@ -169,7 +169,7 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::target_unreachable:
       return "the target's acceleration cannot be reached without a velocity outside the bounds";
     case MoveStatus::position_limit:
-      return "no motion between the two keeps the position limits";
+      return "no motion from start to target keeps the position limits";
     case MoveStatus::too_short:
       return "the move takes longer than the given duration";
     case MoveStatus::blocked:

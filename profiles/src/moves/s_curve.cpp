@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "profiles/src/solver/span.hpp"
 
@@ -97,7 +98,7 @@ double swept(double duration, double total) {
 [[gnu::cold]] void refuse_jerk(double jerk, double total) {
   throw InputError("jerk", jerk,
                    "is so high that its ramps vanish in the duration of the move, " +
-                       number(total) + " s: use a trapezoid");
+                       six_digits(total) + " s: lower it, or use a trapezoid");
 }
 
 [[gnu::cold]] void refuse(double from, double to, double velocity, double acceleration,

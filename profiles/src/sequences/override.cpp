@@ -8,6 +8,7 @@
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "profiles/src/sequences/override_ramp.hpp"
 
@@ -34,7 +35,7 @@ void require_valid(const OverrideSpec& spec, double start) {
     if (time < last)
       throw InputError(key + ".time", time,
                        "must not be less than " + number(last) +
-                           (i == 0 ? ", the start" : ", the request before"));
+                           (i == 0 ? ", the start" : ", the previous request"));
     require_factor(key + ".factor", factor, spec.maximum);
     last = time;
   }
@@ -46,13 +47,13 @@ void require_kept(const std::string& key, const Trajectory& axis, const Limits& 
   if (report.ok()) return;
   const Finding& worst = report.findings.front();
   throw InputError(key + ".limits." + worst.quantity, worst.limit,
-                   "is exceeded before any override: the plan has " + number(worst.value) + " at " +
-                       number(worst.where));
+                   "is exceeded before any override: the plan has " + six_digits(worst.value) +
+                       " at " + six_digits(worst.where));
 }
 
 /// The plan, which must keep its limits as it is and at the first factor.
 Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, double factor) {
-  if (axes.empty()) throw InputError("axes", "none", "a motion needs at least one");
+  if (axes.empty()) throw InputError("axes", "", "are missing: a motion needs at least one axis");
   Path path{{}, limits, Bounds::none, Bounds::none};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const std::string key = "axis[" + std::to_string(i + 1) + "]";
@@ -71,9 +72,9 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
   }
   if (!std::isfinite(path.acceleration)) throw InputError("axes", "", "do not move");
   if (factor > 1 && factor > path.room(path.start()) * (1 + 1e-12))
-    throw InputError(
-        "factor", factor,
-        "exceeds a limit: the greatest possible factor is " + number(path.room(path.start())));
+    throw InputError("factor", factor,
+                     "exceeds a limit: the greatest possible factor is " +
+                         six_digits_down(path.room(path.start())));
   return path;
 }
 

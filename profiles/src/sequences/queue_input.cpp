@@ -43,21 +43,23 @@ double require_valid_issue(const std::string& key, const QueuedCommand& c, bool 
   const bool aborting = c.mode == BufferMode::aborting;
   if (aborting && !first && !c.issued)
     throw InputError(key + "issued", "",
-                     "an aborting command needs the time at which it is issued");
+                     "is missing: an aborting command needs the time at which it is issued");
   if (!c.issued) return before;
   require_time(key + "issued", *c.issued);
   if (!aborting)
     throw InputError(key + "issued", *c.issued,
-                     "belongs to an aborting command: the others wait for the one before");
+                     "applies to mode = \"aborting\" only, because other commands wait for the "
+                     "previous one: leave it out");
   if (*c.issued < before)
     throw InputError(key + "issued", *c.issued,
-                     "must not be before " + number(before) + ", when the abort before is issued");
+                     "must not be before " + number(before) + ", the time of the previous abort");
   return *c.issued;
 }
 
 void require_valid_dwell(const std::string& key, const QueueSpec& spec, std::size_t i) {
   if (i > 0 && spec.commands[i].mode == BufferMode::aborting)
-    throw InputError(key + "mode", "aborting", "a dwell cannot abort: it has no way to stop");
+    throw InputError(key + "mode", "aborting",
+                     "does not apply to a dwell: abort with a motion, or leave mode out");
   if (i == 0 && spec.start.acceleration != 0)
     throw InputError("start.acceleration", spec.start.acceleration,
                      "must be 0 where the first command is a dwell: the axis cannot keep it");
@@ -69,7 +71,8 @@ void require_valid(const QueueSpec& spec) {
   require_moderate("start.position", spec.start.position);
   require_moderate("start.velocity", spec.start.velocity);
   require_moderate("start.acceleration", spec.start.acceleration);
-  if (spec.commands.empty()) throw InputError("commands", "none", "a queue needs a command");
+  if (spec.commands.empty())
+    throw InputError("commands", "", "are missing: a queue needs at least one command");
   double issued = 0;
   for (std::size_t i = 0; i < spec.commands.size(); ++i) {
     const QueuedCommand& c = spec.commands[i];

@@ -40,10 +40,10 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
     const std::string name = key(k) + "[" + std::to_string(i + 1) + "]";
     profiles_detail::require_moderate(name, point[i]);
     if (point[i] < spec.axes[i].position_min || point[i] > spec.axes[i].position_max)
-      throw InputError(name, point[i], "must lie within the position bounds of its axis");
+      throw InputError(name, point[i], "must lie within the position limits of its axis");
   }
   if (k > 0 && point == spec.points[k - 1])
-    throw InputError(key(k), "", "must differ from the point before");
+    throw InputError(key(k), "", "must differ from the previous point");
 }
 
 /// move_to() checks the sign of each bound, and that they fit together.

@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // The window has the head f(x) and the tail f(x - T):
 //
@@ -40,12 +41,12 @@ void require_window(double window, double length) {
   require_positive("window", window);
   if (window < shortest * length)
     throw InputError("window", window,
-                     "must be at least 1e-5 of the curve's length, " + number(shortest * length) +
-                         ": rounding dominates a shorter one");
+                     "must be at least 1e-5 of the curve's length, " +
+                         six_digits_up(shortest * length) + ": rounding dominates a shorter one");
   if (window > longest_window * length)
-    throw InputError(
-        "window", window,
-        "must not be more than 10000 times the curve's length, " + number(longest_window * length));
+    throw InputError("window", window,
+                     "must not be more than 10000 times the curve's length, " +
+                         six_digits_down(longest_window * length));
 }
 
 /// (1) at the right end of the window f.

@@ -151,7 +151,9 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
 
 Figure drive_figure(const Input& input, const std::string& which) {
   if (!input.drive)
-    throw InputError("drive", "", "is missing: this picture needs a spec with a [drive]")
+    throw InputError(
+        "drive", "",
+        "is missing: this picture needs a spec with [drive]; `jounce new drive` writes an example")
         .at(input.name);
   const std::string& unit = input.labels.units.position;
   const Reference reference = table_reference(input);

@@ -28,7 +28,7 @@ bool holds(CompareMode mode) {
 }  // namespace
 
 void require_valid(const PositionCompare& compare) {
-  if (compare.points.empty()) throw InputError("points", "0", "at least one is needed");
+  if (compare.points.empty()) throw InputError("points", "", "are missing: give at least one");
   if (holds(compare.mode) && compare.points.size() > 1)
     throw InputError("points", std::to_string(compare.points.size()),
                      "must be one: this mode compares with one position");
@@ -160,7 +160,7 @@ void require_valid(const PlaneCompare& compare) {
   require_positive("x_band", compare.x_band);
   require_positive("y_band", compare.y_band);
   require_positive("pulse", compare.pulse);
-  if (compare.points.empty()) throw InputError("points", "0", "at least one is needed");
+  if (compare.points.empty()) throw InputError("points", "", "are missing: give at least one");
   for (std::size_t i = 0; i < compare.points.size(); ++i) {
     require_finite(key_of(i, "x").c_str(), compare.points[i].x);
     require_finite(key_of(i, "y").c_str(), compare.points[i].y);

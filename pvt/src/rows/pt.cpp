@@ -31,7 +31,8 @@ std::string key(std::size_t i, bool of_x) {
 
 template <class Over>
 void require_valid(std::span<const PtPoint> points, double start_rate) {
-  if (points.empty()) throw InputError("point", "none", "a PT table needs at least one point");
+  if (points.empty())
+    throw InputError("point", "", "is missing: a PT table needs at least one point");
   require_finite("start_rate", start_rate);
   double before = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -42,7 +43,7 @@ void require_valid(std::span<const PtPoint> points, double start_rate) {
     if (!(x > before))
       throw InputError(key<Over>(i, true), x,
                        "must be greater than " + number(before) +
-                           (i > 0 ? ", the point before" : ", where the table begins"));
+                           (i > 0 ? ", the previous point" : ", the start of the table"));
     before = x;
   }
 }
@@ -72,8 +73,9 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
     const Link link = pvt_detail::pt_link(before, points[i], i == 0, rate);
     if (!std::isfinite(link.rate.end) || !std::isfinite(2 * link.distance))
       throw InputError(key<Over>(i, false), points[i].position,
-                       "is too far from the point before, " + number(before.position) + ", in " +
-                           number(link.length) + ": the velocity overflows");
+                       "is too far from the previous point, " + number(before.position) +
+                           ", for a time of " + number(link.length) +
+                           ": the velocity exceeds the range of a double");
     use(link);
     rate = link.rate.end;
     before = points[i];

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "pvt/src/sample/best_places.hpp"
 #include "pvt/src/sample/halves.hpp"
@@ -341,7 +342,7 @@ void require_valid(const Target& target) {
   if (target.tolerance) require_positive("tolerance", *target.tolerance);
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
   if (target.most && *target.most < 2)
-    throw InputError("most", std::to_string(*target.most), "a table needs at least two knots");
+    throw InputError("most", std::to_string(*target.most), "must be at least 2");
   if (target.quadratic && target.rule != Interpolation::cubic_hermite)
     throw InputError("rule", name(target.rule), "must be cubic_hermite for quadratic pieces");
   for (const auto& [key, step] : {std::pair{"p_step", target.p_step}, {"v_step", target.v_step}})
@@ -363,16 +364,17 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
   if (!whole(f.start()))
     throw InputError(
         "x_step", x_step,
-        "the curve begins at " + number(f.start()) + ", which is not a multiple of it");
+        "must divide the start of the curve, " + number(f.start()) + ", without remainder");
   if (target.p_step > 0 && !pvt_detail::is_whole(f.advance(), target.p_step))
     throw InputError("p_step", target.p_step,
-                     "a period advances by " + number(f.advance()) +
-                         ", which is not a multiple of it: the slave would drift");
+                     "must divide the advance of a period, " + number(f.advance()) +
+                         ", without remainder: otherwise the slave drifts");
   if (whole(f.end())) return f;
   if (f.outside() != Extrapolation::hold)
     throw InputError("x_step", x_step,
-                     (repeats(f.outside()) ? "the period ends at " : "the curve ends at ") +
-                         number(f.end()) + ", which is not a multiple of it");
+                     std::string("must divide the end of the ") +
+                         (repeats(f.outside()) ? "period, " : "curve, ") + number(f.end()) +
+                         ", without remainder");
   std::vector<Segment> segments(f.segments().begin(), f.segments().end());
   const double last = value(segments.back(), 1);
   const double end = pvt_detail::steps(std::ceil(f.end() / x_step), x_step);
@@ -395,7 +397,7 @@ Sampled reduced(const Fitted<Over>& f, const Target& target) {
   const auto take_off = [](const char* key, std::optional<double>& tolerance, double error) {
     if (tolerance && !(*tolerance > error))
       throw InputError(key, *tolerance,
-                       "must be above the error of the fit, which is " + number(error));
+                       "must be above " + six_digits_up(error) + ", the error of the fit");
     if (tolerance) *tolerance -= error;
   };
   take_off("tolerance", rest.tolerance, f.error[0]);

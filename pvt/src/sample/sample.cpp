@@ -13,6 +13,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "pvt/src/sample/longest.hpp"
@@ -275,7 +276,7 @@ class ShortIntervals {
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots) {
   if (knots.size() < 2)
-    throw InputError("knots", std::to_string(knots.size()), "at least two are needed");
+    throw InputError("knots", std::to_string(knots.size()), "must be at least 2");
   if (knots.front() != f.start() || knots.back() != f.end())
     throw InputError("knots", number(knots.front()) + " to " + number(knots.back()),
                      "must span the curve, " + number(f.start()) + " to " + number(f.end()));
@@ -321,8 +322,9 @@ void require_certifiable(const Curve<Over>& f, const char* key, double tolerance
   for (const Segment& segment : f.segments()) largest = std::max(largest, magnitude(segment));
   const double least = std::max(1e-14 * std::abs(extrema(f, 0).peak().value), 1e-15 * largest);
   if (tolerance < least)
-    throw InputError(key, tolerance,
-                     "must be at least " + number(least) + ": rounding hides smaller errors");
+    throw InputError(
+        key, tolerance,
+        "must be at least " + six_digits_up(least) + ": rounding hides smaller errors");
 }
 
 template <class Over>

@@ -77,7 +77,7 @@ Table::Table(Domain axis, Interpolation rule, Extrapolation outside, Columns col
     : axis_(axis), rule_(rule), outside_(outside) {
   const std::vector<double>& x = columns.x;
   const std::size_t knots = x.size();
-  if (knots < 2) throw InputError("knots", std::to_string(knots), "a table needs at least two");
+  if (knots < 2) throw InputError("knots", std::to_string(knots), "must be at least 2");
   const std::array all{&columns.x, &columns.p, &columns.v, &columns.a};
   for (std::size_t column = 0; column < all.size(); ++column)
     require_column(axis, rule, column, *all[column], knots);
@@ -86,7 +86,7 @@ Table::Table(Domain axis, Interpolation rule, Extrapolation outside, Columns col
                         });
   if (i < knots)
     throw InputError(entry(axis, 0, i), x[i],
-                     "must be greater than " + number(x[i - 1]) + ", the knot before");
+                     "must be greater than " + number(x[i - 1]) + ", the previous knot");
   BreakIndex index(x);
   knots_ = std::make_shared<const Knots>(Knots{std::move(columns), std::move(index)});
 }

@@ -88,7 +88,7 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
   cam.slave_period = top.optional_number("slave_period", units.position);
   if (const auto chosen = top.optional_choice("boundaries", boundaries))
     spec.boundaries = static_cast<Boundaries>(*chosen);
-  TomlReader start = top.table("start");
+  TomlReader start = top.table("start", "start = { master = 0, slave = 0 }");
   cam.start = read_knot(start, units);
   read_free(start, 0, units, optimize);
   start.finish();
@@ -98,7 +98,7 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
     s.form = read_form(segment);
     for (TomlReader& point : segment.tables("points")) s.points.push_back(read_point(point, units));
     s.law = all_laws()[segment.choice("law", law_names())].law;
-    TomlReader end = segment.table("end");
+    TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
     s.end = read_knot(end, units);
     end.finish();
     cam.segments.push_back(std::move(s));
@@ -141,11 +141,13 @@ std::optional<double> read_budget(TomlReader& table) {
 void read_optimize(TomlReader& top, Spec& spec) {
   const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
   if (load && (load->limits.torque || load->limits.rms_torque) && !spec.master)
-    top.fail("load", "", "limits the torque, which depends on the speed: add [master]");
+    top.fail("load", "", "limits a torque, which depends on the speed: add [master]");
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)
-    top.fail("optimize", "", "is missing: free shapes need `minimize`, the figure to improve");
+    top.fail("optimize", "",
+             "is missing: free shapes need the figure to improve. Add [optimize] with minimize = "
+             "[\"peak geo_jerk\"]");
   if (!table || table->has("parameter")) return;  // read_parameters() reads [[optimize.parameter]]
   if (shapes)
     read_shape_optimize(*table, spec);

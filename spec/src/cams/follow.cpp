@@ -48,7 +48,8 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
     at.type = static_cast<PtType>(segment.optional_choice("type", types).value_or(0));
     const std::size_t repeat = segment.optional_count("repeat").value_or(1);
     if (segment.has("repeat") && !increments)
-      segment.fail("repeat", std::to_string(repeat), "needs increments = true");
+      segment.fail("repeat", std::to_string(repeat),
+                   "needs increments = true: add it, or leave repeat out");
     if (increments && !(master > 0))
       segment.fail("master", number(master), "must be greater than 0: it is an increment");
     if (repeat < 1 || repeat > most - points.size())
@@ -77,7 +78,7 @@ FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& unit
   read_segments(segments, units, increments, googol, table.segments);
   if (const std::size_t n = table.segments.size(); googol && n > googol::follow_fifo)
     segments.fail(segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
-                  "must be at most 512 in a table, the size of a FIFO of memory 1");
+                  "must be at most 512 in a table, the size of the FIFO of memory 1");
   return table;
 }
 
@@ -95,7 +96,7 @@ FollowSpec read_tables(TomlReader& top, TomlReader& follow, const Units& units,
   if (one) spec.tables.push_back(read_table(follow, top, units, googol));
   if (one && follow.has("table"))
     top.fail(top.has("segment") ? "segment" : "points", "",
-             "is for a single table: with [[follow.table]] put the segments into each table");
+             "applies to a single table: with [[follow.table]], put the segments into each table");
   for (TomlReader& table : follow.tables("table")) {
     spec.tables.push_back(read_table(table, table, units, googol));
     table.finish();
@@ -121,7 +122,7 @@ Law read_law(TomlReader& follow) {
   const auto text = follow.optional_text("law");
   if (!text) return Law::quintic;
   const auto law = law_named(*text);
-  if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists all");
+  if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists them");
   const Ends ends = info(*law).ends;
   if (ends != Ends::given && ends != Ends::moving)
     follow.fail(

@@ -23,7 +23,7 @@ double read_turn(TomlReader& knife, const Units& units, double diameter) {
   if (const auto angle = factor("rev", units.position)) return *angle;
   if (const auto length = factor(units.x, units.position))
     return std::numbers::pi * diameter * *length;
-  knife.fail("turn", "", "is missing: how many " + units.position + " are one revolution");
+  knife.fail("turn", "", "is missing: add turn = NUMBER, one revolution in " + units.position);
 }
 
 const std::vector<std::string> matchings{"surface", "horizontal"};

@@ -40,7 +40,8 @@ void read_ceilings(TomlReader& table, const ShapeWords& words, ShapeSpec& shape)
   for (TomlReader& each : table.tables("ceiling")) {
     const ShapeFigureSpec figure = read_figure(each, words);
     if (figure.times_length)
-      each.fail("figure", '"' + figure.name + '"', "cannot be limited: limit motor heating");
+      each.fail("figure", '"' + figure.name + '"',
+                "cannot be limited: limit \"motor heating\" instead");
     const double at_most = each.number("at_most", figure.unit);
     if (!(at_most > 0)) each.fail("at_most", number(at_most), "must be greater than 0");
     shape.ceilings.push_back({figure.figure, computed(figure, at_most)});
@@ -61,11 +62,12 @@ void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
   const double tolerance = each.optional_number("tolerance", unit).value_or(0);
   if (!(tolerance >= 0)) each.fail("tolerance", number(tolerance), "must not be negative");
   if (!value) {
-    if (tolerance != 0) each.fail("tolerance", number(tolerance), "needs a value");
+    if (tolerance != 0)
+      each.fail("tolerance", number(tolerance), "needs a value: add value = NUMBER");
     return;
   }
   if (corridor.lower || corridor.upper)
-    each.fail("value", "", "needs either a value, or a lower and an upper bound");
+    each.fail("value", "", "needs either value, or lower and upper: give one of the two");
   corridor.lower = Edge{value->at_from - tolerance, value->at_to - tolerance};
   corridor.upper = Edge{value->at_from + tolerance, value->at_to + tolerance};
 }
@@ -77,7 +79,8 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   corridor.quantity = named.quantity;
   if (const auto at = each.optional_number("at", words.units.x)) {
     if (each.has("from") || each.has("to"))
-      each.fail("at", number(*at), "needs either one place, or from and to");
+      each.fail("at", number(*at),
+                "cannot be combined with from and to: give one place, or a range");
     corridor.from = corridor.to = *at;
   } else {
     corridor.from = each.number("from", words.units.x);
@@ -85,7 +88,7 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   }
   if (corridor.from > corridor.to)
     each.fail("from", number(corridor.from),
-              "must not be above to: write a corridor over the seam of a cam as two");
+              "must not be above to: write a corridor over the end of a periodic cam as two");
   corridor.lower = read_edge(each, "lower", named.unit);
   corridor.upper = read_edge(each, "upper", named.unit);
   read_value(each, named.unit, corridor);

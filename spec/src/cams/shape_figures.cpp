@@ -53,8 +53,8 @@ std::string listed(std::span<const std::string> names) {
                             std::span<const std::string> known) {
   const std::string hint = nearest(name, known);
   reader.fail(key, '"' + name + '"',
-              (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") +
-                  std::string("must be one of ") + listed(known));
+              std::string("must be one of ") + listed(known) +
+                  (hint.empty() ? "" : ": did you mean \"" + hint + "\"?"));
 }
 
 double speed_for(TomlReader& reader, const char* key, const std::string& name,

@@ -16,8 +16,8 @@ double ratio_of(TomlReader& shear, const Units& units) {
     return conversion(units.x, units.position);
   } catch (const InputError&) {
     shear.fail("ratio", "",
-               "is missing: " + units.x + " is not a " + units.position +
-                   "; give the travel of the carriage per master unit in step");
+               "is missing: the line counts in " + units.x + ", the carriage in " + units.position +
+                   ". Add ratio, the travel of the carriage per " + units.x + " in the sync zone");
   }
 }
 

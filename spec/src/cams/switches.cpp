@@ -56,10 +56,12 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
     if (const auto choice = group->optional_choice("of", sources))
       read.of = static_cast<SwitchesOf>(*choice);
     if (read.of == SwitchesOf::master && !spec.over_master() && spec.master_unit.empty())
-      group->fail("of", "\"master\"", "needs units.master");
+      group->fail("of", "\"master\"",
+                  "needs units.master: add units = { position = ..., master = ... }");
   }
   if (read.of == SwitchesOf::actual && spec.over_master())
-    group->fail("of", "\"actual\"", "is for axes only: a cam has no drive");
+    group->fail("of", "\"actual\"",
+                "applies to an axis only, because a cam has no drive: leave it out");
   const bool of_master = read.of == SwitchesOf::master;
   const std::string& unit = !of_master           ? spec.units.position
                             : spec.over_master() ? spec.units.x

@@ -16,7 +16,9 @@ const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
   auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
   if (!is_unit(unit))
-    reader.fail(key, '"' + unit + '"', "is not a known unit, such as mm, deg, rev, pulse, s, ms");
+    reader.fail(key, '"' + unit + '"',
+                "is not a known unit; known are mm, m, um, in, deg, rad, rev, pulse, s, ms and "
+                "their products");
   return unit;
 }
 
@@ -29,8 +31,8 @@ std::string read_position_unit(TomlReader& reader, const char* key, const char* 
     }
   }
   reader.fail(key, '"' + unit + '"',
-              "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev) or "
-              "pulse, count, inc");
+              "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev), "
+              "or pulse, count or inc");
 }
 
 TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Domain axis) {
@@ -50,7 +52,7 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
   if (options.tolerance && !(*options.tolerance > 0))
     table->fail("tolerance", number(*options.tolerance), "must be greater than 0");
   if (options.tolerance && options.intervals)
-    table->fail("intervals", "", "either a tolerance or a number of intervals, not both");
+    table->fail("intervals", "", "cannot be combined with tolerance: give one of the two");
   read_target(*table, units, axis, options);
   table->finish();
   return options;
@@ -66,7 +68,8 @@ void read_rates(TomlReader& table, Limits& limits, const std::array<const char*,
     *rates[k] =
         table.optional_number(names[k + 1], rate_unit(position, x, static_cast<int>(k) + 1));
     if (*rates[k] && !(**rates[k] > 0))
-      table.fail(names[k + 1], number(**rates[k]), "a limit must be greater than 0");
+      table.fail(names[k + 1], number(**rates[k]),
+                 "must be greater than 0; leave it out for no limit");
   }
 }
 
@@ -85,7 +88,9 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
   limits.position_max = table->optional_number("position_max", units.position);
   read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
   if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
-    table->fail("position_min", number(*limits.position_min), "must not be above position_max");
+    table->fail(
+        "position_min", number(*limits.position_min),
+        "must not be above position_max = " + number(*limits.position_max) + ": exchange the two");
   if (slave) {
     if (auto over_time = table->optional_table("slave")) {
       read_rates(*over_time, *slave, OverTime::names, units.position, time_unit);

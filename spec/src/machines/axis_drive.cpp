@@ -26,7 +26,8 @@ Drive read_model_file(TomlReader& table, const Units& units) {
     table.fail("spec", given.string(), "must be a spec of kind \"drive\": see `jounce new drive`");
   if (spec.units.position != units.position)
     table.fail("spec", given.string(),
-               "has the unit " + spec.units.position + ", but this axis has " + units.position);
+               "has the unit " + spec.units.position + ", but this axis has " + units.position +
+                   ": use the same unit in both");
   return spec.drive->drive;
 }
 

@@ -16,7 +16,8 @@ std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units)
   AxisSpec::Homing spec;
   const std::int64_t method = homing->optional_whole("method").value_or(spec.method);
   if (method < 1 || method > 37)
-    homing->fail("method", std::to_string(method), "must be 1 to 37 (CiA 402, object 6098h)");
+    homing->fail("method", std::to_string(method),
+                 "must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402, object 6098h)");
   spec.method = static_cast<int>(method);
   read("search_velocity", rate_unit(units.position, units.x, 1), spec.search_velocity);
   read("index_velocity", rate_unit(units.position, units.x, 1), spec.index_velocity);

@@ -52,7 +52,7 @@ void read_body(TomlReader& top, MachineSpec& machine) {
   for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
   machine.masters = spec_detail::read_masters(top);
   if (machine.axes.empty())
-    top.fail("axis", "", "is missing: a machine needs an [[axis]] with a spec for each axis");
+    top.fail("axis", "", "is missing: add [[axis]] with spec = \"FILE.toml\" for each axis");
   top.finish();
 }
 
@@ -63,7 +63,7 @@ std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
   if (!table) return std::nullopt;
   FollowWhom whom;
   if (table->has("axis") == table->has("master"))
-    table->fail("axis", "", "an axis follows either an axis or a master: name one of them");
+    table->fail("axis", "", "cannot be combined with master: an axis follows one of the two");
   if (table->has("master")) {
     whom.master = table->text("master");
   } else {

@@ -62,7 +62,7 @@ TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
 MachineMasterSpec::Encoder read_encoder(TomlReader& reader, const std::string& unit) {
   MachineMasterSpec::Encoder encoder{.tracking = read_tracking(reader, unit)};
   if (reader.has("axis") == reader.has("drive"))
-    reader.fail("axis", "", "an encoder is that of an axis or of a drive: name one of them");
+    reader.fail("axis", "", "must be either axis or drive: name the one that has the encoder");
   if (reader.has("axis")) encoder.axis = reader.text("axis");
   if (auto drive = reader.optional_table("drive")) {
     encoder.drive = read_shared(*drive, {.x = "s", .position = unit});
@@ -114,7 +114,8 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
   auto all = top.optional_table("master");
   if (!all) return masters;
   for (const std::string& name : all->keys()) {
-    if (!is_name(name)) all->fail(name.c_str(), name, "a name must be 1 to 23 of A-Z a-z 0-9 _ -");
+    if (!is_name(name))
+      all->fail(name.c_str(), name, "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
     TomlReader reader = all->table(name.c_str());
     masters.push_back(read_master(reader, name));
   }

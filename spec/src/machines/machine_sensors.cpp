@@ -70,8 +70,9 @@ std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const 
   spec.index = read_index(*machine, unit);
   machine->finish();
   if (spec.negative && spec.positive && !(spec.negative->position < spec.positive->position))
-    machine->fail("positive_switch", number(spec.positive->position),
-                  "must lie above the negative switch, " + number(spec.negative->position));
+    machine->fail(
+        "positive_switch", number(spec.positive->position),
+        "must be above the position of the negative switch, " + number(spec.negative->position));
   return spec;
 }
 

@@ -23,7 +23,7 @@ std::string read_name(TomlReader& axis, std::set<std::string>& taken) {
   });
   if (!fits) axis.fail("name", '"' + name + '"', "must consist of letters, digits, - and _");
   if (!taken.insert(name).second)
-    axis.fail("name", '"' + name + '"', "is the name of another axis");
+    axis.fail("name", '"' + name + '"', "is the name of two axes: rename one");
   return name;
 }
 
@@ -32,7 +32,8 @@ AxisMove read_axis_move(MotionFields& f, bool through_points) {
   if (!through_points) {
     move.from = f.state("from");
     move.to = f.state("to");
-    if (!f.reader().has("to")) f.reader().fail("to", "", "is missing");
+    if (!f.reader().has("to"))
+      f.reader().fail("to", "", "is missing: add to = NUMBER, the target position");
   }
   move.bounds = f.bounds();
   return move;
@@ -78,7 +79,7 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
   if (!table) return norm;
   for (const AxisPart& part : parts)
     if (part.units.position != parts.front().units.position)
-      top.fail("norm", "", "needs the same unit on all axes");
+      top.fail("norm", "", "needs the same unit on all axes: leave it out, or change a unit");
   const std::vector<std::string> units{rate_units(parts, 1).front(), rate_units(parts, 2).front(),
                                        rate_units(parts, 3).front()};
   norm.velocity = table->optional_number("velocity", units[0]).value_or(norm.velocity);
@@ -119,7 +120,8 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
                          optional_rates(point, "acceleration", parts, 2)};
     if (end) (k == 0 ? axes.via.start : axes.via.end) = rates;
     if (k == 0 && point.has("limits"))
-      point.fail("limits", "", "apply to the way to a point: the first point has none");
+      point.fail("limits", "",
+                 "apply to the travel to a point, which the first point has not: leave them out");
     limited = limited || point.has("limits");
     if (k > 0)
       axes.via.stretches.push_back(
@@ -158,7 +160,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     axes.axes.push_back(read_axis_move(fields, through_points));
     axis.finish();
   }
-  if (axes.axes.empty()) top.fail("axis", "", "is missing: give each axis as [[axis]]");
+  if (axes.axes.empty()) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.shortest_times) {
     axes.points = read_positions(top, spec.axes);
   } else {

@@ -44,7 +44,7 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
     point.finish();
   }
   if (points.empty())
-    compare.fail("point", "", "is missing: give each point as [[compare.point]] with a position");
+    compare.fail("point", "", "is missing: add [[compare.point]] with a position for each point");
   return points;
 }
 
@@ -59,7 +59,7 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   const auto part = std::find_if(parts.begin(), parts.end(),
                                  [&](const AxisPart& each) { return each.name == read.axis; });
   if (part == parts.end())
-    compare->fail("axis", '"' + read.axis + '"', "must name one of the spec's axes");
+    compare->fail("axis", '"' + read.axis + '"', "must be the name of an axis of this spec");
   if (std::holds_alternative<AxisSpec>(spec.subject) &&
       compare->optional_choice("of", sources).value_or(0) == 1)
     read.of = SwitchesOf::actual;

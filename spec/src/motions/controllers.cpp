@@ -35,7 +35,7 @@ std::optional<int> optional_int(TomlReader& reader, const char* key) {
   if (!value) return std::nullopt;
   if (*value < std::numeric_limits<std::int32_t>::min() ||
       *value > std::numeric_limits<std::int32_t>::max())
-    reader.fail(key, std::to_string(*value), "must fit 32 bits");
+    reader.fail(key, std::to_string(*value), "must be from -2147483648 to 2147483647");
   return static_cast<int>(*value);
 }
 
@@ -170,7 +170,8 @@ MoveSpec read_agito(MotionFields& f) {
   s.strokes = read_strokes(move);
   f.may_in("rpt_wait", "ms", s.rpt_wait);
   if (!s.strokes && move.has("rpt_wait"))
-    move.fail("rpt_wait", number(s.rpt_wait), "needs strokes, which make the move repetitive");
+    move.fail("rpt_wait", number(s.rpt_wait),
+              "needs strokes, the number of repetitions: add it, or leave rpt_wait out");
   return s;
 }
 
@@ -246,7 +247,8 @@ MoveSpec read_pmc600_position_to_velocity(MotionFields& f) {
   pmc600::PositionToVelocity m;
   f.may("from", 0, m.from);
   m.relative = f.reader().optional_flag("relative").value_or(false);
-  if (!f.reader().has("end_pos")) f.reader().fail("end_pos", "", "is missing");
+  if (!f.reader().has("end_pos"))
+    f.reader().fail("end_pos", "", "is missing: add end_pos = NUMBER, the target position");
   read_both(f, "end_pos", 0, m.end_pos);
   read_both(f, "velocity", 1, m.velocity);
   read_both(f, "acceleration", 2, m.acceleration);

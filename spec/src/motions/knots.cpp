@@ -24,7 +24,9 @@ std::optional<double> derivative_of(TomlReader& knot, const char* key, const std
                                     bool may_be_missing) {
   if (!knot.has(key)) knot.refuse_misspelt(key);
   if (!may_be_missing && !knot.has(key))
-    knot.fail(key, "", "is missing: give it, or set a rule at the top: velocities = \"clamped\"");
+    knot.fail(key, "",
+              "is missing: add a velocity to each knot, or a rule at the top, such as velocities = "
+              "\"clamped\"");
   return knot.optional_number(key, unit);
 }
 
@@ -48,7 +50,7 @@ void take_columns(const Points& points, const Units& units, FillSpec& fill, bool
       if (!may_be_missing)
         throw InputError(
             name, "",
-            "is missing: give the column, or set a rule in the spec: velocities = \"clamped\"")
+            "is missing: add the column, or a rule in the spec, such as velocities = \"clamped\"")
             .at(points.document, 1);
       values.resize(points.size());
     } else {
@@ -89,7 +91,8 @@ FillSpec read_fill(TomlReader& top, const Units& units, Interpolation rule,
   else
     read_rows(top, units, fill, filling.has_value());
   if (filling && rule == Interpolation::linear)
-    top.fail("velocities", '"' + fillings[*filling] + '"', "a linear table has no velocities");
+    top.fail("velocities", '"' + fillings[*filling] + '"',
+             "does not apply to rule = \"linear\", which has no velocities: leave it out");
   return fill;
 }
 

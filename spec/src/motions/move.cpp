@@ -29,7 +29,9 @@ void read_jerk(MotionFields& f, SCurveSpec& s) {
   TomlReader& move = f.reader();
   if (jerk.has_value() == smoothing.has_value())
     move.fail("jerk", "",
-              "an s_curve needs either jerk or smoothing (the rise time of the acceleration)");
+              jerk ? "cannot be combined with smoothing: give one of the two"
+                   : "is missing: add jerk = NUMBER, or smoothing = \"50 ms\", the "
+                     "rise time of the acceleration");
   if (smoothing) {
     if (!(*smoothing > 0)) move.fail("smoothing", number(*smoothing), "must be greater than 0");
     if (deceleration_jerk)
@@ -79,7 +81,8 @@ MoveSpec read_point_to_point(MotionFields& f) {
   if (const auto direction = move.optional_choice("direction", direction_names)) {
     if (!s.period)
       move.fail("direction", '"' + direction_names[*direction] + '"',
-                "needs the period of the axis: only a modulo axis has a choice of direction");
+                "needs the period of the axis, because only a modulo axis has a choice of "
+                "direction: add it, or leave direction out");
     s.direction = directions[*direction];
   }
   return s;

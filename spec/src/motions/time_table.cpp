@@ -31,7 +31,9 @@ std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool incre
     point.x = reader.number("time", units.x);
     point.position = reader.number("position", units.position);
     if (increments && !(point.x > 0))
-      reader.fail("time", number(point.x), "an increment must be greater than 0");
+      reader.fail(
+          "time", number(point.x),
+          "must be greater than 0: with increments = true it counts from the previous point");
     if (const auto type = reader.optional_choice("type", permitted))
       point.type = static_cast<PtType>(*type);
     reader.finish();
@@ -67,7 +69,8 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
         pt.optional_number("start_velocity", rate_unit(units.position, units.x, 1)).value_or(0);
   }
   if (spec.loops == 0 && pt.has("outside"))
-    pt.fail("outside", "", "needs a table with an end: loops = 0 has none");
+    pt.fail("outside", "",
+            "does not apply to loops = 0, a table without end: leave one of them out");
   spec.outside = read_outside(pt, false);
   if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
     return with_points(std::move(spec), *file, units, increments, permitted);

@@ -20,9 +20,8 @@ Trajectory made(const PtSpec& spec) {
   if (spec.loops == 0)
     return pt<OverTime>(spec.points, spec.start_velocity, Extrapolation::advance);
   if (spec.loops > most_segments / std::max<std::size_t>(1, spec.points.size()))
-    throw InputError(
-        "loops", std::to_string(spec.loops),
-        "makes more than 1e6 segments, which is the limit: use 0 for an endless table");
+    throw InputError("loops", std::to_string(spec.loops),
+                     "makes more than 1e6 segments: use fewer loops, or 0 for an endless table");
   return pt_loops<OverTime>(spec.points, static_cast<int>(spec.loops), spec.start_velocity,
                             spec.outside);
 }

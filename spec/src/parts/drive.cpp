@@ -58,19 +58,21 @@ void read_linear(TomlReader& table, const Units& units, const Drive& drive, Mass
     try {
       return drive.position_per_rev * conversion(units.position, "m") / (2 * std::numbers::pi);
     } catch (const InputError&) {
-      table.fail(key, "", "needs a position in a unit of length, not " + units.position);
+      table.fail(
+          key, "",
+          "applies to a position in a unit of length, not in " + units.position + ": leave it out");
     }
   };
   if (const auto kg = table.optional_number("mass", "kg")) {
     if (table.has("inertia"))
-      table.fail("mass", "", "cannot be combined with inertia: leave one of them out");
+      table.fail("mass", "", "cannot be combined with inertia: give one of the two");
     mass.inertia = *kg * lever("mass") * lever("mass");
   }
   if (const auto newton = table.optional_number("load_force", "N"))
     mass.load_torque += *newton * lever("load_force");
   if (const auto belt = table.optional_number("belt_stiffness", "N/m")) {
     if (table.has("stiffness"))
-      table.fail("belt_stiffness", "", "cannot be combined with stiffness: leave one of them out");
+      table.fail("belt_stiffness", "", "cannot be combined with stiffness: give one of the two");
     const double radius = table.number("pulley_radius", "m");
     mass.stiffness = *belt * radius * radius;
   }

@@ -33,7 +33,8 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   auto table = top.optional_table("follower");
   if (!table) return std::nullopt;
   if (!spec.master)
-    top.fail("follower", "", "needs a [master]: the contact force depends on the speed");
+    top.fail("follower", "",
+             "needs the speed of the master, on which the contact force depends: add [master]");
   FollowerSpec found;
   SpringFollower& f = found.follower;
   f.mass = table->number("mass", "kg");
@@ -46,7 +47,8 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   try {
     f.metres_per_unit = conversion(spec.units.position, "m");
   } catch (const InputError&) {
-    top.fail("follower", "", "needs a slave with a unit of length, not " + spec.units.position);
+    top.fail("follower", "",
+             "needs a slave with a unit of length, such as mm, not " + spec.units.position);
   }
   if (auto limits = table->optional_table("limits"))
     found.limits = read_follower_limits(*limits, spec.units);

@@ -32,7 +32,7 @@ SpecParameter read_parameter(TomlReader& table) {
   parameter.key = table.text("key");
   parameter.unit = unit_of(table, parameter.key);
   const auto range = table.optional_pair("range", parameter.unit);
-  if (!range) table.fail("range", "", "is missing: [least, greatest]");
+  if (!range) table.fail("range", "", "is missing: add range = [least, greatest]");
   std::tie(parameter.lower, parameter.upper) = *range;
   if (parameter.lower >= parameter.upper)
     table.fail("range", number(parameter.lower) + " to " + number(parameter.upper),
@@ -46,7 +46,7 @@ FigureBound read_bound(TomlReader& table) {
   bound.at_least = table.optional_quantity("at_least");
   bound.at_most = table.optional_quantity("at_most");
   if (!bound.at_least && !bound.at_most)
-    table.fail("at_most", "", "is missing: at_most, at_least, or both");
+    table.fail("at_most", "", "is missing: add at_most, at_least, or both");
   table.finish();
   return bound;
 }
@@ -57,8 +57,9 @@ void read_figure(TomlReader& table, ParametersSpec& spec) {
   if (least.has_value() == most.has_value())
     table.fail(
         "minimize", least ? '"' + *least + '"' : "",
-        least ? "cannot be combined with maximize"
-              : "is missing: minimize or maximize = \"...\", a key figure such as \"duration\"");
+        least
+            ? "cannot be combined with maximize"
+            : "is missing: add minimize or maximize = \"FIGURE\", such as minimize = \"duration\"");
   spec.figure = least ? *least : *most;
   spec.maximize = most.has_value();
 }
@@ -93,14 +94,15 @@ std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole
   for (TomlReader& parameter : table.tables("parameter")) {
     if (!whole.optimize.free.empty())
       table.fail("parameter", "",
-                 "cannot be combined with `free` knots: optimize one, then the other");
+                 "cannot be combined with `free` knots or shapes: optimize one, then the other");
     spec.parameters.push_back(read_parameter(parameter));
     if (!chosen.insert(spec.parameters.back().key).second)
       parameter.fail("key", '"' + spec.parameters.back().key + '"', "is given twice");
   }
   if (spec.parameters.empty())
     table.fail("parameter", "",
-               "is missing: name each number that may change in an [[optimize.parameter]]");
+               "is missing: add [[optimize.parameter]] with key and range for each number that may "
+               "change");
   read_figure(table, spec);
   for (TomlReader& bound : table.tables("require")) spec.require.push_back(read_bound(bound));
   read_options(table, spec.options);

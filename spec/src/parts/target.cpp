@@ -55,10 +55,12 @@ void read_target(TomlReader& table, const Units& units, Domain axis, TableOption
   target.p_step = positive(table, key("p_step"), units.position).value_or(0);
   target.v_step = positive(table, key("v_step"), rate).value_or(0);
   if (!wanted && knots.value_or(0) == 0) return;
-  if (knots == std::size_t{0}) table.fail("knots", "\"even\"", "needs knots = \"fewest\"");
+  if (knots == std::size_t{0})
+    table.fail("knots", "\"even\"",
+               "needs knots = \"fewest\": change knots, or leave this key out");
   if (options.intervals)
     table.fail("intervals", std::to_string(*options.intervals),
-               "give either equal intervals or the fewest knots, not both");
+               "cannot be combined with knots = \"fewest\": give one of the two");
   options.target = target;
 }
 

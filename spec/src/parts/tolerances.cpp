@@ -51,7 +51,7 @@ std::optional<ToleranceSpec> read_tolerances(TomlReader& drive_table, const Driv
   spec.seed = table->optional_count("seed").value_or(spec.seed);
   table->finish();
   if (spec.numbers.empty())
-    drive_table.fail("tolerances", "", "needs a [[drive.tolerances.number]]");
+    drive_table.fail("tolerances", "", "needs at least one [[drive.tolerances.number]]");
   return spec;
 }
 

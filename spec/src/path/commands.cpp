@@ -30,7 +30,8 @@ Plane read_plane(TomlReader& command, const PathAxes& axes) {
     for (std::size_t i = 0; i < axes.path_axes; ++i)
       if (axes.names[i] == name) found.push_back(i);
   if (names.size() != 2 || found.size() != 2 || names[0] == names[1])
-    command.fail("plane", "", "must name two different axes that are not followers");
+    command.fail("plane", "",
+                 "must name two different axes that are not followers, such as [\"x\", \"y\"]");
   return {found[0], found[1]};
 }
 
@@ -75,7 +76,7 @@ Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const
     return arc_of_radius(from, radius, to, plane, rotation, read_turns(command));
   }
   if (!command.has("center"))
-    command.fail("center", "", "is missing: an arc needs via, center or radius");
+    command.fail("center", "", "is missing: add center, radius or via to this arc");
   return read_arc_about(command, axes, from, origin);
 }
 

@@ -20,7 +20,9 @@ bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::
   const AxisPart& part = spec.axes.emplace_back(read_axis_part(axis, spec.units, taken));
   const bool follower = axis.optional_flag("follower").value_or(false);
   if (!follower && axes.path_axes < axes.size())
-    axis.fail("follower", "", "is missing: an axis behind a follower must be one, too");
+    axis.fail("follower", "",
+              "is missing: an axis after a follower must be a follower too. Add follower = true, "
+              "or move the axis up");
   if (!follower && part.units.position != spec.units.position)
     axis.fail(
         "unit", '"' + part.units.position + '"',
@@ -37,12 +39,13 @@ PathAxes read_path_axes(TomlReader& top, Spec& spec) {
   std::set<std::string> taken;
   for (TomlReader& axis : top.tables("axis"))
     if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
-  if (axes.size() == 0) top.fail("axis", "", "is missing: give each axis as [[axis]]");
+  if (axes.size() == 0) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.size() > max_axes)
     top.fail("axis", std::to_string(axes.size()),
              "must be at most " + std::to_string(max_axes) + " axes");
   if (axes.path_axes == 0)
-    top.fail("axis", "", "needs one that is not a follower: it measures the length of the path");
+    top.fail("axis", "",
+             "must have at least one that is not a follower: it measures the length of the path");
   return axes;
 }
 
@@ -87,9 +90,9 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
   take(read_magnitude(*corner, "average", axes.unit(0)), Corner::average);
   corner->finish();
   if (given != 1)
-    owner.fail(
-        "corner", "",
-        "must be \"stop\", or have one of deviation, distance, curvature, velocity, average");
+    owner.fail("corner", "",
+               "must be \"stop\", or have exactly one of deviation, distance, curvature, velocity, "
+               "average");
 }
 
 }  // namespace
@@ -97,7 +100,9 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
                     const Point& origin) {
   if (!reader.has(key)) reader.refuse_misspelt(key);
-  if (!reader.has(key)) reader.fail(key, "", "is missing");
+  if (!reader.has(key))
+    reader.fail(key, "",
+                std::string("is missing: add ") + key + " = [NUMBER, ...], one for each axis");
   Point p{};
   const std::vector<double> given = reader.numbers(key, axes.position_units);
   for (std::size_t i = 0; i < given.size(); ++i) p[i] = origin[i] + given[i];
@@ -127,11 +132,13 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
     path.limits.path = read_path_limits(std::move(*limits), axes);
   path.tolerance = read_magnitude(table, "tolerance", axes.unit(0));
   if (top.has("points") && table.has("start"))
-    table.fail("start", "", "is the first of the points: leave it out");
+    table.fail("start", "",
+               "does not apply to a path of points, which starts at the first one: leave it out");
   if (table.has("start")) machine.start = read_position(table, "start", axes, {});
   for (const AxisPart& part : spec.axes) {
     path.limits.axes.push_back(part.limits);
-    machine.axes.push_back({part.name, part.units.position});
+    machine.axes.push_back(
+        {part.name, part.units.position, part.limits.position_min, part.limits.position_max});
   }
   machine.path_axes = axes.path_axes;
   machine.second = conversion("s", spec.time_unit);

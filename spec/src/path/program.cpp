@@ -53,7 +53,7 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
   std::vector<double> feeds;
   if (points.find("velocity") != nullptr) feeds = points.in_unit("velocity", axes.unit(1));
   if (points.size() < 2)
-    throw InputError("row", "1", "is the only point: a path needs at least two")
+    throw InputError("row", "1", "is the only point: a path needs at least 2")
         .at(points.document, static_cast<int>(points.lines.front()));
   Program program(axes.size(), positions.front(), axes.path_axes);
   for (std::size_t k = 1; k < positions.size(); ++k) {
@@ -117,7 +117,11 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
   const bool moves = std::any_of(commands.begin(), commands.end(), [](const auto& command) {
     return command.kind != Program::Kind::dwell;
   });
-  if (!moves) throw InputError("G-code", "", "moves no axis").at(document, 1);
+  if (!moves)
+    throw InputError(
+        "G-code", "",
+        "moves no axis: the program needs at least one G0, G1, G2 or G3 with a position")
+        .at(document, 1);
   path.program = std::move(made.program);
   path.events = std::move(made.events);
   path.source = document;

@@ -56,7 +56,8 @@ Bounds MotionFields::bounds() {
   may("position_min", 0, b.position_min);
   may("position_max", 0, b.position_max);
   if (!(b.position_min < b.position_max))
-    reader_->fail("position_min", number(b.position_min), "must be below position_max");
+    reader_->fail("position_min", number(b.position_min),
+                  "must be below position_max = " + number(b.position_max));
   return b;
 }
 

@@ -22,11 +22,24 @@ std::string join(std::span<const std::string> words) {
   return all;
 }
 
+/// A long list of words is shown only if no word is near.
+std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint) {
+  constexpr std::size_t most = 8;
+  const std::string meant = hint.empty() ? "" : ": did you mean \"" + hint + "\"?";
+  if (permitted.size() == 1) return "must be \"" + permitted[0] + '"';
+  if (permitted.size() > most && !hint.empty()) return "is unknown" + meant;
+  return "must be one of " + join(permitted) + meant;
+}
+
 }  // namespace
 
 std::string shown(const toml::node& node) {
-  if (node.is_table()) return "a table";
-  if (node.is_array()) return "an array";
+  if (node.is_table()) return "{ ... }";
+  if (const toml::array* array = node.as_array()) {
+    std::string all;
+    for (const auto& element : *array) all += (all.empty() ? "" : ", ") + shown(element);
+    return "[" + all + "]";
+  }
   if (const auto text = node.value_exact<std::string>()) return '"' + printable(*text) + '"';
   if (const auto value = node.value_exact<double>()) return number(*value);
   std::ostringstream out;
@@ -54,11 +67,11 @@ const toml::node* TomlReader::find(const char* key) {
   return node;
 }
 
-const toml::node& TomlReader::require(const char* key) {
+const toml::node& TomlReader::require(const char* key, const std::string& example) {
   const toml::node* node = find(key);
   if (node != nullptr) return *node;
   refuse_misspelt(key);
-  fail(key, "", "is missing");
+  fail(key, "", "is missing: add " + example);
 }
 
 void TomlReader::refuse_misspelt(const char* key) const {
@@ -72,8 +85,7 @@ void TomlReader::refuse_misspelt(const char* key) const {
 InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
                                const std::string& meant) const {
   const auto at = place(key.source());
-  return InputError(path(key.str()), shown(node),
-                    "is not a key of this table: did you mean " + meant + "?")
+  return InputError(path(key.str()), shown(node), "is not a key here: did you mean " + meant + "?")
       .at(document_->name, at.line, at.column);
 }
 
@@ -92,8 +104,10 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
     }
   }
   if (!node.is_number())
-    throw error(shown(node),
-                "must be a number in " + unit + ", or a quantity such as \"12.5 " + unit + '"');
+    throw error(shown(node), unit.empty() || unit == "1"
+                                 ? std::string("must be a number")
+                                 : "must be a number in " + unit +
+                                       ", or a quantity such as \"12.5 " + unit + '"');
   // Not value<double>(): it returns nothing for an integer beyond 2^53.
   const auto whole = node.value_exact<std::int64_t>();
   const double value =
@@ -103,7 +117,8 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
 }
 
 double TomlReader::number(const char* key, const std::string& unit) {
-  return read_number(require(key), path(key), unit);
+  const std::string measure = unit.empty() || unit == "1" ? "" : ", in " + unit;
+  return read_number(require(key, std::string(key) + " = NUMBER" + measure), path(key), unit);
 }
 
 std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
@@ -138,7 +153,7 @@ std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
 }
 
 std::int64_t TomlReader::whole(const char* key) {
-  require(key);
+  require(key, std::string(key) + " = WHOLE NUMBER");
   return *optional_whole(key);
 }
 
@@ -150,7 +165,7 @@ std::optional<bool> TomlReader::optional_flag(const char* key) {
 }
 
 std::string TomlReader::text(const char* key) {
-  require(key);
+  require(key, std::string(key) + " = \"TEXT\"");
   return *optional_text(key);
 }
 
@@ -165,13 +180,12 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
 }
 
 std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
-  const std::string given = text(key);
+  require(key, std::string(key) + " = \"WORD\"; it must be one of " + join(permitted));
+  const std::string given = *optional_text(key);
   for (std::size_t i = 0; i < permitted.size(); ++i)
     if (permitted[i] == given) return i;
   const std::string hint = nearest(given, permitted);
-  fail(key, '"' + given + '"',
-       (hint.empty() ? "" : "did you mean \"" + hint + "\"? It ") +
-           (permitted.size() > 1 ? "must be one of " : "must be ") + join(permitted));
+  fail(key, '"' + given + '"', rule_of_choice(permitted, hint));
 }
 
 std::optional<std::size_t> TomlReader::optional_choice(const char* key,
@@ -180,15 +194,18 @@ std::optional<std::size_t> TomlReader::optional_choice(const char* key,
   return choice(key, permitted);
 }
 
-TomlReader TomlReader::table(const char* key) {
-  require(key);
+TomlReader TomlReader::table(const char* key, const std::string& example) {
+  require(key, !example.empty()
+                   ? example
+                   : "the section [" + path(key) + "]; `jounce new` writes an example");
   return *optional_table(key);
 }
 
 std::optional<TomlReader> TomlReader::optional_table(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_table()) fail(key, shown(*node), "must be a table");
+  if (!node->is_table())
+    fail(key, shown(*node), std::string("must be a table: ") + key + " = { KEY = VALUE, ... }");
   return TomlReader(*node->as_table(), path(key), *document_);
 }
 
@@ -197,13 +214,14 @@ std::vector<TomlReader> TomlReader::tables(const char* key) {
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
   if (array == nullptr)
-    fail(key, shown(*node), std::string("must be a list of tables: [[") + key + "]]");
+    fail(key, shown(*node),
+         std::string("must be a list of tables: begin each with [[") + path(key) + "]]");
   std::vector<TomlReader> readers;
   for (const auto& element : *array) {
     const std::string name = path(key) + "[" + std::to_string(readers.size() + 1) + "]";
     if (!element.is_table()) {
       const auto at = place(element.source());
-      throw InputError(name, shown(element), "must be a table")
+      throw InputError(name, shown(element), "must be a table: { KEY = VALUE, ... }")
           .at(document_->name, at.line, at.column);
     }
     readers.emplace_back(*element.as_table(), name, *document_);
@@ -217,7 +235,7 @@ std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* k
   if (node == nullptr) return std::nullopt;
   const toml::array* array = node->as_array();
   if (array == nullptr || array->size() != 2)
-    fail(key, shown(*node), "must be two numbers, [lower, upper]");
+    fail(key, shown(*node), std::string("must be two numbers: ") + key + " = [lower, upper]");
   return std::pair{read_number(*array->get(0), path(key), unit),
                    read_number(*array->get(1), path(key), unit)};
 }
@@ -241,7 +259,9 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
   if (array == nullptr || array->size() != units.size())
-    fail(key, shown(*node), "must be a list of " + std::to_string(units.size()) + " numbers");
+    fail(key, shown(*node),
+         "must be a list of " + std::to_string(units.size()) +
+             (units.size() == 1 ? " number" : " numbers"));
   std::vector<double> all;
   for (const std::string& unit : units)
     all.push_back(read_number(*array->get(all.size()),
@@ -250,9 +270,10 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
 }
 
 std::vector<double> TomlReader::number_list(const char* key, const std::string& unit) {
-  const toml::node& node = require(key);
+  const toml::node& node = require(key, std::string(key) + " = [NUMBER, ...]");
   const toml::array* array = node.as_array();
-  if (array == nullptr) fail(key, shown(node), "must be a list of numbers");
+  if (array == nullptr)
+    fail(key, shown(node), std::string("must be a list of numbers: ") + key + " = [NUMBER, ...]");
   std::vector<double> all;
   for (const auto& element : *array)
     all.push_back(
@@ -275,7 +296,10 @@ std::vector<std::string> TomlReader::texts(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
-  if (array == nullptr) fail(key, shown(*node), "must be a list of strings");
+  if (array == nullptr)
+    fail(key, shown(*node),
+         std::string("must be a list of strings: ") + key + " = [" +
+             (node->is_string() ? shown(*node) : "\"TEXT\", ...") + "]");
   std::vector<std::string> all;
   for (const auto& element : *array) {
     const auto value = element.value_exact<std::string>();
@@ -293,7 +317,7 @@ void TomlReader::finish() {
       throw unknown(key, node, hint);
     const auto at = place(key.source());
     throw InputError(path(key.str()), shown(node),
-                     "is not a key of this table; possible keys: " + join(known))
+                     "is not a key here; possible keys: " + join(known))
         .at(document_->name, at.line, at.column);
   }
 }

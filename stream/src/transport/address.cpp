@@ -37,7 +37,8 @@ void read_option(const std::string& url, std::string_view option, MulticastAddre
   else if (name == "interface" && !value.empty())
     address.interface = value;
   else
-    refuse(url, "the options are ttl=N, interface=NAME and recv_buf_size=BYTES");
+    refuse(url,
+           "has an unknown option; the options are ttl=N, interface=NAME and recv_buf_size=BYTES");
 }
 
 /// Removes the text up to the next `end`, and the mark itself, from `rest`, and returns the text.
@@ -52,7 +53,7 @@ std::string_view taken(std::string_view& rest, char end) {
 
 MulticastAddress multicast_address(const std::string& url) {
   std::string_view rest = url;
-  if (!rest.starts_with(multicast)) refuse(url, "must begin with udpm://");
+  if (!rest.starts_with(multicast)) refuse(url, "must begin with udpm:// or unix://");
   rest.remove_prefix(multicast.size());
   std::string_view place = taken(rest, '?');
   MulticastAddress address;
@@ -66,7 +67,7 @@ MulticastAddress multicast_address(const std::string& url) {
         "needs a multicast group, 224.0.0.0 to 239.255.255.255, as in udpm://239.255.76.67:7667");
   while (!rest.empty()) read_option(url, taken(rest, '&'), address);
   if (address.is_local() && !address.interface.empty())
-    refuse(url, "an interface needs ttl=1 too: without it, packets stay on this machine");
+    refuse(url, "needs ttl=1 beside interface: without it, packets stay on this machine");
   return address;
 }
 

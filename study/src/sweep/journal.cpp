@@ -38,7 +38,7 @@ Journal::Journal(const std::string& path, const std::string& identity) : path_(p
   try {
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) fail("cannot lock " + path);
-      throw InputError("", "", "is used by another run").at(path);
+      throw InputError("", "", "is in use by another run of this sweep: wait for its end").at(path);
     }
     read(identity);
   } catch (...) {

@@ -40,7 +40,7 @@ Values read_grid(TomlReader& table, const std::string& unit) {
   if (!count) table.fail("count", "", "is missing: give the number of values, both ends included");
   if (*count < 2) table.fail("count", std::to_string(*count), "must be at least 2");
   if (*count > SweepSpec::most_cases)
-    table.fail("count", std::to_string(*count), "makes more cases than 10000000");
+    table.fail("count", std::to_string(*count), "makes more than 10000000 cases");
   Values values;
   for (std::size_t i = 0; i < *count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(*count - 1);
@@ -105,7 +105,7 @@ SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
     if (table.has(way)) named.push_back(way);
   if (named.size() != 1)
     table.fail("key", '"' + p.key + '"',
-               "needs one of: values = [...]; from, to and count; tolerance; uniform; normal");
+               "needs exactly one of values, from (with to and count), tolerance, uniform, normal");
   const std::string way = named.front();
   if (way == "values") p.how = read_list(table, p.unit);
   if (way == "from") p.how = read_grid(table, p.unit);
@@ -124,7 +124,8 @@ void read_parameters(TomlReader& top, SweepSpec& spec) {
     spec.parameters.push_back(std::move(p));
   }
   if (spec.parameters.empty())
-    top.fail("parameter", "", "is missing: a sweep has at least one [[parameter]]");
+    top.fail("parameter", "",
+             "is missing: add [[parameter]] with key and values for each number to vary");
 }
 
 void read_design(TomlReader& table, SweepSpec& spec) {
@@ -152,7 +153,7 @@ void read_monte_carlo(TomlReader& top, SweepSpec& spec) {
   if (!spec.random())
     top.fail("monte_carlo", "", "needs a parameter with tolerance, uniform or normal");
   const auto samples = table->optional_count("samples");
-  if (!samples) table->fail("samples", "", "is missing");
+  if (!samples) table->fail("samples", "", "is missing: add samples = NUMBER, the number of cases");
   spec.samples = *samples;
   if (const auto seed = table->optional_whole("seed"))
     spec.seed = static_cast<std::uint64_t>(*seed);

@@ -255,8 +255,9 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
 
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   if (!spec.parameters)
-    throw InputError("optimize.parameter", "",
-                     "is missing: name each number that may change in an [[optimize.parameter]]")
+    throw InputError(
+        "optimize.parameter", "",
+        "is missing: add [[optimize.parameter]] with key and range for each number that may change")
         .at(spec.document.name);
   Tuned tuned(spec);
   const std::vector<TunedFigure> given = given_figures(tuned);

@@ -109,7 +109,8 @@ void require_valid(const std::string& part, const Friction& f) {
 void require_valid(const Motor& m) {
   require_valid("motor.", m.friction);
   if (m.max_velocity != 0 && !(m.max_velocity > m.rated_velocity))
-    throw InputError("motor.max_velocity", m.max_velocity, "must be greater than rated_velocity");
+    throw InputError("motor.max_velocity", m.max_velocity,
+                     "must be greater than rated_velocity = " + number(m.rated_velocity));
   if (m.thermal_time != 0 && m.rated_torque == 0)
     throw InputError("motor.thermal_time", m.thermal_time, "needs a rated_torque");
   if (m.resistance != 0 && m.torque_constant == 0)

@@ -51,7 +51,7 @@ void require_times(const Recording& recording) {
   for (std::size_t i = 1; i < t.size(); ++i)
     if (!(t[i] > t[i - 1]))
       throw InputError("time[" + std::to_string(i + 1) + "]", t[i],
-                       "must be greater than " + number(t[i - 1]) + ", the sample before");
+                       "must be greater than " + number(t[i - 1]) + ", the previous sample");
 }
 
 void require_valid(const Recording& recording) {
@@ -64,8 +64,7 @@ void require_valid(const Recording& recording) {
     any = true;
   }
   if (!any)
-    throw InputError("position", "none",
-                     "is missing: a fit needs position, velocity, torque or load");
+    throw InputError("position", "", "is missing: a fit needs position, velocity, torque or load");
 }
 
 DriveNumber numbered(Drive& drive, const std::string& key) {

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/loop.hpp"
 
@@ -39,7 +40,7 @@ void require_calm(const Drive& drive) {
   const std::vector<LoopPole> poles = loop_poles(drive);
   if (poles.front().growth >= 0)
     throw InputError("controller.velocity_gain", drive.controller.velocity_gain,
-                     "makes the loop unstable at " + number(poles.front().frequency) +
+                     "makes the loop unstable at " + six_digits(poles.front().frequency) +
                          " Hz: there is no periodic steady state");
 }
 
@@ -47,8 +48,7 @@ void require_calm(const Drive& drive) {
 VectorXd after_a_period(const LinearSystem& system, const Trajectory& period, const VectorXd& x) {
   ExactPath path(system, period, period.length(), {x, first_velocity(period)});
   path.whole();
-  const double step =
-      first_velocity(period) - evaluate(period.segments().back(), 1)[1];
+  const double step = first_velocity(period) - evaluate(period.segments().back(), 1)[1];
   return path.reached() - step * system.follows_velocity;
 }
 

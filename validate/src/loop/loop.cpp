@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "validate/src/loop/open_loop.hpp"
 
@@ -33,7 +34,7 @@ void require_loop(const Drive& drive) {
   const Controller& c = drive.controller;
   if (too_late(c))
     throw InputError("controller.delay", c.delay,
-                     "must be at most 100 cycles = " + number(most_cycles * c.cycle) + " s");
+                     "must be at most 100 cycles = " + six_digits(most_cycles * c.cycle) + " s");
 }
 
 LoopPole pole_of(Complex s) {

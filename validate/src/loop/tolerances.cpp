@@ -285,7 +285,7 @@ Report report_of(const ToleranceResult& result, const DriveLimits& limits) {
 
 void require_valid(const ToleranceSpec& spec) {
   if (spec.numbers.empty())
-    throw InputError("tolerances.number", "none", "must name at least one number");
+    throw InputError("tolerances.number", "", "must name at least one number");
   if (spec.cases < 1 || spec.cases > 10'000'000)
     throw InputError("tolerances.cases", std::to_string(spec.cases),
                      "must be between 1 and 10000000");

@@ -20,7 +20,7 @@ void require_breaks(const SignalView& signal, std::span<const double> breaks) {
   for (std::size_t i = 1; i < breaks.size(); ++i) {
     if (!(breaks[i] > breaks[i - 1])) {
       throw InputError("breaks[" + std::to_string(i) + "]", breaks[i],
-                       "must be greater than " + number(breaks[i - 1]) + ", the break before");
+                       "must be greater than " + number(breaks[i - 1]) + ", the previous break");
     }
   }
 }

@@ -111,8 +111,8 @@ struct Refusal {
   double limit = 0;
   double where = std::numeric_limits<double>::quiet_NaN();
 
-  /// "velocity_limit: The motion is faster ... (678.45 at 0.61 s, limit 500)"; omits the instant if
-  /// it is NaN, and the numbers if no bound was exceeded.
+  /// "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45 at 0.61 s, limit 500."; omits the
+  /// instant if it is NaN, and the numbers if no bound was exceeded. With units: text() in refusal_text.hpp.
   [[nodiscard]] std::string text() const;
 };
 

@@ -17,6 +17,8 @@ struct GcodeMachine {
   struct Axis {
     std::string name;  ///< one of X Y Z A B C U V W, either case
     std::string unit;  ///< unit of its positions in the Program
+    std::optional<double> position_min = {},
+                          position_max = {};  ///< limits of the ends of lines and arcs
   };
 
   std::vector<Axis> axes;     ///< axes, in the order of the Program
@@ -59,7 +61,8 @@ bool begins_as_gcode(std::string_view text);
 /// **Units**: F and FF in length per `feed_time`, E and EF in length per s^2; A, B and C in deg.
 ///
 /// **Throws** InputError with document, line and column for everything else: another word or G number, two words
-/// of one group, a word without its partner, an axis that the machine lacks, an arc that does not fit, a missing feed.
+/// of one group, a word without its partner, an axis that the machine lacks, an arc that does not fit,
+/// a missing feed, a line or an arc that ends beyond the position limits of an axis.
 GcodeProgram parse_gcode(std::string_view text, const std::string& document,
                          const GcodeMachine& machine);
 

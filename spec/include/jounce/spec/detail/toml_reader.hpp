@@ -41,7 +41,8 @@ class TomlReader {
                                              std::span<const std::string> permitted);
 
   std::optional<TomlReader> optional_table(const char* key);
-  TomlReader table(const char* key);
+  /// `example`: what the message of a missing table advises to add; by default, the section [key].
+  TomlReader table(const char* key, const std::string& example = "");
   /// [[key]] or key = [{...}, ...]; empty if there is none. Counted from 1 in messages.
   std::vector<TomlReader> tables(const char* key);
   /// key = [a, b] of two numbers.
@@ -72,7 +73,8 @@ class TomlReader {
 
  private:
   const toml::node* find(const char* key);
-  const toml::node& require(const char* key);
+  /// `example`: what the message of a missing key advises to add.
+  const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
                                    const std::string& meant) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);

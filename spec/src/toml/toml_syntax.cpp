@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "spec/src/toml/toml_syntax.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <string_view>
+
+#include "jounce/base/printable.hpp"
+
+namespace jounce::spec_detail {
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string_view line_of(std::string_view text, int line) {
+  for (; line > 1 && !text.empty(); --line) {
+    const auto end = text.find('\n');
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// The `key = value` in which a place of a line lies. Without an = before the place, both are empty.
+struct Pair {
+  std::string key, value;
+};
+
+Pair pair_at(std::string_view line, std::size_t at) {
+  const auto equal = line.substr(0, at).rfind('=');
+  if (equal == std::string_view::npos) return {};
+  const auto before = trimmed(line.substr(0, equal));
+  const auto begin = before.find_last_of(" \t{,");
+  const auto key = begin == std::string_view::npos ? before : before.substr(begin + 1);
+  auto value = line.substr(equal + 1);
+  value = value.substr(0, value.find('#'));
+  if (line.substr(0, equal).find('{') != std::string_view::npos)
+    value = value.substr(0, value.find_first_of(",}"));
+  return {printable(std::string(key)), printable(std::string(trimmed(value)))};
+}
+
+bool is_decimal_comma(const std::string& value) {
+  const auto comma = value.find(',');
+  return comma != std::string::npos && value.find(',', comma + 1) == std::string::npos &&
+         std::all_of(value.begin(), value.end(),
+                     [](char c) { return is_digit(c) || c == ',' || c == '-'; });
+}
+
+/// The rule for a value that is neither a number nor a text in quotes.
+std::string rule_of_value(const Pair& pair) {
+  const std::string& value = pair.value;
+  std::string lower = value;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* word : {"true", "false", "yes", "no", "on", "off"})
+    if (lower == word) return "must be true or false, in small letters";
+  if (is_decimal_comma(value)) {
+    std::string point = value;
+    point[point.find(',')] = '.';
+    return "a number has a decimal point: " + pair.key + " = " + point;
+  }
+  const std::string quoted = pair.key + " = \"" + value + '"';
+  const bool number = !value.empty() && (is_digit(value[0]) || value[0] == '-' || value[0] == '+');
+  return (number ? "a number with a unit needs quotes: " : "text needs quotes: ") + quoted;
+}
+
+}  // namespace
+
+InputError syntax_error(const Document& document, int line, int column,
+                        const std::string& description) {
+  const std::string_view text = line_of(document.text, line);
+  const auto at = static_cast<std::size_t>(std::max(column, 1) - 1);
+  const Pair pair = pair_at(text, at);
+  const auto error = [&](const std::string& key, const std::string& value,
+                         const std::string& rule) {
+    return InputError(key, value, rule).at(document.name, line, column);
+  };
+  const auto has = [&](const char* words) { return description.find(words) != std::string::npos; };
+  const bool at_end = trimmed(text.substr(std::min(at, text.size()))).empty();
+  const bool bare = !pair.value.empty() &&
+                    (is_letter(pair.value[0]) || is_digit(pair.value[0]) || pair.value[0] == '-') &&
+                    pair.value.find_first_of("=\"'{}[]") == std::string::npos;
+
+  if (has("control characters") && at_end)
+    return error(pair.key, pair.value, "the closing quote is missing");
+  if (has("cannot redefine existing table"))
+    return error("", printable(std::string(trimmed(text))),
+                 "is here a second time: keep one section, with the keys of both");
+  if (has("cannot redefine"))
+    return error(pair.key, pair.value, "is here a second time: remove one of the two");
+  if (has("expected value") && pair.value.empty() && !pair.key.empty())
+    return error(pair.key, "", "has no value: write " + pair.key + " = VALUE");
+  if (has("expected '='") || (has("key-value pair") && has("end-of-file")))
+    return error(printable(std::string(trimmed(text.substr(0, at)))), "",
+                 "needs = between key and value");
+  if (has("table header") && has("expected ']'"))
+    return error("", printable(std::string(trimmed(text))),
+                 "the header of a section needs a closing ]");
+  if (has("closing '}'") && at_end)
+    return error(pair.key, "", "needs its closing } in the same line");
+  if (bare) return error(pair.key, pair.value, rule_of_value(pair));
+  if (has("expected comma or closing '}'"))
+    return error(pair.key, "", "needs a comma or the closing } after its value");
+  if (has("expected comma or closing ']'"))
+    return error(pair.key, "", "needs a comma or the closing ] after a value");
+  if (has("end-of-file"))
+    return error(pair.key, "", "the file ends here: a closing quote or bracket is missing");
+  const std::string prefix = "Error while parsing ";
+  return error(
+      "", "",
+      "is not TOML: " +
+          (description.starts_with(prefix) ? description.substr(prefix.size()) : description));
+}
+
+}  // namespace jounce::spec_detail
