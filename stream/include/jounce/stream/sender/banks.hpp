@@ -10,8 +10,9 @@ namespace jounce {
 
 /// The rows of a static queue with two banks: the second, if it has rows, follows at the end of the first.
 struct BankPlan {
-  wire::Queue queue;
-  std::vector<wire::Row> first, second;
+  wire::Queue queue = {};
+  std::vector<wire::Row> first = {};
+  std::vector<wire::Row> second = {};
 };
 
 struct BankOptions {
