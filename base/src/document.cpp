@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// The error with the unit of its number, if its key has one. Twelve digits hide the rounding of a change of unit.
+/// The error with the unit of its number, if its key has one. Fifteen digits hide the rounding of a change of unit.
 InputError with_unit(const InputError& error, const std::map<std::string, std::string>& units) {
   const auto unit = units.find(error.key());
   const std::string& text = error.value();

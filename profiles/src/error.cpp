@@ -58,7 +58,8 @@ std::string six_digits_up(double value) {
   const std::string text = six_digits(value);
   double shown = 0;
   std::from_chars(text.data(), text.data() + text.size(), shown);
-  if (!std::isfinite(value) || shown >= value) return text;
+  const double rounding = 1e-12 * std::abs(value);  // of the computation of the value
+  if (!std::isfinite(value) || shown >= value - rounding) return text;
   return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
 }
 
@@ -73,7 +74,7 @@ InputError::InputError(std::string key, std::string value, std::string rule)
 }
 
 InputError::InputError(std::string key, double value, std::string rule)
-    : InputError(std::move(key), rounded(value, 12), std::move(rule)) {}
+    : InputError(std::move(key), rounded(value, 15), std::move(rule)) {}
 
 InputError InputError::at(std::string document, int line, int column) const {
   InputError placed = *this;

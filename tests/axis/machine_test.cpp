@@ -336,7 +336,8 @@ TEST(Machine, RefusesWhatIsNoMachine) {
   EXPECT_THAT(refused({axis("a", setpoint_of(1)), axis("b", setpoint_of(0))}), HasSubstr("ring"));
   MachineAxis slow = axis("slow");
   slow.config.period = 2'000'000;
-  EXPECT_THAT(refused({axis("a"), slow}), HasSubstr("slow.cycle = 0.002: all axes"));
+  EXPECT_THAT(refused({axis("a"), slow}),
+              HasSubstr("slow.cycle = 0.002: must be 0.001 s, the cycle of"));
   std::vector<MachineAxis> many;
   for (int i = 0; i < 64; ++i) many.push_back(axis("a" + std::to_string(i)));
   EXPECT_EQ(Machine{many}.size(), 64U);

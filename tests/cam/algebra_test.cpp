@@ -92,7 +92,7 @@ TEST(Part, GoesOnAsTheCamDoesOutsideItsInterval) {
             "to = 361: must lie within the cam, 0 to 360");
   EXPECT_EQ(complaint([&] { return part(cam, 5, 5); }), "to = 5: must be greater than 5");
   EXPECT_EQ(complaint([&] { return part(cam, 0, 1e9); }),
-            "to = 1e+09: is more than 1e6 segments away from 0");
+            "to = 1000000000: is more than 1e6 segments away from 0");
   EXPECT_EQ(complaint([&] { return part(cam, 360, 360 + 1e-12); }),
             "to = 360.000000000001: is so near to 360 that no cam remains between them");
 }

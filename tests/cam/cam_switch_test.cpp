@@ -277,7 +277,7 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
   expect_refused({.switches = {s}}, "switch[1].last_on_position", "finite");
   s = range(20, 30);
   s.duration = 1;
-  expect_refused({.switches = {s}}, "switch[1].duration", "mode \"time\"");
+  expect_refused({.switches = {s}}, "switch[1].duration", "mode = \"time\"");
   s.duration.reset();
   s.last_on_position.reset();
   expect_refused({.switches = {s}}, "switch[1].last_on_position", "missing");

@@ -226,7 +226,7 @@ TEST(LawForms, NameWhatALawDoesNotTake) {
   EXPECT_EQ(complaint(Law::scca, {}),
             "shares: is missing: the law `scca` needs shares = [sine, constant, cosine]");
   EXPECT_EQ(complaint(Law::scca, {.shares = std::array{0.5, 0.5, 0.5}}),
-            "shares = 1.5: must sum to 1");
+            "shares = 0.5 + 0.5 + 0.5: must add up to 1, not 1.5");
 }
 
 TEST(Scca, OneCodePathYieldsTheWholeFamily) {

@@ -172,9 +172,10 @@ std::string refusal(const std::string& key, const std::string& value) {
 
 TEST(TableTolerance, BelowTheRoundingIsRefused) {
   EXPECT_THAT(refusal("tolerance", "1e-30"),
-              ::testing::HasSubstr("table.tolerance = 1e-30: must be at least 1.24"));
-  EXPECT_THAT(refusal("geo_velocity_tolerance", "1e-30"),
-              ::testing::HasSubstr("table.geo_velocity_tolerance = 1e-30: must be at least "));
+              ::testing::HasSubstr("table.tolerance = 1e-30 mm: must be at least 1.24"));
+  EXPECT_THAT(
+      refusal("geo_velocity_tolerance", "1e-30"),
+      ::testing::HasSubstr("table.geo_velocity_tolerance = 1e-30 mm/deg: must be at least "));
 }
 
 }  // namespace

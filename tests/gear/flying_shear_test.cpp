@@ -13,6 +13,7 @@
 #include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "support/errors.hpp"
 #include "support/invariants.hpp"
@@ -178,9 +179,9 @@ TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.key(), "cut_length");
-    EXPECT_EQ(error.rule(), "must be at least " + number(least.value) +
+    EXPECT_EQ(error.rule(), "must be at least " + six_digits_up(least.value) +
                                 " at this line_speed, or line_speed at most " +
-                                number(fastest.value) +
+                                six_digits_down(fastest.value) +
                                 ": a shorter return breaks limits.acceleration");
   }
   shear.cut_length = least.value;  // the returned length works, a shorter one does not
@@ -281,7 +282,7 @@ TEST(FlyingShear, NamesWhatBinds) {
   using ::testing::StartsWith;
   FlyingShear shear = case_2();
   shear.limits.velocity = 0.5;
-  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: in step"));
+  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: in the sync zone"));
   shear = case_2();
   shear.stroke = 0.3;
   EXPECT_THAT(refusal(shear),

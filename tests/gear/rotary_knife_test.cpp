@@ -364,7 +364,7 @@ TEST(RotaryKnife, RefusesWhatCannotBeCut) {
   spec = case_y();
   spec.sync_angle = pi;
   spec.matching = KnifeMatching::horizontal;
-  EXPECT_NE(refusal(spec).find("before the blade is level"), std::string::npos);
+  EXPECT_NE(refusal(spec).find("must be less than half a turn"), std::string::npos);
   spec = case_y();
   spec.law = Law::double_harmonic;
   EXPECT_NE(refusal(spec).find("law = double_harmonic"), std::string::npos);

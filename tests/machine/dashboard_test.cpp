@@ -151,7 +151,7 @@ TEST(Dashboard, SaysAFaultInWordsWithItsNumber) {
   axes[0].status->state = State::error_stop;
   axes[0].status->last_error = 6;
   const auto rows = rows_of(axes, {.width = 120, .now = 1s});
-  EXPECT_THAT(text_of(rows), HasSubstr("6 following_error: The following error was above"));
+  EXPECT_THAT(text_of(rows), HasSubstr("6 following_error: The following error exceeded"));
   EXPECT_EQ(tone_of(rows, "error_stop"), Tone::wrong);
   EXPECT_EQ(tone_of(rows, "6 following_error"), Tone::wrong);
 }

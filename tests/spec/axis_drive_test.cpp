@@ -128,11 +128,11 @@ TEST(AxisDriveSpec, RefusesSensorsThatNoMachineHas) {
   EXPECT_THAT(complaint(machine + "home_switch = { width = 3 }\n"),
               HasSubstr("drive.machine.home_switch.position"));
   EXPECT_THAT(complaint(machine + "home_switch = { position = 0, width = 0 }\n"),
-              HasSubstr("width = 0: must be greater than 0"));
+              HasSubstr("width = 0 deg: must be greater than 0"));
   EXPECT_THAT(complaint(machine + "home_switch = { position = 0, bounce = -1 }\n"),
-              HasSubstr("bounce = -1: must not be negative"));
+              HasSubstr("bounce = -1 s: must not be negative"));
   EXPECT_THAT(complaint(machine + "index = { period = 0 }\n"),
-              HasSubstr("period = 0: must be greater than 0"));
+              HasSubstr("period = 0 deg: must be greater than 0"));
   EXPECT_THAT(complaint(machine + "negative_switch = { position = 5 }\n"
                                   "positive_switch = { position = 5 }\n"),
               HasSubstr("must be above the position of the negative switch, 5"));

@@ -85,15 +85,15 @@ TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   using testing::HasSubstr;
   EXPECT_THAT(
       complaint("following_error = 0\n"),
-      AllOf(HasSubstr("a.toml:5"), HasSubstr("following_error = 0: must be greater than 0")));
+      AllOf(HasSubstr("a.toml:5"), HasSubstr("following_error = 0 mm: must be greater than 0")));
   EXPECT_THAT(complaint("stop_jerk = \"3 mm\"\n"),
               AllOf(HasSubstr("a.toml:5"), HasSubstr("stop_jerk")));
   EXPECT_THAT(complaint("in_position = nan\n"), HasSubstr("in_position"));
   EXPECT_THAT(complaint(homing + "method = 38\n"),
-              AllOf(HasSubstr("a.toml:6"), HasSubstr("method = 38: must be 1 to 37")));
+              AllOf(HasSubstr("a.toml:6"), HasSubstr("method = 38: must be 1 to 14")));
   EXPECT_THAT(complaint(homing + "search_velocity = 0\n"),
-              HasSubstr("search_velocity = 0: must be greater than 0"));
-  EXPECT_THAT(complaint(homing + "timeout = -1\n"), HasSubstr("timeout = -1: must be"));
+              HasSubstr("search_velocity = 0 mm/s: must be greater than 0"));
+  EXPECT_THAT(complaint(homing + "timeout = -1\n"), HasSubstr("timeout = -1 s: must be"));
   EXPECT_THAT(complaint(homing + "velocity = 1\n"), HasSubstr("velocity"));
 }
 

@@ -47,7 +47,7 @@ TEST(SpecCompare, NamesWhatIsWrong) {
               ::testing::HasSubstr("compare.pulse"));
   EXPECT_EQ(
       complaint("[compare]\nmode = \"linear\"\nstart = 1\nincrement = 0\ncount = 2\npulse = 1\n"),
-      "c.toml:12:13: compare.increment = 0: must not be 0: all points would coincide");
+      "c.toml:12:13: compare.increment = 0 mm: must not be 0: all points would coincide");
 }
 
 TEST(SpecCompensation, CorrectsTheMotion) {

@@ -106,13 +106,13 @@ TEST(DriveSpec, SaysWhereTheFlatKeysWent) {
 TEST(DriveSpec, RefusesWithPlaceAndRule) {
   EXPECT_THAT(refused("position_per_rev = 10\n"), HasSubstr("drive.motor.inertia = 0"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = -1\n"),
-              HasSubstr("a.toml:13:11: drive.motor.inertia = -1: must be greater than 0"));
+              HasSubstr("a.toml:13:11: drive.motor.inertia = -1 kg m^2: must be greater than 0"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\n[[drive.mass]]\ninertia = 1\nbacklash = 1\n"),
-              HasSubstr("drive.mass[2].backlash = 1: needs a stiffness"));
+              HasSubstr("drive.mass[2].backlash = 1 rad: needs a stiffness"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = \"1 N m\"\n"), HasSubstr("kg m^2"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertai = 1\n"), HasSubstr("did you mean inertia?"));
   EXPECT_THAT(refused(model + "[drive.limits]\ncurrent = 1\n"),
-              HasSubstr("drive.limits.current = 1: needs motor.torque_constant"));
+              HasSubstr("drive.limits.current = 1 A: needs motor.torque_constant"));
   EXPECT_THAT(refused(model + "[drive.limits]\nsettling_time = 1\n"), HasSubstr("settling_band"));
   EXPECT_THAT(refused(model + "[[drive.sync]]\nfrom = 2\nto = 1\n"), HasSubstr("sync"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\nmass = 1\ninertia = 1\n"),
@@ -123,7 +123,7 @@ TEST(DriveSpec, RefusesWithPlaceAndRule) {
       HasSubstr("applies to a position in a unit of length"));
   EXPECT_THAT(refused("model = \"servo_9\"\nposition_per_rev = 1\n"), HasSubstr("servo_400w"));
   EXPECT_THAT(refused("model = \"servo_400w\"\nposition_per_rev = 0\n[[drive.mass]]\nmass = 1\n"),
-              HasSubstr("drive.position_per_rev = 0: must not be 0"));
+              HasSubstr("drive.position_per_rev = 0 mm/rev: must not be 0"));
 }
 
 TEST(DriveSpec, ReadsTolerancesAsSharesOrInTheirUnits) {

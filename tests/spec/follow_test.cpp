@@ -85,13 +85,13 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {
   EXPECT_EQ(error_of("[[segment]]\nmaster = 10\nslave = 1\n[[segment]]\nmaster = 10\nslave = 2\n"),
-            "f.toml:8:10: segment[2].master = 10: must be greater than 10, the previous point");
+            "f.toml:8:10: segment[2].master = 10 deg: must be greater than 10, the previous point");
   EXPECT_EQ(error_of("[[follow.table]]\nloops = 0\nsegment = [{ master = 1, slave = 1 }]\n"
                      "[[follow.table]]\nsegment = [{ master = 1, slave = 1 }]\n"),
             "f.toml:5:9: follow.table[1].loops = 0: is endless: only the last table can be. Give "
             "the number of passes before the next table");
   EXPECT_EQ(error_of("[[zone]]\nfrom = 5\nto = 4\nratio = 1\n"),
-            "f.toml:6:6: zone[1].to = 4: must be greater than 5");
+            "f.toml:6:6: zone[1].to = 4 deg: must be greater than 5");
   EXPECT_THAT(
       error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
                "ratio = 1\n"),
@@ -121,13 +121,14 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 513\n"),
             "f.toml:7:1: segment = 513 segments: must be at most 512 in a table, the size of the "
             "FIFO of memory 1");
-  EXPECT_EQ(complaint(googol + "master = 0.5\nslave = 1\n"),
-            "f.toml:8:10: segment[1].master = 0.5: must be a whole number of pulses: GT_FollowData "
-            "takes a long");
   EXPECT_EQ(
-      complaint(googol + "master = 1500000000\nslave = 1\nrepeat = 2\n"),
-      "f.toml:8:10: segment[1].master = 3e+09: must be at most 2147483647 pulses: GT_FollowData "
-      "takes a long of 32 bits");
+      complaint(googol + "master = 0.5\nslave = 1\n"),
+      "f.toml:8:10: segment[1].master = 0.5 pulse: must be a whole number of pulses: GT_FollowData "
+      "takes a long");
+  EXPECT_EQ(complaint(googol + "master = 1500000000\nslave = 1\nrepeat = 2\n"),
+            "f.toml:8:10: segment[1].master = 3000000000 pulse: must be at most 2147483647 pulses: "
+            "GT_FollowData "
+            "takes a long of 32 bits");
   EXPECT_THAT(error_of("[follow]\ncontroller = \"googol\"\n[[segment]]\nmaster = 1\nslave = 1\n"),
               HasSubstr("must be pulse for the profiles of Googol"));
 }

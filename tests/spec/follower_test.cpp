@@ -58,13 +58,13 @@ TEST(FollowerSpec, RefusesWhatCannotBe) {
   EXPECT_THAT(with("prelod = 3\n"), HasSubstr("follower.prelod = 3: is not a key"));
   EXPECT_THAT(
       with("[follower.limits]\nleast_force = -20\n"),
-      HasSubstr("valve.toml:15:15: follower.limits.least_force = -20: must not be negative"));
+      HasSubstr("valve.toml:15:15: follower.limits.least_force = -20 N: must not be negative"));
   EXPECT_THAT(with("[follower.limits]\nimpact_speed = 0\n"),
-              HasSubstr("follower.limits.impact_speed = 0: must be greater than 0"));
+              HasSubstr("follower.limits.impact_speed = 0 m/s: must be greater than 0"));
   EXPECT_THAT(with("[follower.limits]\nresidual = nan\n"), HasSubstr("must be a finite number"));
   std::string turned = head + master + follower;
   turned.replace(turned.find("\"20 ms\""), 7, "-0.5");
-  EXPECT_THAT(refused(turned), HasSubstr("follower.settle = -0.5: must not be negative"));
+  EXPECT_THAT(refused(turned), HasSubstr("follower.settle = -0.5 s: must not be negative"));
   turned = head + master + follower;
   turned.replace(turned.find("\"mm\""), 4, "\"deg\"");
   EXPECT_THAT(refused(turned),

@@ -130,10 +130,11 @@ TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
               testing::HasSubstr("776"));
   const std::string distance = "[gear]\nengage = \"distance\"\nnumerator = 1\nmaster_end = 100\n";
   EXPECT_THAT(refusal(distance + "distance = -1\n"),
-              testing::StartsWith("g.toml:8:12: gear.distance = -1: must not be negative"));
-  EXPECT_THAT(refusal(distance + "distance = 10\n[[gear.change]]\nat = 5\nnumerator = 2\n"
-                                 "distance = 1\n"),
-              testing::StartsWith("g.toml:10:6: gear.change[1].at = 5: must not lie before 10"));
+              testing::StartsWith("g.toml:8:12: gear.distance = -1 deg: must not be negative"));
+  EXPECT_THAT(
+      refusal(distance + "distance = 10\n[[gear.change]]\nat = 5\nnumerator = 2\n"
+                         "distance = 1\n"),
+      testing::StartsWith("g.toml:10:6: gear.change[1].at = 5 deg: must not lie before 10"));
   EXPECT_THAT(refusal(distance + "distance = 10\nmaster_period = 3\n"),
               testing::HasSubstr("master_period"));
 }

@@ -72,13 +72,13 @@ TEST(KnifeSpec, NumbersThePiecesOfALawOnce) {
 
 TEST(KnifeSpec, RefusesInTheDocumentsWords) {
   EXPECT_EQ(refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
-            "k.toml:6:14: knife.cut_length = 0.2: must be longer than the sync zone on the web, "
+            "k.toml:6:14: knife.cut_length = 0.2 in: must be longer than the sync zone on the web, "
             "0.2618: shorten the sync zone, or cut longer");
   EXPECT_EQ(refusal("pulse", "cut_length = 4.71\nsync_angle = 10\n"),
             "k.toml:4:1: knife.turn: is missing: add turn = NUMBER, one revolution in pulse");
   EXPECT_THAT(refusal("deg", "cut_length = 4\n"), HasSubstr("knife.sync_angle: is missing"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nsync_length = 1\n"),
-              HasSubstr("knife.sync_length = 1: cannot be combined"));
+              HasSubstr("knife.sync_length = 1 in: cannot be combined"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nlaw = \"line\"\n"),
               HasSubstr("knife.law = line: must be a symmetric rise"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nmatching = \"none\"\n"),

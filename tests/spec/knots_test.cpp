@@ -32,7 +32,7 @@ TEST(KnotsSpec, FillsInWhatKnotsLeaveOutAndKeepsWhatTheyGive) {
 
 TEST(KnotsSpec, FillsInNothingSilently) {
   EXPECT_THAT(complaint(spec(three_knots)),
-              ::testing::HasSubstr("knot[1].velocity: is missing: add a velocity to each knot, or "
+              ::testing::HasSubstr("knot[1].velocity: is missing: add velocity to each knot, or "
                                    "a rule at the top, such as velocities = \"clamped\""));
 }
 

@@ -80,7 +80,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(line + "setle = 1\n"), HasSubstr("did you mean settle?"));
   for (const char* key : {"longest_age", "latency", "settle", "time_constant"}) {
     EXPECT_THAT(complaint(line + key + " = 1e300\n"),
-                HasSubstr("master.line." + std::string(key) + " = 1e+300: must be at most 60 s"));
+                HasSubstr("master.line." + std::string(key) + " = 1e300 s: must be at most 60 s"));
   }
   EXPECT_THAT(complaint(line + "latency = \"-1 ms\"\n"), HasSubstr("must not be negative"));
   EXPECT_EQ(complaint(line + "longest_age = \"1 min\"\n"), "");
@@ -90,10 +90,10 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint("[master.line]\nkind = \"external\"\nunit = \"mm\"\nacceleration = 2\n"),
               HasSubstr("velocity"));
   EXPECT_THAT(complaint("[master.\"the line\"]\nkind = \"external\"\n"),
-              HasSubstr("1 to 23 of A-Z a-z 0-9 _ -"));
+              HasSubstr("1 to 23 of the characters A-Z a-z 0-9 _ -"));
   EXPECT_THAT(complaint("[master.a]\nkind = \"encoder\"\nunit = \"mm\"\nvelocity = 1\n"
                         "acceleration = 2\n"),
-              HasSubstr("an axis or of a drive"));
+              HasSubstr("must be either axis or drive"));
   EXPECT_THAT(complaint("[master]\nline = 3\n"), HasSubstr("must be a table"));
 }
 

@@ -70,7 +70,7 @@ TEST(PolydyneSpec, WarnsOfTheKnockAndRefusesWhatCannotBe) {
   EXPECT_THAT(refused(spec_text("345", tail)), HasSubstr("geo_velocity would step"));
   EXPECT_THAT(refused(spec_text("56789", tail, "")), HasSubstr("add [master]"));
   EXPECT_THAT(refused(spec_text("56789", "[polydyne]\nfrequency = -1\n")),
-              HasSubstr("pusher.toml:15:13: polydyne.frequency = -1: must be greater than 0"));
+              HasSubstr("pusher.toml:15:13: polydyne.frequency = -1 Hz: must be greater than 0"));
   EXPECT_THAT(refused(spec_text("56789", "[polydyne]\nfrequency = 12\ndamping = 1\n")),
               HasSubstr("less than 1"));
   EXPECT_THAT(refused(spec_text("56789", "[polydyne]\nfrequency = nan\n")),

@@ -208,7 +208,7 @@ TEST(Load, RefusesWhatItCannotMean) {
   const auto with = [](const std::string& key) {
     return complaint("torque = 0.2", "torque = 0.2\n" + key);
   };
-  EXPECT_THAT(with("coulomb = -1"), testing::HasSubstr("coulomb = -1: must not be negative"));
+  EXPECT_THAT(with("coulomb = -1"), testing::HasSubstr("coulomb = -1 N m: must not be negative"));
   EXPECT_THAT(with("recovered = 1.2"), testing::HasSubstr("must be 0 to 1"));
   EXPECT_THAT(with("lever = 2"),
               testing::HasSubstr("does not fit a slave in mm: an arm needs a unit of angle"));
@@ -339,7 +339,8 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
         Bad{"[\"rms torque\"]", "[\"residual\"]", "needs a frequency"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\" }]",
             "optimize.minimize[1].at: is missing"},
-        Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = \"17 kg\" }]", "does not fit"},
+        Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = \"17 kg\" }]",
+            "does not measure the same as Hz"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = [20, 10] }]", "a band must ascend"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = 17, damping = 1 }]",
             "damping = 1: must be 0 <= damping < 1"},
@@ -351,21 +352,21 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "[\"rms torque\"]\nceiling = [{ figure = \"energy\", at_most = 1 }]",
             "cannot be limited"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 3, to = 2, lower = 1 }]",
-            "optimize.corridor[1].from = 3: must not be above to"},
+            "optimize.corridor[1].from = 3 deg: must not be above to"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2 }]",
             "a corridor needs a lower bound, an upper bound or a value"},
         Bad{"[\"rms torque\"]",
             "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2, lower = 3, upper = 2 }]",
             "must not be above the upper bound"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ at = 300, lower = 3 }]",
-            "optimize.corridor[1].from = 300: lies outside all segments with a free shape"},
+            "optimize.corridor[1].from = 300 deg: lies outside all segments with a free shape"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\nbudget = \"-1 s\"",
-            "optimize.budget = -1: must be greater than 0"},
+            "optimize.budget = -1 s: must be greater than 0"},
         Bad{"winding_loss = 0.8\n[optimize]\nminimize = [\"rms torque\"]",
             "[optimize]\nminimize = [\"energy\"]", "needs load.winding_loss"},
         Bad{"position_per_rev = 100", "position_per_rev = 0", "must not be 0"},
-        Bad{"mass = 5", "mass = -5", "load.mass = -5: must not be negative"},
-        Bad{"stiffness = \"0.4 N/mm\"", "stiffness = \"0.4 N m/rad\"", "does not fit"}})
+        Bad{"mass = 5", "mass = -5", "load.mass = -5 kg: must not be negative"},
+        Bad{"stiffness = \"0.4 N/mm\"", "stiffness = \"0.4 N m/rad\"", "does not measure the same as"}})
     EXPECT_NE(complaint(bad.from, bad.to).find(bad.message), std::string::npos)
         << bad.to << "\n"
         << complaint(bad.from, bad.to);

@@ -95,9 +95,9 @@ TEST(Spec, ReadsWhatTheSlaveMayDoOverTime) {
   EXPECT_DOUBLE_EQ(*spec.slave.velocity, 400);
   EXPECT_EQ(spec.slave.acceleration, 6000);
   EXPECT_FALSE(spec.slave.jerk);
-  EXPECT_EQ(
-      complaint(std::string(cam) + "[limits.slave]\njerk = -1\n"),
-      "a.toml:11:8: limits.slave.jerk = -1: must be greater than 0; leave it out for no limit");
+  EXPECT_EQ(complaint(std::string(cam) + "[limits.slave]\njerk = -1\n"),
+            "a.toml:11:8: limits.slave.jerk = -1 mm/s^3: must be greater than 0; leave it out for "
+            "no limit");
   EXPECT_NE(complaint(std::string(move) + "[limits.slave]\njerk = 1\n"), "") << "a cam's key";
 }
 
@@ -152,39 +152,42 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "slave = 50", "slave = 2024-01-01",
             "a.toml:7:31: segment[1].end.slave = 2024-01-01: must be a number in mm, or a quantity "
             "such as \"12.5 mm\""},
-        Bad{cam, ", slave = 50", "", "a.toml:7:7: segment[1].end.slave: is missing"},
+        Bad{cam, ", slave = 50", "",
+            "a.toml:7:7: segment[1].end.slave: is missing: add slave = NUMBER, in mm"},
         Bad{cam, "master = 180", "master = 0",
-            "a.toml:7:18: segment[1].end.master = 0: must be greater than 0, the previous knot"},
+            "a.toml:7:18: segment[1].end.master = 0 deg: must be greater than 0, the previous "
+            "knot"},
         Bad{cam, "master = 180", "master = -5",
-            "a.toml:7:18: segment[1].end.master = -5: must be greater than 0, the previous knot"},
+            "a.toml:7:18: segment[1].end.master = -5 deg: must be greater than 0, the previous "
+            "knot"},
         Bad{cam, "\"quintic\"", "\"modified_sin\"",
             "a.toml:6:7: segment[1].law = \"modified_sin\": is unknown: did you mean "
             "\"modified_sine\"?"},
         Bad{cam, "\"quintic\"", "\"dwell\"",
-            "a.toml:7:31: segment[1].end.slave = 50: must be 0, the start of this dwell: change "
+            "a.toml:7:31: segment[1].end.slave = 50 mm: must be 0, the start of this dwell: change "
             "it, or take another law"},
         Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
             "a.toml:9:1: limits.geo_velocty = 1: is not a key here: did you mean "
             "geo_velocity?"},
         Bad{cam, "geo_velocity = 1", "geo_velocity = 0",
-            "a.toml:9:16: limits.geo_velocity = 0: must be greater than 0; leave it out for no "
+            "a.toml:9:16: limits.geo_velocity = 0 mm/deg: must be greater than 0; leave it out for "
+            "no "
             "limit"},
         Bad{cam, "geo_velocity = 1", "velocity = 1",
             "a.toml:9:1: limits.velocity = 1: is not a key here; possible keys: "
             "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min, slave"},
         Bad{cam, "[limits]", "[limits",
-            "a.toml:8:8: is not TOML: Error while parsing table header: expected ']', saw "
-            "'\\n'"},
+            "a.toml:8:8: [limits: the header of a section needs a closing ]"},
         Bad{cam, "law = \"quintic\"", "law = \"quintic\"\nlaw = \"line\"",
-            "a.toml:7:7: is not TOML: Error while parsing key-value pair: cannot redefine existing "
-            "string 'law'"},
+            "a.toml:7:7: law = \"line\": is here a second time: remove one of the two"},
         Bad{move, "velocity = 10", "velocity = 0",
-            "a.toml:7:12: move.velocity = 0: must be greater than 0"},
+            "a.toml:7:12: move.velocity = 0 mm/s: must be greater than 0"},
         Bad{move, "velocity = 10", "velocity = 1e400",
-            "a.toml:7:17: is not TOML: Error while parsing floating-point: '1e400' could not "
-            "be interpreted as a value"},
+            "a.toml:7:17: velocity = 1e400: is not a number: check its digits, its decimal point "
+            "and "
+            "its exponent"},
         Bad{move, "to = 100", "to = 0",
-            "a.toml:6:6: move.to = 0: must differ from `from`: there is no move"},
+            "a.toml:6:6: move.to = 0 mm: must differ from `from`: there is no move"},
         Bad{move, "to = 100", "to = \"1e999 m\"",
             "a.toml:6:6: move.to = \"1e999 m\": must be a finite number, with or without a unit, "
             "such as \"12.5 mm\""},
@@ -194,23 +197,25 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:4:1: move.jerk: is missing: add jerk = NUMBER, or smoothing = \"50 ms\", the "
             "rise time of the acceleration"},
         Bad{move, "jerk = 500", "smoothing = 0",
-            "a.toml:9:13: move.smoothing = 0: must be greater than 0"},
+            "a.toml:9:13: move.smoothing = 0 s: must be greater than 0"},
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
             "a.toml:9:1: move.jerk = 500: is not a key here; possible keys: acceleration, "
             "deceleration, from, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
-            "a.toml:11:8: knot[2].time = 0: must be greater than 0, the previous knot"},
+            "a.toml:11:8: knot[2].time = 0 s: must be greater than 0, the previous knot"},
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",
             "a.toml: knots = 1: must be at least 2"},
         Bad{pvt, "\"cubic_hermite\"", "\"quintic_hermite\"",
-            "a.toml:6:1: knot[1].acceleration: is missing: add a velocity to each knot, or a rule "
+            "a.toml:6:1: knot[1].acceleration: is missing: add acceleration to each knot, or a "
+            "rule "
             "at the top, such as velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
             "a.toml: knots = 1: must be at least 2"}));
 
 TEST(BadSpecs, EmptyFilesSaySo) {
-  EXPECT_EQ(complaint(""), "a.toml:1: the file is empty");
-  EXPECT_EQ(complaint(" \n\t\n"), "a.toml:1: the file is empty");
+  EXPECT_EQ(complaint(""), "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
+  EXPECT_EQ(complaint(" \n\t\n"),
+            "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
 }
 
 // It overran the stack.

@@ -94,7 +94,7 @@ TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
               HasSubstr("a.toml:16:8: table.most = 5: a quintic_hermite table needs"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-3\nmaster_resolution = 3\n")),
-              HasSubstr("table.master_resolution = 3: the"));
+              HasSubstr("table.master_resolution = 3 deg: the"));
 }
 
 TEST(ControllerTables, CountInTheirOwnUnits) {

@@ -63,7 +63,7 @@ TEST(PtSpec, TakesIncrements) {
   EXPECT_EQ(f.end(), 3072);
   EXPECT_EQ(f.at(3072).position, 4096);
   EXPECT_EQ(message(googol("[pt]\nincrements = true\n[[point]]\ntime = 0\nposition = 1\n")),
-            "t.toml:7:8: point[1].time = 0: must be greater than 0: with increments = true it "
+            "t.toml:7:8: point[1].time = 0 ms: must be greater than 0: with increments = true it "
             "counts from the previous point");
 }
 
@@ -108,10 +108,10 @@ TEST(PtSpec, WarnsInTheOrderOfWhatIsWorst) {
 TEST(PtSpec, RefusesExample74AsPrinted) {
   const std::string printed =
       "point = [{time = 0.016, position = 40.1447}]\n[pt]\ncontroller = \"googol\"\n";
-  EXPECT_EQ(
-      message(googol(printed)),
-      "t.toml:4:18: point[1].time = 0.016: must be a whole number of ms: GT_PtData takes a long, "
-      "which makes it 0, and the table never advances");
+  EXPECT_EQ(message(googol(printed)),
+            "t.toml:4:18: point[1].time = 0.016 ms: must be a whole number of ms: GT_PtData takes "
+            "a long, "
+            "which makes it 0, and the table never advances");
   EXPECT_THAT(message(pmc600(printed)), HasSubstr("units.position = \"mm\": must be pulse"));
   EXPECT_THAT(
       message(googol("[pt]\ncontroller = \"googol\"\n[[point]]\ntime = 1\nposition = 1\ntype = "
@@ -142,12 +142,12 @@ TEST(PtSpec, Pmc600TablesComeInThreeQuantities) {
 TEST(PtSpec, Pmc600ErrorsStandAtTheirKeys) {
   const std::string head = "[pt]\ncontroller = \"pmc600\"\nquantity = \"position\"\n";
   EXPECT_EQ(message(pmc600(head + "[[point]]\ndelta_time = 0\nposition = 1\n")),
-            "t.toml:8:14: point[1].delta_time = 0: must be greater than 0 (PMC600 error 326)");
+            "t.toml:8:14: point[1].delta_time = 0 s: must be greater than 0 (PMC600 error 326)");
   EXPECT_EQ(
       message(pmc600(head + "array_size = 101\n[[point]]\ndelta_time = 1\nposition = 1\n")),
       "t.toml:7:14: pt.array_size = 101: must be 1, the points played, to 100 (PMC600 error 325)");
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 1e-12\nposition = 1\n")),
-              HasSubstr("point[1].delta_time = 1e-12: must be a whole number of ms"));
+              HasSubstr("point[1].delta_time = 1e-12 s: must be a whole number of ms"));
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 0.0005\nposition = 1\n")),
               HasSubstr("must be a whole number of ms, the resolution of TIME"));
 }
@@ -174,7 +174,7 @@ TEST(PvtSpec, KeepsHimcsLimits) {
   std::string back = text;
   back.replace(back.find("time = 7\n"), 9, "time = 6\n");
   EXPECT_THAT(message(back),
-              HasSubstr("knot[8].time = 6: must be greater than 6, the previous knot "
+              HasSubstr("knot[8].time = 6 s: must be greater than 6, the previous knot "
                         "(HIMC error 0x83aa08b6"));
   EXPECT_THAT(
       message(text + "[[knot]]\ntime = 50\nposition = 0\nvelocity = 0\n"),

@@ -296,11 +296,12 @@ values = [20, -1, 0]
   ASSERT_EQ(result.rows.size(), 3U);
   EXPECT_EQ(result.rows[0].verdict, Verdict::within);
   EXPECT_EQ(result.rows[1].verdict, Verdict::impossible);
-  EXPECT_EQ(result.rows[1].why, "move.acceleration = -1: must be greater than 0");
+  EXPECT_EQ(result.rows[1].why, "move.acceleration = -1 mm/s^2: must be greater than 0");
   EXPECT_TRUE(std::isnan(result.rows[2].figures[0]));
   const std::string csv = to_csv(spec, result);
   EXPECT_THAT(csv, HasSubstr("\n2,-1,,,"));
-  EXPECT_THAT(csv, HasSubstr(",impossible,move.acceleration = -1: must be greater than 0\n"));
+  EXPECT_THAT(csv,
+              HasSubstr(",impossible,move.acceleration = -1 mm/s^2: must be greater than 0\n"));
   EXPECT_EQ(summary_of(spec, result).impossible, 2U);
 }
 

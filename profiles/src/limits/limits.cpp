@@ -211,7 +211,18 @@ template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
   std::array<Jump, 4> jumps;
   for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
-  return profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
+  Report report =
+      profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
+  const bool again = repeats(f.outside());
+  for (Finding& step : report.findings) {
+    if (!step.broken) continue;
+    if (step.where == f.end())
+      step.advice = again ? "the curve repeats: let it end as it begins"
+                          : "the curve stops here: let it end at rest";
+    else if (step.where == f.start())
+      step.advice = "the curve starts here: let it begin at rest";
+  }
+  return report;
 }
 
 #define JOUNCE_INSTANTIATE(Over)                            \

@@ -25,8 +25,8 @@ std::optional<double> derivative_of(TomlReader& knot, const char* key, const std
   if (!knot.has(key)) knot.refuse_misspelt(key);
   if (!may_be_missing && !knot.has(key))
     knot.fail(key, "",
-              "is missing: add a velocity to each knot, or a rule at the top, such as velocities = "
-              "\"clamped\"");
+              std::string("is missing: add ") + key +
+                  " to each knot, or a rule at the top, such as velocities = \"clamped\"");
   return knot.optional_number(key, unit);
 }
 

@@ -71,6 +71,8 @@ std::string rule_of_value(const Pair& pair) {
     point[point.find(',')] = '.';
     return "a number has a decimal point: " + pair.key + " = " + point;
   }
+  if (value.find_first_not_of("0123456789+-.eE_") == std::string::npos)
+    return "is not a number: check its digits, its decimal point and its exponent";
   const std::string quoted = pair.key + " = \"" + value + '"';
   const bool number = !value.empty() && (is_digit(value[0]) || value[0] == '-' || value[0] == '+');
   return (number ? "a number with a unit needs quotes: " : "text needs quotes: ") + quoted;
@@ -96,7 +98,7 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("control characters") && at_end)
     return error(pair.key, pair.value, "the closing quote is missing");
   if (has("cannot redefine existing table"))
-    return error("", printable(std::string(trimmed(text))),
+    return error(printable(std::string(trimmed(text))), "",
                  "is here a second time: keep one section, with the keys of both");
   if (has("cannot redefine"))
     return error(pair.key, pair.value, "is here a second time: remove one of the two");
@@ -106,10 +108,11 @@ InputError syntax_error(const Document& document, int line, int column,
     return error(printable(std::string(trimmed(text.substr(0, at)))), "",
                  "needs = between key and value");
   if (has("table header") && has("expected ']'"))
-    return error("", printable(std::string(trimmed(text))),
+    return error(printable(std::string(trimmed(text))), "",
                  "the header of a section needs a closing ]");
   if (has("closing '}'") && at_end)
-    return error(pair.key, "", "needs its closing } in the same line");
+    return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
+                 "needs its closing } in the same line");
   if (bare) return error(pair.key, pair.value, rule_of_value(pair));
   if (has("expected comma or closing '}'"))
     return error(pair.key, "", "needs a comma or the closing } after its value");

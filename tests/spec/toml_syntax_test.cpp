@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/spec/spec.hpp"
+
+#include "support/errors.hpp"
+
+namespace jounce::toml_syntax_test {
+namespace {
+
+/// The error of a spec whose third line is this.
+std::string error_of(const std::string& line) {
+  return test::error_of(
+      [&] { (void)parse_spec("jounce = 1\nkind = \"move\"\n" + line + "\n[limits]\n", "a.toml"); });
+}
+
+/// The same, without line and column.
+std::string unplaced(const std::string& line) {
+  const auto error = test::refusal_of(
+      [&] { (void)parse_spec("jounce = 1\nkind = \"move\"\n" + line + "\n[limits]\n", "a.toml"); });
+  return error ? error->key() + " = " + error->value() + ": " + error->rule() : "";
+}
+
+TEST(TomlSyntax, TextNeedsQuotes) {
+  EXPECT_EQ(error_of("name = rise"), "a.toml:3:8: name = rise: text needs quotes: name = \"rise\"");
+  EXPECT_EQ(unplaced("law = trapezoid"), "law = trapezoid: text needs quotes: law = \"trapezoid\"");
+  EXPECT_EQ(unplaced("end = { law = indexer, slave = 5 }"),
+            "law = indexer: text needs quotes: law = \"indexer\"");
+}
+
+TEST(TomlSyntax, AQuantityNeedsQuotesAndADecimalPoint) {
+  EXPECT_EQ(error_of("velocity = 400 mm/s"),
+            "a.toml:3:16: velocity = 400 mm/s: a number with a unit needs quotes: velocity = \"400 "
+            "mm/s\"");
+  EXPECT_EQ(error_of("velocity = 400,5"),
+            "a.toml:3:15: velocity = 400,5: a number has a decimal point: velocity = 400.5");
+  EXPECT_EQ(error_of("periodic = True"),
+            "a.toml:3:12: periodic = True: must be true or false, in small letters");
+}
+
+TEST(TomlSyntax, NamesWhatIsMissing) {
+  EXPECT_EQ(error_of("velocity = "), "a.toml:3:12: velocity: has no value: write velocity = VALUE");
+  EXPECT_EQ(error_of("velocity 400"), "a.toml:3:10: velocity: needs = between key and value");
+  EXPECT_EQ(error_of("name = \"rise"), "a.toml:3:13: name = \"rise: the closing quote is missing");
+  EXPECT_EQ(error_of("[move"), "a.toml:3:6: [move: the header of a section needs a closing ]");
+  EXPECT_EQ(error_of("end = { master = 1"),
+            "a.toml:3:19: end: needs its closing } in the same line");
+  EXPECT_EQ(error_of("end = { master = 1 slave = 2 }"),
+            "a.toml:3:20: master: needs a comma or the closing } after its value");
+}
+
+TEST(TomlSyntax, NamesWhatIsThereTwice) {
+  EXPECT_EQ(error_of("name = \"a\"\nname = \"b\""),
+            "a.toml:4:8: name = \"b\": is here a second time: remove one of the two");
+  EXPECT_EQ(error_of("[limits]"),
+            "a.toml:4:1: [limits]: is here a second time: keep one section, with the keys of both");
+}
+
+}  // namespace
+}  // namespace jounce::toml_syntax_test
