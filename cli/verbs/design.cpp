@@ -9,6 +9,7 @@
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -58,7 +59,7 @@ int run_design(const DesignArguments& options) {
   }
   require_other_file(options.spec, options.output);
   write_files(files);
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // standard output is for the table
+  std::FILE* out = text_stream({options.output});
   AxisDocuments documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];

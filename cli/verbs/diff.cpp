@@ -3,7 +3,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/csv.hpp"
 #include "jounce/base/units.hpp"
@@ -11,6 +10,8 @@
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/option_names.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/verb.hpp"
 
@@ -49,32 +50,6 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
   }
 }
 
-/// Pairs of axes of both files: the only axes, or axes of the same name.
-std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
-  std::vector<Input> before = load_axes(options.before, options.axis);
-  std::vector<Input> after = load_axes(options.after, options.axis);
-  std::vector<std::pair<Input, Input>> all;
-  if (before.size() == 1 && after.size() == 1) {
-    all.emplace_back(std::move(before.front()), std::move(after.front()));
-    return all;
-  }
-  for (const auto& [some, others, file] :
-       {std::tuple{&before, &after, &options.after}, {&after, &before, &options.before}})
-    for (const Input& one : *some)
-      if (std::none_of(others->begin(), others->end(),
-                       [&](const Input& other) { return other.axis == one.axis; }))
-        throw InputError("--axis", "",
-                         "is missing: " + *file + " has no axis " +
-                             (one.axis.empty() ? "without a name" : one.axis) +
-                             ". Name the axis to compare");
-  for (Input& one : before) {
-    const auto other = std::find_if(after.begin(), after.end(),
-                                    [&](const Input& each) { return each.axis == one.axis; });
-    all.emplace_back(std::move(one), std::move(*other));
-  }
-  return all;
-}
-
 void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
   if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
   const auto& [before, after] = all.front();
@@ -82,7 +57,11 @@ void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& a
 }
 
 int run_diff(const DiffArguments& options) {
-  const auto all = pairs(options);
+  std::vector<Input> old = load_axes(options.before, options.axis);
+  std::vector<Input> now = load_axes(options.after, options.axis);
+  const auto all = with_option_names({"axis"}, [&] {
+    return paired_axes(std::move(old), std::move(now), options.before, options.after);
+  });
   bool equal = true;
   AxisDocuments documents;
   std::string text;
@@ -93,7 +72,7 @@ int run_diff(const DiffArguments& options) {
         compare(version_of(before, options.before), version_of(after, options.after), tolerance);
     equal = equal && comparison.equal();
     if (options.json)
-      documents.emplace_back(after.axis, nlohmann::ordered_json::parse(to_json(comparison)));
+      documents.emplace_back(after.axis, Json::parse(to_json(comparison)));
     else
       text += (text.empty() ? "" : "\n") + to_text(comparison);
   }
@@ -103,7 +82,7 @@ int run_diff(const DiffArguments& options) {
     text = document.dump(1) + "\n";
   }
   if (!options.output.empty()) draw(options.output, all);
-  fmt::print(options.output == "-" ? stderr : stdout, "{}", text);
+  fmt::print(text_stream({options.output}), "{}", text);
   return equal ? fine : finding;
 }
 

@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "jounce/spec/spec.hpp"
+#include <fmt/format.h>
 
-#include "cli/common/folders.hpp"
+#include "jounce/base/file.hpp"
+#include "jounce/design/cam_check.hpp"
+#include "jounce/design/peaks.hpp"
+#include "jounce/plot/optimum_figure.hpp"
+#include "jounce/study/optimum.hpp"
+
+#include "cli/common/json.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/picture.hpp"
+#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/optimize/optimizing.hpp"
 
 namespace jounce::cli {
 namespace {
+
+struct OptimizeArguments {
+  std::string spec;
+  std::string output;
+  std::string table;
+  std::string plot;
+  std::string against;  ///< file of a drive
+  bool json = false;
+  std::optional<double> seconds = {};  ///< instead of the time budget of the spec
+};
 
 void give_budget(Spec& spec, double seconds) {
   require_positive("--seconds", seconds);
@@ -17,6 +36,60 @@ void give_budget(Spec& spec, double seconds) {
     spec.parameters->options.budget.seconds = seconds;
   else
     spec.optimize.seconds = seconds;
+}
+
+SpecOptimum optimum(const OptimizeArguments& options, const Spec& spec) {
+  std::optional<Spec> drive;
+  if (!options.against.empty()) drive = read_spec(options.against);
+  if (drive && !drive->drive)
+    throw drive->document.located(InputError("drive", "", "is missing: --against needs a [drive]"));
+  WatchedWork work(spec.parameters ? "searching" : "optimizing");
+  const auto watch = [&](double done, const std::string& step) { return work.goes_on(done, step); };
+  return drive ? optimum_against(spec, *drive, watch) : optimum_of(spec, watch);
+}
+
+/// True if `jounce check` finds no fault with any axis of a spec. Prints the faults.
+bool passes_check(std::FILE* out, const Spec& spec) {
+  bool passes = true;
+  for (const Input& input : inputs_of(spec, spec.document.name)) {
+    const Report report = checked(input);
+    if (report.ok()) continue;
+    passes = false;
+    fmt::print(out, "no file is written: the result breaks these checks:\n{}",
+               full_text(report, input.labels));
+  }
+  return passes;
+}
+
+void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
+           const std::string& text) {
+  std::vector<Output> files;
+  const TableFile table{make(optimized).sampled.table,
+                        optimized.units,
+                        {optimized.document.name, hex(optimized.document.hash), made_by()}};
+  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
+  if (!options.output.empty()) files.push_back({options.output, text});
+  if (!options.plot.empty()) write_picture(options.plot, optimum_figure(given, optimized));
+  write_files(files);
+}
+
+/// Prints the optimum and the peaks of the optimized spec. Writes the files if it passes the check.
+int report(const OptimizeArguments& options, const Spec& given, const SpecOptimum& best) {
+  std::FILE* out = text_stream({options.output, options.table, options.plot});
+  if (!options.json) fmt::print(out, "{}", best.text);
+  std::optional<Spec> spec;
+  if (best.spec)
+    spec = parse_spec(*best.spec, options.output.empty() ? given.document.name : options.output);
+  if (options.json) {
+    Json document = Json::parse(best.json);
+    if (spec) document["peaks"] = Json::parse(peaks_json(peak_changes(given, *spec)));
+    print_json(out, document);
+  } else if (spec) {
+    fmt::print(out, "{}", peaks_text(peak_changes(given, *spec)));
+  }
+  if (!spec || !passes_check(options.json ? stderr : out, *spec)) return finding;
+  write(options, given, *spec, *best.spec);
+  return fine;
 }
 
 int run_optimize(const OptimizeArguments& options) {
@@ -33,9 +106,7 @@ int run_optimize(const OptimizeArguments& options) {
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
         InputError("optimize", "", "--against needs a cam with segments of free shape"));
-  if (spec.parameters) return optimize_parameters(options, spec);
-  return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
-                                            : optimize_shapes(options, spec);
+  return report(options, spec, optimum(options, spec));
 }
 
 }  // namespace
