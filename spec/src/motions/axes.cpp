@@ -152,12 +152,12 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     if (!(axes.duration >= 0)) top.fail("duration", number(axes.duration), "must not be negative");
   }
   std::set<std::string> taken;
-  for (TomlReader& axis : top.tables("axis")) {
+  top.for_each("axis", [&](TomlReader& axis) {
     spec.axes.push_back(read_axis_part(axis, spec.units, taken));
     MotionFields fields(axis, spec.axes.back().units);
     axes.axes.push_back(read_axis_move(fields, through_points));
     axis.finish();
-  }
+  });
   if (axes.axes.empty()) top.fail("axis", "", "is missing: give each axis as [[axis]]");
   if (axes.shortest_times) {
     axes.points = read_positions(top, spec.axes);
