@@ -35,7 +35,7 @@ std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
 }
 
 bool is_finished_table(const std::string& text) {
-  return is_table(text) || format_of_text(text).has_value();
+  return is_table(text) || cam_format_of_text(text) != nullptr;
 }
 
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
