@@ -80,7 +80,7 @@ EngageState engage_state(const Input& input, const CheckArguments& options) {
 Report report_of(const Input& input, const CheckArguments& options) {
   Report report = checked(input, options.continuity, engage_state(input, options));
   add_not_limited(report, input);
-  add_no_limits(report);
+  if (!input.plan) add_no_limits(report);  // the plan of a path keeps the limits of the path
   return report;
 }
 

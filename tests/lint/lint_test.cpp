@@ -60,7 +60,7 @@ const std::string cam_head =
 TEST_F(Lint, ABrokenLimitIsAtTheTableOfItsSegment) {
   const FileResult file = linted(cam_head +
                                  "[[segment]]\nlaw = \"dwell\"\nend = { master = 10, slave = 0 }\n"
-                                 "[[segment]]\nlaw = \"poly5\"\nend = { master = 60, slave = 50 }\n"
+                                 "[[segment]]\nlaw = \"345\"\nend = { master = 60, slave = 50 }\n"
                                  "[limits]\n# a comment\ngeo_velocity = 1\n");
   EXPECT_EQ(file.kind, "cam");
   EXPECT_THAT(places(file, Level::broken), ElementsAre("8:1 limit/geo_velocity segment[2]"));
@@ -77,8 +77,8 @@ TEST_F(Lint, ABrokenLimitIsAtTheTableOfItsSegment) {
 TEST_F(Lint, AllErrorsThatDoNotDependOnEachOtherAreReported) {
   const FileResult file =
       linted(cam_head +
-             "[[segment]]\nlaw = \"poly5\"\nend = { master = \"6 kg\", slave = 5 }\ncolour = 3\n"
-             "[[segment]]\nlaw = \"poly7x\"\nend = { master = 20, slave = 5 }\n"
+             "[[segment]]\nlaw = \"345\"\nend = { master = \"6 kg\", slave = 5 }\ncolour = 3\n"
+             "[[segment]]\nlaw = \"345x\"\nend = { master = 20, slave = 5 }\n"
              "[[segment]]\nlaw = \"dwell\"\nend = { master = 30 }\n"
              "[limits]\ngeo_velocity = \"fast\"\ngeo_jrek = 3\n"
              "[table]\ntolerance = true\n");
@@ -103,7 +103,7 @@ TEST_F(Lint, AnErrorDoesNotCauseOthers) {
 }
 
 TEST_F(Lint, AMotionWithoutLimitsIsAWarningOfItsOwn) {
-  const std::string segment = "[[segment]]\nlaw = \"poly5\"\nend = { master = 60, slave = 50 }\n";
+  const std::string segment = "[[segment]]\nlaw = \"345\"\nend = { master = 60, slave = 50 }\n";
   const FileResult none = linted(cam_head + segment);
   EXPECT_EQ(none.worst(), Level::warning);
   EXPECT_THAT(places(none, Level::warning), testing::Contains("2:8 warning/no_limits kind"));
@@ -188,7 +188,7 @@ TEST_F(Lint, ManyFilesKeepTheirOrderOnAllCores) {
   for (int i = 0; i < 40; ++i) {
     files.push_back(in(("f" + std::to_string(i) + ".toml").c_str()));
     std::ofstream(files.back()) << cam_head
-                                << "[[segment]]\nlaw = \"poly5\"\nend = { master = " << 60 + i
+                                << "[[segment]]\nlaw = \"345\"\nend = { master = " << 60 + i
                                 << ", slave = 50 }\n[limits]\ngeo_velocity = 1.25\n";
   }
   files.push_back(in("missing.toml"));
