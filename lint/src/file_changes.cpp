@@ -89,7 +89,8 @@ std::string picture_name(const std::string& file, const std::string& axis, const
   return name + "." + which + ".svg";
 }
 
-void draw(FileChange& change, const Input& before, const Input& after) {
+void draw(FileChange& change, Input before, const Input& after) {
+  before.name = change.before;
   const std::pair<const char*, Figure> figures[]{{"before", figure_of(before)},
                                                  {"after", figure_of(after, before)}};
   for (const auto& [which, figure] : figures) {

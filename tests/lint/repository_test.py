@@ -225,6 +225,7 @@ class Repository(unittest.TestCase):
         self.assertEqual(pictures, ["cams-feeder.toml.before.svg", "cams-feeder.toml.after.svg"])
         for picture in pictures:
             self.assertEqual(self.run_in("xmllint", "--noout", f"out/{picture}").returncode, 0)
+            self.assertIn("main:cams/feeder.toml", (self.folder / "out" / picture).read_text())
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), sorted(pictures + ["summary.md"]))
 
     def test_a_tolerance_accepts_a_change(self):
