@@ -252,6 +252,18 @@ void add_not_limited(Report& report, const Input& input) {
   }
 }
 
+void add_no_limits(Report& report) {
+  if (has_limits(report)) return;
+  Finding f;
+  f.rule = "warning/no_limits";
+  f.quantity = "limits";
+  f.severity = Severity::warning;
+  f.has_limit = false;
+  f.advice = "give [limits] in the spec, or --limit";
+  report.findings.push_back(std::move(f));
+  sort(report);
+}
+
 std::optional<double> table_tolerance(const Input& input) {
   if (!input.error) return std::nullopt;
   if (is_best_of_so_many(input)) return input.error->position;

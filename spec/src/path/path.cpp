@@ -37,8 +37,9 @@ bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::
 PathAxes read_path_axes(TomlReader& top, Spec& spec) {
   PathAxes axes{.units = spec.units};
   std::set<std::string> taken;
-  for (TomlReader& axis : top.tables("axis"))
+  top.for_each("axis", [&](TomlReader& axis) {
     if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
+  });
   if (axes.size() == 0) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.size() > max_axes)
     top.fail("axis", std::to_string(axes.size()),

@@ -204,10 +204,14 @@ struct Spec {
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
 /// rule: syntax, unknown keys (with the nearest known one), a missing key, a wrong type, unit or
-/// version, a number that is not finite, an unknown choice.
+/// version, a number that is not finite, an unknown choice. Throws InputErrors for several errors that do not depend on
+/// each other.
 Spec read_spec(const std::string& path);
 
 /// The same from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
+
+/// The kind that a spec names: "cam", "machine", "sweep", ...; empty if it is not TOML or names none.
+std::string spec_kind(const std::string& text);
 
 }  // namespace jounce
