@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/path/override.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::design_detail {
@@ -76,7 +77,7 @@ Plan planned(const PathSpec& path) {
 
 PathMotion motion_of(const PathSpec& path) {
   PathMotion made;
-  made.plan = std::make_shared<const Plan>(planned(path));
+  made.plan = std::make_shared<const Plan>(played(planned(path), path.override_steps));
   made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
   for (Trajectory& curve : made.axes.curves) {
     curve = without_slivers(curve);

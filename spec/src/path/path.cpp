@@ -92,6 +92,16 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
         "must be \"stop\", or have one of deviation, distance, curvature, velocity, average");
 }
 
+/// [[override]]: the ranges are those of played().
+std::vector<OverrideStep> read_override(TomlReader& top, const PathAxes& axes) {
+  std::vector<OverrideStep> steps;
+  for (TomlReader& step : top.tables("override")) {
+    steps.push_back({step.number("time", axes.units.x), step.number("factor", "1")});
+    step.finish();
+  }
+  return steps;
+}
+
 }  // namespace
 
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
@@ -138,6 +148,7 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   path.program = Program(axes.size(), machine.start, axes.path_axes);
   path.source = top.document().name;
   read_program(top, axes, machine.settings, path);
+  path.override_steps = read_override(top, axes);
   table.finish();
   return path;
 }

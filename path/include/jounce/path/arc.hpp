@@ -57,8 +57,8 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
 /// Arc with a radius: positive for the minor arc (up to half a turn), negative for the major arc, as in
 /// DIN 66025. Throws "radius" where the chord exceeds twice the radius by more than 1e-9 of it, or the ends
 /// coincide.
-Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane,
-                  ArcRotation rotation, int extra_turns = 0);
+Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, ArcRotation rotation,
+                  int extra_turns = 0);
 
 /// Arc about a center by an angle in degrees, counterclockwise positive (HIMC ArcAngle2D; PMC600 StopAngle);
 /// the axes outside the plane go to `to`.
