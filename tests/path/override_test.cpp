@@ -41,8 +41,8 @@ Program random_program(Random& random, double reach) {
   return p;
 }
 
-std::vector<OverrideStep> random_steps(Random& random, double duration) {
-  std::vector<OverrideStep> steps;
+std::vector<FactorRequest> random_steps(Random& random, double duration) {
+  std::vector<FactorRequest> steps;
   double t = duration * random.between(0, 0.3);
   for (int i = 0; i < 8; ++i) {
     const double pick = random();
@@ -91,7 +91,7 @@ TEST(Override, TakesTheTimeOfThePmc600Manual) {
   p.set({.velocity = 3000, .acceleration = 10000, .deceleration = 10000});
   p.line({3000, 4000});
   const Plan made = plan(p, {.axes = std::vector<Limits>(2)});
-  const OverrideStep steps[] = {{0, 0.5}, {0.2, 1.5}, {0.6, 1}};
+  const FactorRequest steps[] = {{0, 0.5}, {0.2, 1.5}, {0.6, 1}};
   const Plan motion = played(made, steps);
   EXPECT_NEAR(motion.duration(), 0.75 + 2450.0 / 3000 + 0.3, 1e-9);
   EXPECT_NEAR(motion.law().at(0.19).velocity, 1500, 1e-6);
@@ -105,14 +105,14 @@ TEST(Override, ARampHasTheLimitsOfTheAxis) {
   p.set({.velocity = 100});
   p.line({200});
   const Plan made = plan(p, usual(1));
-  const OverrideStep half[] = {{1, 0.5}};
+  const FactorRequest half[] = {{1, 0.5}};
   // 1 s: 90 mm. The ramp: 0.15 s, 11.25 mm. The last ramp from 50 to 0: 0.15 s, 3.75 mm.
   EXPECT_NEAR(played(made, half).duration(), 1 + 0.15 + (200 - 90 - 11.25 - 3.75) / 50 + 0.15,
               1e-9);
   // A hold of 1 s: 0.2 s and 10 mm down, rest, up again.
-  const OverrideStep hold[] = {{1, 0}, {2, 1}};
+  const FactorRequest hold[] = {{1, 0}, {2, 1}};
   EXPECT_NEAR(played(made, hold).duration(), 2 + 2.2 - 1 - 0.1 + 0.1, 1e-9);
-  const OverrideStep stays[] = {{1, 0}};
+  const FactorRequest stays[] = {{1, 0}};
   EXPECT_NEAR(played(made, stays).duration(), 1.2, 1e-9);
   EXPECT_NEAR(played(made, stays).duration(), halted(made, 1).duration(), 1e-12);
 }
@@ -120,10 +120,10 @@ TEST(Override, ARampHasTheLimitsOfTheAxis) {
 TEST(Override, OfOneIsThePlan) {
   Random random(7);
   const Plan made = plan(random_program(random, 30), usual(2));
-  const OverrideStep one[] = {{0.1, 1}, {0.2, 1}};
+  const FactorRequest one[] = {{0.1, 1}, {0.2, 1}};
   EXPECT_EQ(played(made, one).duration(), made.duration());
   // A step behind the end changes nothing, and a short one in the last second almost nothing before it.
-  const OverrideStep late[] = {{made.duration() + 1, 0.1}};
+  const FactorRequest late[] = {{made.duration() + 1, 0.1}};
   EXPECT_EQ(played(made, late).duration(), made.duration());
 }
 
@@ -151,7 +151,7 @@ TEST(Override, LowerIsNeverFasterAnywhere) {
     Random random(seed);
     const Program program = random_program(random, 50);
     const Plan made = plan(program, usual(2));
-    const OverrideStep steps[] = {{0, 0.3}};
+    const FactorRequest steps[] = {{0, 0.3}};
     const Plan slow = played(made, steps);
     EXPECT_GE(slow.duration(), made.duration());
     double feed = 0;
@@ -167,7 +167,7 @@ TEST(Override, AnAverageIsPlayedToo) {
   for (int i = 1; i <= 200; ++i) p.line({50 - 50 * std::cos(i * 0.02), 50 * std::sin(i * 0.02)}, i);
   const GroupLimits limits = usual(2);
   const Plan made = plan(p, limits);
-  const OverrideStep steps[] = {{0.5, 0.5}, {1, 0}, {1.5, 1.3}};
+  const FactorRequest steps[] = {{0.5, 0.5}, {1, 0}, {1.5, 1.3}};
   expect_good(played(made, steps), limits);
 }
 
@@ -176,7 +176,7 @@ TEST(Override, RejectsBadSteps) {
   p.set({.velocity = 100});
   p.line({200});
   const Plan made = plan(p, usual(1));
-  const auto rejects = [&](std::vector<OverrideStep> steps, const char* key) {
+  const auto rejects = [&](std::vector<FactorRequest> steps, const char* key) {
     try {
       (void)played(made, steps);
       ADD_FAILURE() << key;

@@ -99,7 +99,7 @@ std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan) 
   std::vector<GcodeEvent> lines;
   for (const Program::Command& command : path.program.commands())
     if (lines.empty() || lines.back().line != command.line)
-      lines.push_back({command.line, "line " + std::to_string(command.line)});
+      lines.push_back({"line " + std::to_string(command.line), command.line});
   return places_of(path, plan, lines);
 }
 

@@ -31,7 +31,7 @@ namespace {
 constexpr double none = PathSettings::none;
 constexpr double rounding = 1e-13;  ///< of velocities and lengths, relative
 
-void require_valid(std::span<const OverrideStep> steps) {
+void require_valid(std::span<const FactorRequest> steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const std::string key = "override[" + std::to_string(k + 1) + "]";
     const double before = k > 0 ? steps[k - 1].time : 0;
@@ -56,7 +56,7 @@ struct Place {
 
 class Player {
  public:
-  Player(const Plan& base, std::span<const OverrideStep> steps)
+  Player(const Plan& base, std::span<const FactorRequest> steps)
       : base_(base), steps_(steps), all_(units_of(base)) {
     find_speeds();
   }
@@ -123,14 +123,14 @@ class Player {
 
   [[nodiscard]] double factor_at(double t) const {
     double factor = 1;
-    for (const OverrideStep& s : steps_)
+    for (const FactorRequest& s : steps_)
       if (s.time <= t * (1 + 1e-15)) factor = s.factor;
     return factor;
   }
   /// The next step behind t that changes the factor.
   [[nodiscard]] double next_change(double t) const {
     const double now = factor_at(t);
-    for (const OverrideStep& s : steps_)
+    for (const FactorRequest& s : steps_)
       if (s.time > t * (1 + 1e-15) && s.factor != now) return s.time;
     return none;
   }
@@ -331,7 +331,7 @@ class Player {
   }
 
   const Plan& base_;
-  std::span<const OverrideStep> steps_;
+  std::span<const FactorRequest> steps_;
   PlannedUnits all_;
   std::vector<double> feed_, limit_;  ///< by unit
   PartialLaw out_;
@@ -339,11 +339,11 @@ class Player {
 
 }  // namespace
 
-Plan played(const Plan& plan, std::span<const OverrideStep> steps) {
+Plan played(const Plan& plan, std::span<const FactorRequest> steps) {
   require_valid(steps);
   double greatest = 1;
   double first = none;
-  for (const OverrideStep& s : steps) {
+  for (const FactorRequest& s : steps) {
     greatest = std::max(greatest, s.factor);
     if (s.factor != 1) first = std::min(first, s.time);
   }

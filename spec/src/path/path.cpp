@@ -93,8 +93,8 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
 }
 
 /// [[override]]: the ranges are those of played().
-std::vector<OverrideStep> read_override(TomlReader& top, const PathAxes& axes) {
-  std::vector<OverrideStep> steps;
+std::vector<FactorRequest> read_override(TomlReader& top, const PathAxes& axes) {
+  std::vector<FactorRequest> steps;
   for (TomlReader& step : top.tables("override")) {
     steps.push_back({step.number("time", axes.units.x), step.number("factor", "1")});
     step.finish();

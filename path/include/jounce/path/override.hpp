@@ -4,18 +4,15 @@
 #include <span>
 
 #include "jounce/path/plan.hpp"
+#include "jounce/profiles/sequences/override.hpp"
 
 namespace jounce {
 
-/// A change of the override (MC_GroupSetOverride and VelRatio of PMC600, SetGrpVelScale of HIMC).
-struct OverrideStep {
-  double time = 0;    ///< s from the start of the motion, >= 0
-  double factor = 1;  ///< 0 to 2, of the velocity; holds until the next step
-};
-
-/// The motion of a plan under an override, on the same path.
+/// The motion of a plan under an override, on the same path (MC_GroupSetOverride and VelRatio of PMC600, SetGrpVelScale of
+/// HIMC). Factors are 0 to 2, and 1 before the first request. overridden() plays any motion by a clock instead; it
+/// needs room below the limits, which a plan at full speed has only while it cruises, and no factor above the plan's.
 ///
-///     const OverrideStep steps[] = {{0.2, 1.5}, {0.6, 0}, {1.2, 1}};       // faster, hold, resume
+///     const FactorRequest steps[] = {{0.2, 1.5}, {0.6, 0}, {1.2, 1}};     // faster, hold, resume
 ///     const Plan motion = played(plan(program, limits), steps);
 ///
 /// **Velocity.** Up to 1 a factor multiplies the full speed of each piece: the least of its feed, the limit of the path,
@@ -33,6 +30,6 @@ struct OverrideStep {
 ///
 /// Throws InputError "override[k].time" for times that do not ascend or are negative, "override[k].factor" for one outside
 /// 0 to 2. The corners() of the result are those of the plan; velocity as it is played.
-Plan played(const Plan& plan, std::span<const OverrideStep> steps);
+Plan played(const Plan& plan, std::span<const FactorRequest> steps);
 
 }  // namespace jounce

@@ -20,7 +20,7 @@ struct PathSpec {
   std::string source;              ///< document that the lines of the commands count in
   std::vector<GcodeEvent> events;  ///< events of a G-code program
   GcodeMachine machine;            ///< for a G-code program from elsewhere
-  std::vector<OverrideStep> override_steps = {};  ///< [[override]]: the motion is played under it
+  std::vector<FactorRequest> override_steps = {};  ///< [[override]]: the motion is played under it
   /// Greatest error of an axis where it is fitted; unit of the axis. Left out: 1e-9, more for large coordinates.
   std::optional<double> tolerance = {};
 };
