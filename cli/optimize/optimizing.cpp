@@ -8,8 +8,10 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/make.hpp"
+#include "jounce/design/path_text.hpp"
 #include "jounce/io/table_file.hpp"
 
+#include "cli/common/input.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/optimize/before_after.hpp"
@@ -31,14 +33,27 @@ bool passes_check(std::FILE* out, const Spec& spec) {
   return passes;
 }
 
+/// For a path: what was gained, and the proven bound.
+void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
+  if (!std::holds_alternative<PathSpec>(optimized.subject)) return;
+  const std::shared_ptr<const Plan> before = make_axes(given).front().plan;
+  const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
+  const double bound = lower_bound(*after);
+  fmt::print(out, "{}at least {} {} on this path (proven; jerk not limited): {} times the bound\n",
+             path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,
+             rounded(after->duration() / bound));
+}
+
 void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
            const std::string& text) {
-  const Made made = make(optimized);
-  const TableFile table{made.sampled.table,
-                        optimized.units,
-                        {optimized.document.name, hex(optimized.document.hash), made_by()}};
   std::vector<Output> files;
-  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
+  if (!options.table.empty()) {
+    const std::vector<Input> inputs = inputs_of(optimized, optimized.document.name);
+    for (const Input& input : inputs) {
+      const std::string file = file_of_axis("--table", options.table, input.axis, inputs.size());
+      files.push_back({file, table_text(file, input.table)});
+    }
+  }
   if (!options.output.empty()) files.push_back({options.output, text});
   if (!options.plot.empty()) write_picture(options.plot, before_after(given, optimized));
   write_files(files);
@@ -60,7 +75,10 @@ int finish(const OptimizeArguments& options, const Spec& given, nlohmann::ordere
   if (spec && options.json) document["peaks"] = peaks_json(given, *spec);
   if (options.json) fmt::print(out, "{}\n", document.dump(1));
   if (!spec) return finding;
-  if (!options.json) print_peaks(out, given, *spec);
+  if (!options.json) {
+    print_peaks(out, given, *spec);
+    print_bound(out, given, *spec);
+  }
   if (!passes_check(options.json ? stderr : out, *spec)) return finding;
   write(options, given, *spec, *optimized);
   return fine;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "jounce/spec/spec.hpp"
+#include "jounce/study/tune.hpp"
 
 #include "cli/common/folders.hpp"
 #include "cli/common/picture.hpp"
@@ -26,6 +27,8 @@ int run_optimize(const OptimizeArguments& options) {
       {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   Spec spec = read_spec(options.spec);
+  if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
+    spec.parameters = corner_parameters(spec);
   if (options.seconds) give_budget(spec, *options.seconds);
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
@@ -48,7 +51,7 @@ void add_optimize(CommandLine& line) {
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb.option("SPEC", options->spec,
               "Spec with [optimize]: a cam with `free` knots or shapes, or any kind with "
-              "[[optimize.parameter]]; - is standard input")
+              "[[optimize.parameter]]; or a path: its corners; - is standard input")
       .required();
   verb.option("-o,--output", options->output,
               "Optimized spec to write: the same text with new numbers and points");
