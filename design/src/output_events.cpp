@@ -27,12 +27,13 @@ std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory
   return events;
 }
 
-/// The pulses of a compare in a plane; overlapping ones of an output are one. A point that does not fire is in the report.
+/// The pulses of a compare in a plane; overlapping ones of an output are one. A point that does not fire is in the
+/// report.
 std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
                                   const Trajectory& y, Report& report) {
   const std::vector<CompareEvent> fired = compared(zone, x, y);
   std::vector<OutputEvent> events;
-  std::map<int, double> ends;  // of the last pulse of each output
+  std::map<int, double> ends;  // when the last pulse of each output ends
   std::map<int, std::size_t> last;
   for (const CompareEvent& event : fired) {
     const int output = zone.points[event.point].output;

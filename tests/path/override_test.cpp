@@ -99,7 +99,7 @@ TEST(Override, TakesTheTimeOfThePmc600Manual) {
   EXPECT_NEAR(motion.law().at(1).velocity, 3000, 1e-6);
 }
 
-/// With a jerk: 200 mm at 100 mm/s, half of it from 1 s on. The ramp from 100 to 50 takes T = 50 / 1000 + 1000 / 1e4.
+/// A jerk of 1e4: 200 mm at 100 mm/s, half of it from 1 s on. The ramp from 100 to 50 takes T = 50 / 1000 + 1000 / 1e4.
 TEST(Override, ARampHasTheLimitsOfTheAxis) {
   Program p(1);
   p.set({.velocity = 100});

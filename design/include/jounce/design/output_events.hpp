@@ -25,9 +25,9 @@ struct OutputEvents {
   Labels labels;                 ///< labels of the report
 };
 
-/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. Of a path without [compare]: where
-/// its lines begin, and the words of a G-code program that move nothing. `axes` are the inputs of one
-/// spec (inputs_of). Throws InputError for a table, and for a spec with neither.
+/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. Of a path without
+/// [compare]: where its lines begin, and the words of a G-code program that move nothing. `axes` are the inputs of
+/// one spec (inputs_of). Throws InputError for a table, and for a spec with neither.
 OutputEvents output_events(const std::vector<Input>& axes);
 
 /// A line for each edge, and the same as JSON.

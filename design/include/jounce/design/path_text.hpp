@@ -22,7 +22,7 @@ struct EventPlace {
 
 /// Statements of a check about a planned path as a whole.
 struct PathSummary {
-  double duration = 0;                ///< of the plan without its override
+  double duration = 0;                ///< without the override
   std::optional<double> played = {};  ///< duration under [[override]], if the spec has it
   double stop_duration = 0;           ///< duration with a stop at each corner
   double lower_bound = 0;             ///< proven; the jerk is not limited there
@@ -35,16 +35,16 @@ struct PathSummary {
   Report along;
 };
 
-/// The places of events, which are in the order of the program: where the first command in or behind the line of an event
-/// begins, and when, after the dwells before that line.
+/// The places of events, which are in the order of the program: where the first command in or behind the line of an
+/// event begins, and when, after the dwells before that line.
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
 /// The same of each line of the program with a command: where the axes begin to follow it.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
-/// `spec` is of kind "path", and `plan` was made of it. Under an override the events are those of `plan`; all other numbers
-/// are those of the plan without it.
+/// `spec` is of kind "path", and `plan` was made of it. Under an override the events are those of `plan`; all other
+/// numbers are those of the plan without it.
 PathSummary summary_of(const Spec& spec, const Plan& plan);
 
 /// The summary for people: times, costs, and the ten places that cost most.

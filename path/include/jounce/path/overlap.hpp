@@ -44,10 +44,10 @@ struct Overlapped {
 ///     motion.duration;                                       // 4.349152 s; with stops 4.8 s
 ///     motion.corners[0].overlap;                             // 0.150283 s
 ///
-/// **Limits** of the axes hold at every instant, by exact extrema of the sums. Two ways are compared, and the faster one is
-/// used: lines at their full rates, with the longest overlap that keeps the limits; and lines whose accelerations and
-/// jerks are lower, so that their sum keeps the limits for any overlap. The result is never longer than with stops. Limits
-/// of the path hold for each line alone.
+/// **Limits** of the axes hold at every instant, by exact extrema of the sums. Two ways are compared, and the faster
+/// one is used: lines at their full rates, with the longest overlap that keeps the limits; and lines whose
+/// accelerations and jerks are lower, so that their sum keeps the limits for any overlap. The result is never longer
+/// than with stops. Limits of the path hold for each line alone.
 ///
 /// Throws InputError for values out of range, and with the line of a command that is neither a line nor a dwell.
 Overlapped overlapped(const Program& program, const GroupLimits& limits,
