@@ -32,7 +32,7 @@ TEST(OutputEvents, ACompareFiresAtItsPositions) {
   EXPECT_THAT(to_csv(events), ::testing::StartsWith("time [s],output,on,position [mm]\n"));
 }
 
-// The middles of three sides of a square: the x axis is at 49.5 mm when it enters the first zone. By hand: 100 mm/s after
+// The middles of three sides of a square: the x axis enters the first zone at 49.5 mm. By hand: 100 mm/s after
 // 0.2 s and 10 mm.
 TEST(OutputEvents, ZonesFireWhereBothAxesEnterThem) {
   const OutputEvents events = output_events(read_inputs(examples + "position-compare/zones.toml"));
