@@ -52,22 +52,7 @@ std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const OutputEvent& a, const OutputEvent& b) { return a.time < b.time; });
-  if (fired.size() < zone.points.size()) {
-    const PlaneCompare::Point& missed = zone.points[fired.size()];
-    Finding f;
-    f.rule = "compare/missed";
-    f.quantity = "position";
-    f.where = x.end();
-    f.value = static_cast<double>(fired.size());
-    f.limit = static_cast<double>(zone.points.size());
-    f.margin = -1;
-    f.broken = true;
-    f.advice = fmt::format(
-        "point {} at ({}, {}) does not fire, and blocks those behind it: widen the band, or give "
-        "the points in the order of the motion",
-        fired.size() + 1, number(missed.x), number(missed.y));
-    report.findings.push_back(std::move(f));
-  }
+  report = check(zone, x, y);
   return events;
 }
 
