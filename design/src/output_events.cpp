@@ -27,10 +27,9 @@ std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory
   return events;
 }
 
-/// The pulses of a compare in a plane; overlapping ones of an output are one. A point that does not fire is in the
-/// report.
+/// The pulses of a compare in a plane; overlapping ones of an output are one.
 std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
-                                  const Trajectory& y, Report& report) {
+                                  const Trajectory& y) {
   const std::vector<CompareEvent> fired = compared(zone, x, y);
   std::vector<OutputEvent> events;
   std::map<int, double> ends;  // when the last pulse of each output ends
@@ -52,7 +51,6 @@ std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const OutputEvent& a, const OutputEvent& b) { return a.time < b.time; });
-  report = check(zone, x, y);
   return events;
 }
 
@@ -82,8 +80,10 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
     const Input& y = axis_of(axes, compare.plane_axes[1]);
     events.position = x.labels.units.position;
     events.labels = x.labels;
-    events.all = of_zones(*compare.plane, std::get<Trajectory>(*x.curve),
-                          std::get<Trajectory>(*y.curve), events.report);
+    const auto& motion_x = std::get<Trajectory>(*x.curve);
+    const auto& motion_y = std::get<Trajectory>(*y.curve);
+    events.all = of_zones(*compare.plane, motion_x, motion_y);
+    events.report = check(*compare.plane, motion_x, motion_y);
     return events;
   }
   const auto add = [&](const Trajectory& motion) {
