@@ -38,6 +38,7 @@ void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
   if (!std::holds_alternative<PathSpec>(optimized.subject)) return;
   const std::shared_ptr<const Plan> before = make_axes(given).front().plan;
   const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
+  if (!before || !after) return;  // lines that overlap
   const double bound = lower_bound(*after);
   fmt::print(out, "{}at least {} {} on this path (proven; jerk not limited): {} times the bound\n",
              path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,

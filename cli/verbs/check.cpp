@@ -85,6 +85,9 @@ int run_check(const CheckArguments& options) {
   std::optional<PathSummary> path;
   if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
   if (path && !options.json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
+  const Overlapped* const overlap = inputs.front().overlap.get();
+  if (overlap != nullptr && !options.json)
+    fmt::print("{}\n", overlap_text(*inputs.front().spec, *overlap));
   for (const Input& input : inputs) {
     Report report = checked(input, options.continuity, engage_state(input, options));
     add_not_limited(report, input);
@@ -99,6 +102,9 @@ int run_check(const CheckArguments& options) {
     nlohmann::ordered_json document = document_of(std::move(documents));
     if (path)
       document["path"] = nlohmann::ordered_json::parse(path_json(*inputs.front().spec, *path));
+    if (overlap != nullptr)
+      document["overlap"] =
+          nlohmann::ordered_json::parse(overlap_json(*inputs.front().spec, *overlap));
     fmt::print("{}\n", document.dump(1));
   }
   return ok ? fine : finding;

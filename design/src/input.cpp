@@ -46,7 +46,8 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           std::move(made.zones),
           made.sampled.binding,
           {},
-          std::move(made.plan)};
+          std::move(made.plan),
+          std::move(made.overlap)};
 }
 
 /// True if the number of knots is given: the table has the least error for it.

@@ -93,6 +93,9 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
   const auto axis = std::find_if(axes.begin(), axes.end(),
                                  [&](const Input& each) { return each.axis == compare.axis; });
   if (axis == axes.end()) {
+    if (!axes.front().plan)
+      throw spec.document.located(
+          InputError("compare.axis", "\"path\"", "lines that overlap have no length along them"));
     add(axes.front().plan->law().curve());
     return events;
   }

@@ -57,6 +57,15 @@ TEST(PathExamples, OfHimcTakeTheirTimes) {
   EXPECT_GT(square, 3 * with_jerk(100) + 0.9);
 }
 
+TEST(PathExamples, OfAnOverlapTakesItsClosedForm) {
+  const auto axes = inputs_of(read_spec(examples + "path-square/overlap.toml"), "");
+  // tests/oracle/path.json, closed form 5.
+  EXPECT_NEAR(axes.front().overlap->duration, 4.349152, 1e-6);
+  EXPECT_NEAR(axes.front().table.table.end(), 4.349152, 1e-6);
+  EXPECT_EQ(axes.front().overlap->corners.size(), 3U);
+  for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
 TEST(PathExamples, OfAnOverrideTakesTheTimeOfTheManual) {
   EXPECT_NEAR(duration("pmc600-path/ratio.toml"), 0.75 + 2450.0 / 3000 + 0.3, 1e-9);
 }

@@ -209,4 +209,35 @@ std::string path_difference(const Spec& spec, const Plan& before, const Plan& af
                      units.length);
 }
 
+std::string overlap_text(const Spec& spec, const Overlapped& motion) {
+  const Along units = units_along(spec);
+  std::string text =
+      fmt::format("{0} {2} with overlap; with a stop at each corner: {1} {2}\n",
+                  rounded(motion.duration), rounded(motion.stop_duration), units.time);
+  text += fmt::format("{:>8} {:>12} {:>13} {:>16} {:>16}\n", "line", "at [" + units.time + "]",
+                      "overlap [" + units.time + "]", "deviation [" + units.length + "]",
+                      "from lines [" + units.length + "]");
+  for (const OverlapRecord& c : motion.corners)
+    text += fmt::format("{:>8} {:>12} {:>13} {:>16} {:>16}\n", c.line, rounded(c.time),
+                        rounded(c.overlap), rounded(c.deviation), rounded(c.one_sided));
+  return text;
+}
+
+std::string overlap_json(const Spec& spec, const Overlapped& motion) {
+  const Along units = units_along(spec);
+  Json corners = Json::array();
+  for (const OverlapRecord& c : motion.corners)
+    corners.push_back({{"line", c.line},
+                       {"time", c.time},
+                       {"overlap", c.overlap},
+                       {"deviation", c.deviation},
+                       {"one_sided", c.one_sided}});
+  return Json{{"unit", units.length},
+              {"time_unit", units.time},
+              {"duration", motion.duration},
+              {"stop_duration", motion.stop_duration},
+              {"corners", std::move(corners)}}
+      .dump();
+}
+
 }  // namespace jounce

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/design/path_cost.hpp"
+#include "jounce/path/overlap.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/spec/spec.hpp"
 
@@ -55,5 +56,9 @@ std::string path_json(const Spec& spec, const PathSummary& summary);
 
 /// Durations and lengths of two plans, and their differences: a line for people.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
+
+/// Duration of lines that overlap, and overlap and deviation at each corner: for people, and as JSON.
+std::string overlap_text(const Spec& spec, const Overlapped& motion);
+std::string overlap_json(const Spec& spec, const Overlapped& motion);
 
 }  // namespace jounce
