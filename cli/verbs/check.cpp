@@ -99,6 +99,8 @@ int print_answer(const CheckArguments& options) {
   std::optional<PathSummary> path;
   if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
   if (path && !json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
+  const Overlapped* const overlap = inputs.front().overlap.get();
+  if (overlap != nullptr && !json) fmt::print("{}\n", overlap_text(*inputs.front().spec, *overlap));
   for (const Input& input : inputs) {
     const Report report = report_of(input, options);
     ok = ok && report.ok() && (!options.run.strict || report.warnings() == 0);
@@ -112,6 +114,9 @@ int print_answer(const CheckArguments& options) {
     nlohmann::ordered_json document = document_of(std::move(documents));
     if (path)
       document["path"] = nlohmann::ordered_json::parse(path_json(*inputs.front().spec, *path));
+    if (overlap != nullptr)
+      document["overlap"] =
+          nlohmann::ordered_json::parse(overlap_json(*inputs.front().spec, *overlap));
     fmt::print("{}\n", document.dump(1));
   }
   return ok ? fine : finding;

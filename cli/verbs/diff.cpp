@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/design/path_text.hpp"
 #include "jounce/design/version.hpp"
 
 #include "cli/common/input.hpp"
@@ -76,9 +77,16 @@ int run_diff(const DiffArguments& options) {
     else
       text += (text.empty() ? "" : "\n") + to_text(comparison);
   }
+  const auto& [first, second] = all.front();
+  const bool paths = first.plan && second.plan;
+  if (paths && !options.json)
+    text = path_difference(*second.spec, *first.plan, *second.plan) + "\n" + text;
   if (options.json) {
     auto document = document_of(std::move(documents));
     document["equal"] = equal;
+    if (paths)
+      document["path"] = {{"durations", {first.plan->duration(), second.plan->duration()}},
+                          {"lengths", {first.plan->path().length(), second.plan->path().length()}}};
     text = document.dump(1) + "\n";
   }
   if (!options.output.empty()) draw(options.output, all);

@@ -7,9 +7,11 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/design/cam_check.hpp"
+#include "jounce/design/path_text.hpp"
 #include "jounce/design/peaks.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"
+#include "jounce/study/tune.hpp"
 
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
@@ -61,13 +63,28 @@ bool passes_check(std::FILE* out, const Spec& spec) {
   return passes;
 }
 
+/// For a path: what was gained, and the proven bound.
+void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
+  if (!std::holds_alternative<PathSpec>(optimized.subject)) return;
+  const std::shared_ptr<const Plan> before = make_axes(given).front().plan;
+  const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
+  if (!before || !after) return;  // lines that overlap
+  const double bound = lower_bound(*after);
+  fmt::print(out, "{}at least {} {} on this path (proven; jerk not limited): {} times the bound\n",
+             path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,
+             rounded(after->duration() / bound));
+}
+
 void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
            const std::string& text) {
   std::vector<Output> files;
-  const TableFile table{make(optimized).sampled.table,
-                        optimized.units,
-                        {optimized.document.name, hex(optimized.document.hash), made_by()}};
-  if (!options.table.empty()) files.push_back({options.table, table_text(options.table, table)});
+  if (!options.table.empty()) {
+    const std::vector<Input> inputs = inputs_of(optimized, optimized.document.name);
+    for (const Input& input : inputs) {
+      const std::string file = file_of_axis("--table", options.table, input.axis, inputs.size());
+      files.push_back({file, table_text(file, input.table)});
+    }
+  }
   if (!options.output.empty()) files.push_back({options.output, text});
   if (!options.plot.empty()) write_picture(options.plot, optimum_figure(given, optimized));
   write_files(files);
@@ -86,6 +103,7 @@ int report(const OptimizeArguments& options, const Spec& given, const SpecOptimu
     print_json(out, document);
   } else if (spec) {
     fmt::print(out, "{}", peaks_text(peak_changes(given, *spec)));
+    print_bound(out, given, *spec);
   }
   if (!spec || !passes_check(options.json ? stderr : out, *spec)) return finding;
   write(options, given, *spec, *best.spec);
@@ -99,6 +117,8 @@ int run_optimize(const OptimizeArguments& options) {
       {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   Spec spec = read_spec(options.spec);
+  if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
+    spec.parameters = corner_parameters(spec);
   if (options.seconds) give_budget(spec, *options.seconds);
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
@@ -119,7 +139,7 @@ void add_optimize(CommandLine& line) {
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb.option("SPEC", options->spec,
               "Spec with [optimize]: a cam with `free` knots or shapes, or any kind with "
-              "[[optimize.parameter]]; - is standard input")
+              "[[optimize.parameter]]; or a path: its corners; - is standard input")
       .required();
   verb.option("-o,--output", options->output,
               "Optimized spec to write: the same text with new numbers and points");

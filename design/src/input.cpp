@@ -46,7 +46,8 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           std::move(made.zones),
           made.sampled.binding,
           {},
-          std::move(made.plan)};
+          std::move(made.plan),
+          std::move(made.overlap)};
 }
 
 /// True if the number of knots is given: the table has the least error for it.
@@ -311,7 +312,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
       add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
-    if (spec.compare && spec.compare->axis == input.axis)
+    if (spec.compare && !spec.compare->plane && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
   }
   add_ends(input, at, report);

@@ -176,9 +176,9 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
   for (const LawStretch& stretch : plan.law().stretches()) {
     if (stretch.pieces == 0) {
       for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t piece = stretch.piece;
-        const bool begins = stretch.start <= path.pieces()[piece].start;
-        const double at = path.point(piece, begins ? 0 : path.pieces()[piece].length)[i];
+        const PathPiece& piece = path.pieces()[stretch.piece];
+        const double u = std::clamp(stretch.start - piece.start, 0.0, piece.length);
+        const double at = path.point(stretch.piece, u)[i];
         axes[i].push_back(line(stretch.duration, at, at));
       }
       continue;

@@ -30,6 +30,7 @@ struct Input {
   std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
   std::vector<std::string> unread = {};   ///< other content of its file
   std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
+  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
 };
 
 /// Calls `act` with the input's curve, or with its table if there is no other curve: the table

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -144,10 +145,12 @@ struct AxisPart {
 
 /// An output that is fired along the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};                 ///< axis of several
+  std::string axis = {};                 ///< axis of several; "path": the length along the path
   SwitchesOf of = SwitchesOf::position;  ///< for kind "axis": position, or actual
   PositionCompare compare;
-  CompareDevice device;  ///< in the spec's unit of time
+  CompareDevice device;                    ///< in the spec's unit of time
+  std::optional<PlaneCompare> plane = {};  ///< modes "zone" and "zone_equal": of two axes
+  std::array<std::string, 2> plane_axes = {};
 };
 
 /// A complete spec file: the motion, its axes and its limits.

@@ -8,8 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
-#include "path/src/timing/stations.hpp"
-#include "path/src/timing/stretch.hpp"
+#include "path/src/flow/partial_law.hpp"
 
 // A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
 // D(v, 0) <= L; otherwise D(v, v - x) > L for x >= 2 v / 3, below which D grows with x: one root. If the plan goes
@@ -17,75 +16,13 @@
 // plan, and it rests where the plan rests, at the latest.
 
 namespace jounce {
-namespace {
-
-bool is_corner(const LawStretch& s) {
-  return !s.single_phase && !std::isfinite(s.deceleration);
-}
-
-/// The lowest velocity at the end of a stretch of the plan that now begins at v, at most the plan's velocity there.
-double lowest_end(const LawStretch& s, double v) {
-  const auto way = [&](double drop) { return ramp_distance(v, v - drop, s.deceleration, s.jerk); };
-  if (s.v1 == 0 || way(v) <= s.length) return 0;
-  double low = 0;
-  double high = 2 * v / 3;
-  if (way(high) <= s.length) return v - high;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = (low + high) / 2;
-    if (middle == low || middle == high) break;
-    (way(middle) <= s.length ? low : high) = middle;
-  }
-  return std::min(v - low, s.v1);  // the plan's own end, but for rounding
-}
-
-/// Collects stretches of a held law.
-struct Held {
-  std::vector<LawStretch> law;
-
-  [[nodiscard]] double time() const {
-    return law.empty() ? 0 : law.back().time + law.back().duration;
-  }
-
-  void add(LawStretch s) {
-    s.time = time();
-    law.push_back(s);
-  }
-  /// A phase of constant jerk within a stretch, from a place in it.
-  void phase(const LawStretch& whole, double at, double duration, const Motion& m) {
-    if (!(duration > 0)) return;
-    LawStretch s = whole;
-    s.single_phase = true;
-    s.start = whole.start + at;
-    s.duration = duration;
-    s.v0 = m.velocity;
-    s.acceleration = m.acceleration;
-    s.jerk = m.jerk;
-    s.length = duration * (m.velocity + duration * (m.acceleration / 2 + duration * m.jerk / 6));
-    s.v1 = s.peak = m.velocity + duration * (m.acceleration + duration * m.jerk / 2);
-    add(s);
-  }
-  /// The first t seconds of a stretch.
-  void until(const LawStretch& whole, double t) {
-    std::array<LawPhase, 7> phases_of;
-    const std::size_t count = phases(whole, phases_of);
-    double gone = 0;
-    for (std::size_t i = 0; i < count && gone < t; ++i) {
-      const LawPhase& p = phases_of[i];
-      phase(whole, p.position, std::min(p.duration, t - gone),
-            {0, p.velocity, p.acceleration, p.jerk});
-      gone += p.duration;
-    }
-  }
-};
-
-}  // namespace
 
 Plan halted(const Plan& plan, double t) {
   if (!(t >= 0 && t <= plan.duration()))
     throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
   const auto stretches = plan.law().stretches();
   std::size_t i = plan.law().stretch_at(t);
-  Held held;
+  PartialLaw held;
   for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
   const LawStretch& here = stretches[i];
   const double into = std::min(t - here.time, here.duration);
@@ -125,7 +62,7 @@ Plan halted(const Plan& plan, double t) {
     }
   }
   held.add(here);
-  Held planned = held;  // to the plan's own next rest
+  PartialLaw planned = held;  // to the plan's own next rest
   for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
     planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
@@ -135,7 +72,8 @@ Plan halted(const Plan& plan, double t) {
     } else {
       s.v0 = s.peak = v;
       if (!is_corner(s)) {
-        const double end = lowest_end(s, v);
+        // At most the plan's own end, but for rounding.
+        const double end = s.v1 == 0 ? 0 : std::min(lowest_end(unit_of(s).box, s.length, v), s.v1);
         if (end == 0) s.length = std::min(s.length, ramp_distance(v, 0, s.deceleration, s.jerk));
         s.v1 = v = end;
       } else {
@@ -153,13 +91,12 @@ Plan halted(const Plan& plan, double t) {
   return made();
 }
 
-Plan resumed(const Plan& plan, const Plan& held) {
-  const LawStretch& last = held.law().stretches().back();
-  const double from = last.start + last.length;
+namespace {
+
+/// From rest at `from`; a dwell there has lasted `rested` s.
+Plan remaining(const Plan& plan, double from, double rested) {
   const auto stretches = plan.law().stretches();
   const double end = plan.path().length();
-  if (!(from < end * (1 - 1e-14)))
-    throw InputError("held", from, "is at the end of the path; nothing remains");
   std::vector<LawStretch> law;
   std::vector<Unit> units;
   double time = 0;
@@ -183,20 +120,16 @@ Plan resumed(const Plan& plan, const Plan& held) {
       flush();
       LawStretch same = s;
       same.time = time;
-      if (s.pieces == 0 && last.pieces == 0 && s.start == last.start)
-        same.duration -= last.duration;
+      if (s.pieces == 0 && s.start == from) same.duration -= rested;
       if (!(same.duration > 0)) continue;
       time += same.duration;
       start = stretch_end;
       law.push_back(same);
       continue;
     }
-    Unit unit;
+    Unit unit = unit_of(s);
     unit.length = stretch_end - std::max(s.start, from);
-    unit.box = {s.peak, s.acceleration, s.deceleration, s.jerk, is_corner(s)};
-    unit.entry = units.empty() ? PathSettings::none : s.v0;
-    unit.piece = s.piece;
-    unit.pieces = s.pieces;
+    if (units.empty()) unit.entry = PathSettings::none;
     if (s.start < from)
       while (unit.pieces > 1 && plan.path().pieces()[unit.piece + 1].start <= from) {
         ++unit.piece;
@@ -211,6 +144,24 @@ Plan resumed(const Plan& plan, const Plan& held) {
           {plan.joints().begin(), plan.joints().end()},
           plan.stop_duration(),
           plan.given()};
+}
+
+}  // namespace
+
+Plan resumed(const Plan& plan, const Plan& held) {
+  const LawStretch& last = held.law().stretches().back();
+  const double from = last.start + last.length;
+  if (!(from < plan.path().length() * (1 - 1e-14)))
+    throw InputError("held", from, "is at the end of the path; nothing remains");
+  return remaining(plan, from, last.pieces == 0 ? last.duration : 0);
+}
+
+Plan resumed(const Plan& plan, double from) {
+  const double end = plan.path().length();
+  if (!(from >= 0 && from < end * (1 - 1e-14)))
+    throw InputError("from", from, "must be from 0 to less than " + number(end));
+  require_no_corner(plan, "from", from);
+  return remaining(plan, from, 0);
 }
 
 }  // namespace jounce
