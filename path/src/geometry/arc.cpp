@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <string>
@@ -11,16 +10,11 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
 namespace {
-
-std::string six_digits(double value) {
-  char text[32];
-  static_cast<void>(std::snprintf(text, sizeof text, "%.6g", value));
-  return text;
-}
 
 constexpr double coincident = 1e-9;  // relative: coincident points, a chord of twice the radius
 
