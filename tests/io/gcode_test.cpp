@@ -53,6 +53,17 @@ TEST(Gcode, ReadsLinesWithTheirFeedCornerAndSourceLine) {
   EXPECT_EQ(program.settings()[program.commands()[2].settings].corner, Corner::stop);
 }
 
+TEST(Gcode, StopsAtTangentJointsByG61Point1Only) {
+  const Program program =
+      parsed("G61 G1 X1 F60\nX2\nG61.1 X3\nX4\nG61 X5\nG61.1 X6\nG64 P0.1 X7\n").program;
+  std::vector<Junction> junctions;
+  for (const Program::Command& c : program.commands())
+    junctions.push_back(program.settings()[c.settings].junction);
+  constexpr Junction passed = Junction::look_ahead;
+  constexpr Junction rest = Junction::buffered;
+  EXPECT_THAT(junctions, ElementsAre(passed, passed, rest, rest, passed, rest, passed));
+}
+
 TEST(Gcode, CountsInInchesFromG20On) {
   const Program program = parsed("G20 G64 P0.002\nG1 X1 C90 F60\nG21 Y25.4\n").program;
   EXPECT_THAT(program.position(), ElementsAre(25.4, 25.4, 0, 90, 0, 0, 0, 0, 0));
@@ -84,7 +95,8 @@ TEST(Gcode, TurnsClockwiseByG2AndCounterclockwiseByG3) {
 }
 
 TEST(Gcode, TakesARadiusThatIsRoundedDownForAHalfCircle) {
-  const Arc arc = parsed("F600\nG2 X7 Y7 R4.94974\n").program.arcs()[0];  // half the chord: 4.949747...
+  const Arc arc =
+      parsed("F600\nG2 X7 Y7 R4.94974\n").program.arcs()[0];  // half the chord: 4.949747...
   EXPECT_NEAR(arc.sweep, std::numbers::pi, 1e-9);
   EXPECT_THAT(complaint("F600\nG2 X7 Y7 R4.9\n"), HasSubstr("is less than half the chord"));
 }

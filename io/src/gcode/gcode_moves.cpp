@@ -65,6 +65,7 @@ PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to
     fail_at(block, "F", "is missing: G1, G2 and G3 need a feed, here or as `velocity` of [path]");
   now.corner = corner_.corner;
   now.value = corner_.value;
+  now.junction = corner_.junction;
   if (motion_ == 0 || feed_word_ == 0) return now;
   const Point& from = made_.program.position();
   std::size_t i = 0;
