@@ -48,8 +48,11 @@ Ramps ramps_of(const Box& box, double v0, double peak, double v1) {
 double peak_of(const Box& box, double length, double v0, double v1) {
   const double least = std::max(v0, v1);
   const bool alike = box.acceleration == box.deceleration;
-  if (alike && v0 == v1)
-    return std::min(std::max(box.velocity, least), reached(length / 2, v0, up(box)));
+  if (alike && least == 0) {  // L = p^2 / a + p a / j, or (p / j)^(1/2) 2 p where a is not reached
+    const double edge = box.acceleration / box.jerk;
+    const double p = 2 * length / (edge + std::sqrt(edge * edge + 4 * length / box.acceleration));
+    return p >= box.acceleration * edge ? p : std::cbrt(box.jerk * length * length / 4);
+  }
   if (alike)
     return std::max(
         least,
