@@ -20,6 +20,11 @@ unset(default)
 function(jounce_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOUNCE_UNITY} UNITY_BUILD_BATCH_SIZE 5)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  if(JOUNCE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # A batch puts the unnamed namespaces of five files in one scope, so a local name can shadow a name of another file.
+    # The preset tidy compiles each file alone with -Wshadow.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+  endif()
 endfunction()
 
 function(jounce_precompile target)

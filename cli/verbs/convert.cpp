@@ -35,13 +35,12 @@ struct ConvertArguments {
   bool json = false;
 };
 
-std::optional<Format> format_of(const ConvertArguments& options) {
-  if (!options.to.empty()) return format_named(options.to);
-  return format_of_path(options.output);
+const CamFormat* format_of(const ConvertArguments& options) {
+  return options.to.empty() ? cam_format_of_path(options.output) : cam_format_named(options.to);
 }
 
 Interpolation rule_for(const ConvertArguments& options, const Table& table) {
-  if (const auto format = format_of(options)) return rule_of(*format);
+  if (const CamFormat* format = format_of(options)) return rule_of(*format);
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     if (options.rule == name(rule)) return rule;
@@ -68,7 +67,7 @@ Converted convert(const Input& input, const ConvertArguments& options) {
 
 /// Samples at every --every, as CSV for other programs.
 std::string samples_of(const TableFile& file, const ConvertArguments& options) {
-  if (format_of(options) || options.to == "json" || options.to == "points" ||
+  if (format_of(options) != nullptr || options.to == "json" || options.to == "points" ||
       options.output.ends_with(".json"))
     throw InputError("--every", options.every, "writes samples, as CSV only");
   try {
@@ -79,8 +78,8 @@ std::string samples_of(const TableFile& file, const ConvertArguments& options) {
 }
 
 std::string text_of(const TableFile& file, const ConvertArguments& options) {
-  const auto format = format_of(options);
-  if (format && options.every.empty()) return exchange_text(*format, file);
+  const CamFormat* const format = format_of(options);
+  if (format != nullptr && options.every.empty()) return exchange_text(*format, file);
   for (const auto& [unit, option] :
        {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
     if (unit->empty()) throw InputError(option, "", "is missing: the file does not name this unit");
@@ -104,7 +103,7 @@ std::vector<std::string> losses(const ConvertArguments& options, const Input& in
 }
 
 std::string word_for(const ConvertArguments& options) {
-  if (const auto format = format_of(options)) return name(*format);
+  if (const CamFormat* format = format_of(options)) return format->name;
   if (options.to == "points") return options.to;
   return options.to == "json" || (options.to.empty() && options.output.ends_with(".json")) ? "json"
                                                                                            : "csv";
@@ -137,8 +136,8 @@ void print_text(std::FILE* out, const Converted& made, const ConvertArguments& o
 /// The extension of the file or --to must determine the format.
 void require_known_ending(const ConvertArguments& options) {
   const std::string& path = options.output;
-  if (format_of(options) || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
-      path.ends_with(".json"))
+  if (format_of(options) != nullptr || !options.to.empty() || path == "-" ||
+      path.ends_with(".csv") || path.ends_with(".json"))
     return;
   throw InputError("OUT", path, "has no extension of a known format: name the format with --to");
 }
@@ -167,15 +166,20 @@ void add_convert(CommandLine& line) {
       "--position-unit mm");
   verb.option("IN", options->input, "Table or spec, in any known format; - is standard input")
       .required();
-  verb.option("OUT", options->output,
-              "File to write: .csv, .json, .xyva, .st (CODESYS declaration), .txt (pairs); - "
-              "is standard output");
-  std::vector<std::string> formats = format_names();
-  formats.insert(formats.begin(), {"csv", "json", "points"});
+  std::vector<std::string> formats{"csv", "json", "points"};
+  std::string words = "csv, json", extensions = ".csv, .json";
+  for (const CamFormat* format : cam_formats()) {
+    formats.emplace_back(format->name);
+    words += std::string(", ") + format->name;
+    const std::string extension = format->extension;
+    if (extension.empty()) continue;
+    extensions += ", " + extension;
+    if (extension.substr(1) != format->name) extensions += std::string(" (") + format->name + ")";
+  }
+  verb.option("OUT", options->output, "File to write: " + extensions + "; - is standard output");
   verb.option("--to", options->to,
-              "Format, if the extension of OUT does not determine it: csv, json, xyva, codesys, "
-              "pairs, sew, kollmorgen; points: CSV of segments with types, for the PT and follow "
-              "modes of Googol")
+              "Format, if the extension of OUT does not determine it: " + words +
+                  "; points: CSV of segments with types, for the PT and follow modes of Googol")
       .check(one_of(formats));
   verb.axis(options->axis);
   verb.option("--rule", options->rule,

@@ -32,7 +32,7 @@ Drive drive_of(const PlotArguments& options) {
   const std::string text = read_file(options.file);
   const std::string name = options.file == "-" ? "standard input" : options.file;
   const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
-  if (is_table(text) || format_of_text(text)) throw InputError(missing).at(name);
+  if (is_table(text) || cam_format_of_text(text) != nullptr) throw InputError(missing).at(name);
   const Spec spec = parse_spec(text, name);
   const std::vector<AxisPart> parts = spec.parts();
   if (parts.size() > 1 && options.axis.empty())

@@ -57,17 +57,59 @@ Sampled with_knots(const Input& input, const Conversion& wanted) {
       *input.curve);
 }
 
-/// Error of a cubic spline through the knots, periodic if the cam repeats, otherwise with natural ends. KAS joins
-/// points of the type SPLINE by curves; their ends are not documented.
-SampleError spline_error(const Input& input, const Table& made) {
+bool joins_by_spline(const CamFormat* format) {
+  return format != nullptr &&
+         (format->join == KnotJoin::spline || format->join == KnotJoin::clamped_spline);
+}
+
+/// The spline by which the controller joins the knots of a table: with the slopes of the table at both ends, or where
+/// the ends are not documented periodic if the cam repeats, else natural. Numbers are rounded as in the file.
+Columns controller_spline(const CamFormat& format, const Table& made) {
   Columns columns{made.columns().x, made.columns().p, std::vector<double>(made.size()), {}};
-  spline_velocities(columns.x, columns.p,
-                    repeats(made.outside()) ? Filling::periodic : Filling::natural, columns.v);
-  return std::visit(
+  if (format.single)
+    for (auto* column : {&columns.x, &columns.p})
+      for (double& value : *column) value = static_cast<double>(static_cast<float>(value));
+  const bool given = format.join == KnotJoin::clamped_spline;
+  std::vector<std::optional<double>> ends(given ? made.size() : 0);
+  if (given) ends.front() = made.columns().v.front(), ends.back() = made.columns().v.back();
+  const bool periodic = !given && repeats(made.outside());
+  columns.v = filled({.axis = Domain::master,
+                      .x = columns.x,
+                      .p = columns.p,
+                      .v = std::move(ends),
+                      .filling = periodic ? Filling::periodic : Filling::natural})
+                  .table.columns()
+                  .v;
+  return columns;
+}
+
+/// The columns in the units of the input.
+Columns in_units_of(const TableFile& input, const Units& units, Columns columns) {
+  const auto factor = [](const std::string& from, const std::string& to) {
+    return from.empty() || to.empty() ? 1.0 : conversion(from, to);
+  };
+  const double x = factor(units.x, input.units.x);
+  const double p = factor(units.position, input.units.position);
+  for (double& value : columns.x) value *= x;
+  for (double& value : columns.p) value *= p;
+  for (double& value : columns.v) value *= p / x;
+  return columns;
+}
+
+/// The converted table as the controller plays it: its spline is the table if that is documented, and its distance from
+/// the input is the error.
+void play_spline(const Input& input, const CamFormat& format, Converted& result) {
+  Columns spline = controller_spline(format, result.file.table);
+  result.error = std::visit(
       [&](const auto& curve) {
-        return certified(curve, Interpolation::cubic_hermite, std::move(columns)).error;
+        return certified(curve, Interpolation::cubic_hermite,
+                         in_units_of(input.table, result.file.units, spline))
+            .error;
       },
       *input.curve);
+  if (format.join == KnotJoin::clamped_spline)
+    result.file.table = Table(Domain::master, Interpolation::cubic_hermite,
+                              result.file.table.outside(), std::move(spline));
 }
 
 /// "laws, limits, coupling and 2 cam switches stay in the spec"
@@ -81,36 +123,62 @@ std::string left_in(const Spec& spec) {
   return fmt::format("{} and {} stay in the spec", fmt::join(parts, ", "), last);
 }
 
-/// Losses of a table of straight lines or splines beside a table of Jounce.
-void add_losses(std::vector<std::string>& all, Format format, const Table& table) {
-  if (format == Format::xyva || format == Format::codesys) return;
-  all.emplace_back(format == Format::kollmorgen
-                       ? "positions only: the error is that of a cubic spline through them; "
-                         "Kollmorgen does not document how KAS ends its splines"
-                       : "positions only: the error is that of straight lines between them");
-  all.emplace_back("units and hash are not in the file");
-  if (repeats(table.outside()) && format != Format::kollmorgen)
+/// Losses of a table in a format beside a table of Jounce.
+void add_losses(std::vector<std::string>& all, const CamFormat& format, const Table& table) {
+  if (format.join == KnotJoin::lines)
+    all.emplace_back("positions only: the error is that of straight lines between them");
+  if (format.join == KnotJoin::spline)
+    all.emplace_back(
+        "positions only: the error is that of a cubic spline through them; the ends of the "
+        "controller's splines are not documented");
+  if (format.join == KnotJoin::clamped_spline)
+    all.push_back(
+        fmt::format("positions and the slopes at both ends, {} and {}: the error is that "
+                    "of the cubic spline through them",
+                    rounded(table.columns().v.front()), rounded(table.columns().v.back())));
+  if (format.single) all.emplace_back("numbers are rounded to REAL, 24 bits");
+  if (!format.keeps_notes) all.emplace_back("units and hash are not in the file");
+  if (repeats(table.outside()) && !format.keeps_notes && !format.states_period)
     all.emplace_back("the file does not state that the cam repeats: read it with --periodic");
 }
 
-}  // namespace
-
-Converted converted(const Input& input, const Conversion& wanted) {
+/// Knots, rule and units; without the spline of a controller.
+Converted converted_once(const Input& input, const Conversion& wanted) {
   Converted result{input.table, input.error};
   if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
     Sampled made = with_knots(input, wanted);
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
   }
-  if (wanted.format == Format::kollmorgen) result.error = spline_error(input, result.file.table);
   result.file = in_units(std::move(result.file), wanted);
+  if (joins_by_spline(wanted.format)) play_spline(input, *wanted.format, result);
   return result;
 }
 
-std::vector<std::string> losses(const Input& input, const std::optional<Format>& format,
-                                const Table& made) {
+bool keeps(const Target& target, const SampleError& error) {
+  return (!target.tolerance || error.position <= *target.tolerance) &&
+         (!target.velocity_tolerance || error.velocity <= *target.velocity_tolerance);
+}
+
+}  // namespace
+
+Converted converted(const Input& input, const Conversion& wanted) {
+  Converted result = converted_once(input, wanted);
+  if (!joins_by_spline(wanted.format) || !wanted.target) return result;
+  // Knots that keep a tolerance by the rule of the table need not keep it by the spline: take more.
+  Conversion finer = wanted;
+  for (int i = 0; i < 30 && !keeps(*wanted.target, *result.error); ++i) {
+    for (std::optional<double>* tolerance :
+         {&finer.target->tolerance, &finer.target->velocity_tolerance})
+      if (*tolerance) **tolerance /= 2;
+    result = converted_once(input, finer);
+  }
+  return result;
+}
+
+std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made) {
   std::vector<std::string> all;
   if (input.spec) all.push_back(left_in(*input.spec));
-  if (format) add_losses(all, *format, made);
+  if (format != nullptr) add_losses(all, *format, made);
   return all;
 }
 

@@ -28,7 +28,7 @@ std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
   std::string text = read_file(path);
   const std::string name = path == "-" ? "standard input" : path;
   if (is_table(text)) return {input_of(parse_table(text, name), name)};
-  if (format_of_text(text)) return cams_of(text, name, decimal_comma);
+  if (cam_format_of_text(text) != nullptr) return cams_of(text, name, decimal_comma);
   return inputs_of(parse_spec(std::move(text), name), path);
 }
 

@@ -37,8 +37,8 @@ TEST(Printable, EveryCodePointIsOneOrIsNot) {
   std::vector<std::uint32_t> expected;
   for (std::uint32_t code = 0; code < 0x20; ++code) expected.push_back(code);
   for (std::uint32_t code = 0x7F; code < 0xA0; ++code) expected.push_back(code);
-  for (const std::uint32_t code : {0x061C, 0x200E, 0x200F, 0x2028, 0x2029, 0x202A, 0x202B, 0x202C,
-                                   0x202D, 0x202E, 0x2066, 0x2067, 0x2068, 0x2069})
+  for (const std::uint32_t code : {0x061Cu, 0x200Eu, 0x200Fu, 0x2028u, 0x2029u, 0x202Au, 0x202Bu,
+                                   0x202Cu, 0x202Du, 0x202Eu, 0x2066u, 0x2067u, 0x2068u, 0x2069u})
     expected.push_back(code);
   EXPECT_EQ(refused, expected);
 }

@@ -28,7 +28,7 @@ void table(Input input) {
   }
   try {
     static_cast<void>(is_table(text));
-    if (format_of_text(text)) static_cast<void>(parse_exchange(text, "fuzz"));
+    if (cam_format_of_text(text) != nullptr) static_cast<void>(parse_exchange(text, "fuzz"));
   } catch (const InputError&) {
   }
 }

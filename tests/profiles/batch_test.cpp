@@ -165,7 +165,7 @@ TEST(Batch, SaysNaNWhereThereIsNoMove) {
   auto rests = m.columns();
   rests.entry = rests.exit = {};
   minimum_durations(rests, m.duration);
-  for (const std::size_t i : {0, 2, 3, 4, 6, 7, 8, 9, 10, 11, 12, 13, 14})
+  for (const std::size_t i : {0u, 2u, 3u, 4u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 13u, 14u})
     EXPECT_TRUE(std::isnan(m.duration[i])) << i;
   EXPECT_GT(m.duration[15], 0);
 }

@@ -12,19 +12,12 @@
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "controllers/src/exchange/exchange_parts.hpp"
+#include "controllers/src/exchange/formats.hpp"
 
 namespace jounce {
 namespace {
 
-constexpr std::array formats{Format::xyva, Format::codesys, Format::pairs, Format::sew,
-                             Format::kollmorgen};
 constexpr std::array note_keys{"master", "position", "outside", "knots", "sha256"};
-
-bool begins_with_number(std::string_view cell) {
-  cell = cell.substr(0, cell.find(','));  // cuts a decimal comma
-  return csv_number(cell).has_value();
-}
 
 /// Units and policy outside, from the comments.
 void take_notes(const controllers_detail::Exchanged& read, const controllers_detail::Place& place,
@@ -95,6 +88,9 @@ std::vector<controllers_detail::Line> own_lines(
 std::vector<ExchangeCam> cams_of(std::vector<controllers_detail::Exchanged> all,
                                  const std::vector<controllers_detail::Line>& lines,
                                  const controllers_detail::Place& place) {
+  for (const controllers_detail::Exchanged& cam : all)
+    if (cam.lines.empty())
+      place.fail(lines.front().number, cam.name, "", "has no knots: is the file complete?");
   for (controllers_detail::Exchanged& cam : all)
     cam.notes = controllers_detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
   std::vector<ExchangeCam> cams;
@@ -181,90 +177,34 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 }  // namespace controllers_detail
 
-const char* name(Format format) {
-  switch (format) {
-    case Format::xyva:
-      return "xyva";
-    case Format::codesys:
-      return "codesys";
-    case Format::pairs:
-      return "pairs";
-    case Format::sew:
-      return "sew";
-    case Format::kollmorgen:
-      break;
-  }
-  return "kollmorgen";
-}
-
-std::vector<std::string> format_names() {
-  std::vector<std::string> all;
-  for (const Format format : formats) all.emplace_back(name(format));
-  return all;
-}
-
-std::optional<Format> format_named(const std::string& word) {
-  const auto it = std::find_if(formats.begin(), formats.end(),
-                               [&](Format format) { return word == name(format); });
-  return it == formats.end() ? std::nullopt : std::optional(*it);
-}
-
-std::optional<Format> format_of_path(const std::string& path) {
-  if (path.ends_with(".xyva")) return Format::xyva;
-  if (path.ends_with(".st")) return Format::codesys;
-  if (path.ends_with(".txt")) return Format::pairs;
-  return std::nullopt;
-}
-
-Interpolation rule_of(Format format) {
-  return format == Format::xyva || format == Format::codesys ? Interpolation::quintic_hermite
-                                                             : Interpolation::linear;
-}
-
-std::optional<Format> format_of_text(const std::string& text) {
-  if (is_table(text)) return std::nullopt;
-  if (controllers_detail::lower(text).find("smc_camxyva") != std::string::npos)
-    return Format::codesys;
-  if (text.find("TABLE_BEGIN") != std::string::npos) return Format::kollmorgen;
-  const auto lines = controllers_detail::lines_of(text);
-  const auto first =
-      std::find_if(lines.begin(), lines.end(), [](const controllers_detail::Line& line) {
-        return !controllers_detail::is_comment(line.text);
-      });
-  if (first == lines.end()) return std::nullopt;
-  const auto cells = controllers_detail::column_cells(first->text);
-  const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
-  if (!header && (!begins_with_number(cells[0]) || first->text.find('=') != std::string::npos))
-    return std::nullopt;
-  if (cells.size() == 1) return Format::sew;
-  return cells.size() < 4 ? Format::pairs : Format::xyva;
-}
-
-std::string exchange_text(Format format, const TableFile& file) {
+std::string exchange_text(const CamFormat& format, const TableFile& file) {
+  const std::string wanted = std::string("the format ") + format.name;
   if (file.table.axis() != Domain::master)
-    throw InputError(
-        "axis", name(file.table.axis()),
-        std::string("the format ") + name(format) + " is for cams: it needs a table over a master");
+    throw InputError("axis", name(file.table.axis()),
+                     wanted + " is for cams: it needs a table over a master");
   if (file.table.rule() != rule_of(format))
+    throw InputError("rule", name(file.table.rule()),
+                     wanted + " needs a " + name(rule_of(format)) + " table");
+  const std::size_t knots = file.table.size();
+  if (knots < format.fewest)
     throw InputError(
-        "rule", name(file.table.rule()),
-        std::string("the format ") + name(format) + " needs a " + name(rule_of(format)) + " table");
-  return format == Format::codesys ? controllers_detail::st_text(file)
-                                   : controllers_detail::columns_text(format, file);
+        "knots", std::to_string(knots),
+        "must be at least " + std::to_string(format.fewest) + ": " + format.limits_from);
+  if (knots > format.most)
+    throw InputError("knots", std::to_string(knots),
+                     "must be at most " + std::to_string(format.most) + ": " + format.limits_from +
+                         ". Give a tolerance, or fewer intervals");
+  return controllers_detail::row_of(format).write(file);
 }
 
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma) {
   const controllers_detail::Place place(name, decimal_comma);
-  const auto format = format_of_text(text);
-  if (!format) place.fail(1, "", "", "is not a cam table in a known format");
-  if (*format == Format::kollmorgen)
-    place.fail(1, "", "",
-               "is a KAS table: Kollmorgen does not document its splines, so it cannot be read");
-  const auto lines = controllers_detail::lines_of(text);
-  if (*format == Format::codesys)
-    return cams_of(controllers_detail::parse_st(text, place), lines, place);
-  return cams_of({controllers_detail::parse_columns(*format, lines, place)}, lines, place);
+  const CamFormat* const format = cam_format_of_text(text);
+  if (format == nullptr) place.fail(1, "", "", "is not a cam table in a known format");
+  const controllers_detail::FormatRow& row = controllers_detail::row_of(*format);
+  if (row.read == nullptr) place.fail(1, "", "", row.unreadable);
+  return cams_of(row.read(text, place), controllers_detail::lines_of(text), place);
 }
 
 TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {

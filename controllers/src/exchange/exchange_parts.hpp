@@ -63,14 +63,4 @@ class Place {
   bool decimal_comma_;
 };
 
-Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Place& place);
-/// All that the file declares, at least one.
-std::vector<Exchanged> parse_st(const std::string& text, const Place& place);
-
-/// The values of a line, separated by semicolons, white space or commas.
-std::vector<std::string_view> column_cells(std::string_view line);
-
-std::string columns_text(Format format, const TableFile& file);
-std::string st_text(const TableFile& file);
-
 }  // namespace jounce::controllers_detail

@@ -45,7 +45,7 @@ Extremes extremes(const Profile& f) {
   Extremes e{v, p};
   for (std::size_t i = 0; i < f.phases(); ++i) {
     const auto [length, j] = f.phase(i);
-    const auto at = [&](Real t) {
+    const auto at = [&, j = j](Real t) {  // clang 14 captures no structured binding by reference
       e.v = std::min(e.v, v + t * (a + t * j / 2));
       e.p = std::max(e.p, p + t * (v + t * (a / 2 + t * j / 6)));
     };

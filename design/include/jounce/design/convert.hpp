@@ -19,7 +19,7 @@ struct Conversion {
   std::size_t intervals = 0;          ///< new knots at this number of equal intervals; 0: not so
   Units units = {};  ///< units to convert to, or those that the file does not name; "": unchanged
   bool periodic = false;              ///< the motion repeats, although the file does not state it
-  std::optional<Format> format = {};  ///< format of a controller; nullopt: CSV or JSON of Jounce
+  const CamFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
 
 /// A converted table, and its distance from the input.
@@ -30,15 +30,15 @@ struct Converted {
 };
 
 /// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
-/// nor the target asks for others. Kollmorgen's KAS joins positions by a spline, so the error for it is that of the
-/// natural (or periodic) spline through the positions. Throws InputError with the name of a member of Target
+/// nor the target asks for others. If the controller joins the knots by a spline (KnotJoin), the error is that of this
+/// spline, with numbers rounded as in the file, and a tolerance holds for it. A spline whose ends are not documented is
+/// taken as natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
 /// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
 /// else.
 Converted converted(const Input& input, const Conversion& conversion);
 
 /// The parts of the input that a file in this format does not contain, one phrase each.
-std::vector<std::string> losses(const Input& input, const std::optional<Format>& format,
-                                const Table& made);
+std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
 /// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
 std::string error_text(const Converted& made, const Labels& labels);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "controllers/src/exchange/columns.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,8 +9,6 @@
 
 #include "jounce/base/csv.hpp"
 #include "jounce/profiles/error.hpp"
-
-#include "controllers/src/exchange/exchange_parts.hpp"
 
 namespace jounce::controllers_detail {
 namespace {
@@ -22,6 +22,11 @@ std::vector<std::string_view> split(std::string_view line, const char* separator
     if (end == std::string_view::npos) return all;
     line.remove_prefix(end + 1);
   }
+}
+
+bool begins_with_number(std::string_view cell) {
+  cell = cell.substr(0, cell.find(','));  // cuts a decimal comma
+  return csv_number(cell).has_value();
 }
 
 std::string_view without_comment(std::string_view line) {
@@ -48,9 +53,8 @@ std::vector<std::string> header_of(const Line& line, const Place& place) {
 
 class Rows {
  public:
-  Rows(Format format, const Place& place)
-      : place_(place), columns_(rule_of(format) == Interpolation::linear ? 2 : 4) {
-    read_.rule = rule_of(format);
+  Rows(std::size_t columns, const Place& place) : place_(place), columns_(columns) {
+    read_.rule = columns == 2 ? Interpolation::linear : Interpolation::quintic_hermite;
   }
 
   void header(const std::vector<std::string>& names) { columns_ = names.size(); }
@@ -106,32 +110,6 @@ std::string row_text(const Columns& c, std::size_t knot, char separator, bool ra
   return text;
 }
 
-std::string rows_text(const TableFile& file, char separator, const std::string& end) {
-  std::string text;
-  const bool rates = file.table.rule() == Interpolation::quintic_hermite;
-  for (std::size_t i = 0; i < file.table.size(); ++i)
-    text += row_text(file.table.columns(), i, separator, rates) + end;
-  return text;
-}
-
-std::string kollmorgen_text(const TableFile& file) {
-  if (file.table.size() < 5)
-    throw InputError("knots", std::to_string(file.table.size()),
-                     "must be at least 5: KAS imports four segments or more");
-  const bool cyclic = repeats(file.table.outside());
-  return std::string("CYCLIC;") + (cyclic ? "YES" : "NO") + ";\nTABLE_BEGIN;;\n" +
-         rows_text(file, ';', ";SPLINE\n") + "TABLE_END;;\n";
-}
-
-std::string sew_text(const TableFile& file) {
-  constexpr std::size_t most = 16383;  // MOVI-C, curve point table
-  if (file.table.size() > most)
-    throw InputError("knots", std::to_string(file.table.size()),
-                     "an SEW curve point table holds at most " + std::to_string(most) +
-                         ": give a tolerance, or fewer intervals");
-  return std::to_string(file.table.size()) + "\n" + rows_text(file, ';', "\n");
-}
-
 }  // namespace
 
 std::vector<std::string_view> column_cells(std::string_view line) {
@@ -143,15 +121,28 @@ std::vector<std::string_view> column_cells(std::string_view line) {
   return listed && line.find(',') != line.npos ? split(line, ",", false) : words;
 }
 
-Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Place& place) {
-  Rows rows(format, place);
+std::vector<std::string_view> first_cells(std::string_view text) {
+  const auto lines = lines_of(text);
+  const auto first = std::find_if(lines.begin(), lines.end(),
+                                  [](const Line& line) { return !is_comment(line.text); });
+  if (first == lines.end()) return {};
+  auto cells = column_cells(first->text);
+  const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
+  const bool knot = begins_with_number(cells[0]) && first->text.find('=') == std::string::npos;
+  if (!header && !knot) cells.clear();
+  return cells;
+}
+
+std::vector<Exchanged> read_columns(const std::string& text, const Place& place,
+                                    std::size_t columns, bool counted) {
+  Rows rows(columns, place);
   std::optional<Note> count;
   std::size_t knots = 0;
   bool first = true;
-  for (const Line& line : lines) {
+  for (const Line& line : lines_of(text)) {
     if (is_comment(line.text)) continue;
     const bool was_first = std::exchange(first, false);
-    if (was_first && format == Format::sew) {
+    if (was_first && counted) {
       count = {std::string(line.text), line.number};
       continue;
     }
@@ -166,23 +157,15 @@ Exchanged parse_columns(Format format, const std::vector<Line>& lines, const Pla
   if (count && count->value != std::to_string(knots))
     place.fail(count->line, "number of points", count->value,
                "the file holds " + std::to_string(knots) + ": is it complete?");
-  return rows.finish();
+  return {rows.finish()};
 }
 
-std::string columns_text(Format format, const TableFile& file) {
-  switch (format) {
-    case Format::xyva:
-      return "# a cam as X Y V A, by " + made_by() + "\n" + notes_text(file, "#") + "X\tY\tV\tA\n" +
-             rows_text(file, '\t', "\n");
-    case Format::sew:
-      return sew_text(file);
-    case Format::kollmorgen:
-      return kollmorgen_text(file);
-    case Format::pairs:
-    case Format::codesys:
-      break;
-  }
-  return rows_text(file, '\t', "\n");
+std::string rows_text(const TableFile& file, char separator, const std::string& end) {
+  std::string text;
+  const bool rates = file.table.rule() == Interpolation::quintic_hermite;
+  for (std::size_t i = 0; i < file.table.size(); ++i)
+    text += row_text(file.table.columns(), i, separator, rates) + end;
+  return text;
 }
 
 }  // namespace jounce::controllers_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "controllers/src/exchange/st_reader.hpp"
+#include "controllers/src/exchange/structured_text.hpp"
 
 #include <algorithm>
 #include <cctype>

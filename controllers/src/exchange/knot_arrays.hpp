@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controllers/src/exchange/structured_text.hpp"
+
+namespace jounce::controllers_detail {
+
+/// A structure of Structured Text (IEC 61131-3) or SCL whose array is a cam. Names are compared in any letter case.
+struct KnotType {
+  std::string_view name;                   ///< without its library
+  std::array<std::string_view, 4> fields;  ///< x, p, v, a; empty for a field that it does not have
+  std::vector<std::string_view> others = {};  ///< further fields, whose values stay words
+};
+
+struct Knot {
+  std::array<double, 4> values{};             ///< x, p, v, a; 0 if not given, as in the language
+  std::map<std::string, std::string> others;  ///< by the field as in KnotType
+  int line = 0;
+};
+
+struct KnotArray {
+  std::string name;
+  std::size_t at = 0;  ///< place of its end in the text
+  std::vector<Knot> knots = {};
+};
+
+/// All arrays of this type, in the order of the file: those with initial values,
+///
+///     Cam_A : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0, dY := 0), (dX := 360, dY := 40)];
+///
+/// and those whose elements are assigned, with a number or a variable with a constant value as the index:
+///
+///     points[1].leadingValue := 0.0;    i := 2;  points[i].leadingValue := 120.0;
+///
+/// Throws InputError for a field that the type does not have, a missing element, and a number of elements that does not
+/// match the declared range.
+std::vector<KnotArray> knot_arrays(const std::string& text, const KnotType& type,
+                                   const Place& place);
+
+/// The knots as a cam; the columns v and a only if `type` has these fields.
+Exchanged cam_of_knots(const KnotArray& array, const KnotType& type, Interpolation rule);
+
+/// The initial values, a line `    (dX := 0.0, ...),` for each knot.
+std::string knots_text(const Columns& columns, const KnotType& type);
+
+/// A REAL or LREAL literal of IEC 61131-3, which has a decimal point.
+std::string real_literal(double value);
+
+/// Without the names of libraries, lists and enumerations before the last point.
+std::string unqualified(const std::string& name);
+
+}  // namespace jounce::controllers_detail
