@@ -170,6 +170,38 @@ TEST(Arcs, ACircleUsesItsLimits) {
   }
 }
 
+TEST(Arcs, HelicesKeepTheLimits) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    GroupLimits limits;
+    for (int k = 0; k < 3; ++k)
+      limits.axes.push_back(
+          {.velocity = random.log_between(20, 500),
+           .acceleration = random.log_between(100, 1e4),
+           .jerk = seed % 5 == 0 ? std::optional<double>{} : random.log_between(1e3, 1e6)});
+    Program p(3);
+    p.set({.velocity = random.log_between(5, 500),
+           .corner = Corner::deviation,
+           .value = random.log_between(1e-3, 1)});
+    p.line({random.between(1, 20), random.between(-5, 5), 0}, 1);
+    const Point from = p.position();
+    const double r = random.log_between(0.1, 50);
+    const double a = random.between(0, 6);
+    const Point center{from[0] - r * std::cos(a), from[1] - r * std::sin(a), from[2]};
+    const double b = a + random.between(0.1, 6);
+    p.arc(arc_about(from, center,
+                    {center[0] + r * std::cos(b), center[1] + r * std::sin(b),
+                     from[2] + r * random.log_between(0.01, 30)},
+                    Plane{0, 1}, ArcRotation::counterclockwise, seed % 3 == 0 ? 2 : 0),
+          2);
+    const Plan made = plan(p, limits);
+    ASSERT_LE(path_tests::excess(to_axes(made), limits), 1e-12);
+    ASSERT_LE(made.duration(), made.stop_duration() * (1 + 1e-12));
+    ASSERT_GE(made.duration(), lower_bound(made, 8) * (1 - 1e-12));
+  }
+}
+
 TEST(Arcs, ACircleIsNearTheBoundWhereTheJerkPermits) {
   // spec/path.md, 3, row 6: 1.640032 s with a total acceleration of 1000 and no limit of jerk.
   for (const double jerk : {1e5, 1e6, 1e8}) {

@@ -83,9 +83,9 @@ class ArcRates {
 
   /// The greatest j of (5); not positive if there is none.
   [[nodiscard]] double jerk(double V) const {
-    if (jerk_ == PathSettings::none) return jerk_;
+    if (jerk_ == PathSettings::none) return most_jerk_;
     const double normal = natural_jerk(V);
-    double j = jerk_ - normal;
+    double j = std::min(jerk_ - normal, most_jerk_);
     for (int step = 0; step < 30 && j > 0; ++step) {  // Newton, from above
       const double v = place_of_most_jerk(V, j);
       const double sum = j + k_ * k_ * v * v * v;
@@ -102,7 +102,8 @@ class ArcRates {
     if (acceleration_ == PathSettings::none) return most_acceleration_;
     const double square = acceleration_ * acceleration_;
     if (j == PathSettings::none)
-      return std::sqrt(std::max(square - profiles_detail::square(k_ * V * V), 0.0));
+      return std::min(most_acceleration_,
+                      std::sqrt(std::max(square - profiles_detail::square(k_ * V * V), 0.0)));
     const auto excess = [&](double y) {
       return 2 * j * y + profiles_detail::square(k_ * (V - y) * (V - y)) - square;
     };
