@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "jounce/base/units.hpp"
 #include "jounce/design/path_text.hpp"
+#include "jounce/path/along.hpp"
 
 namespace jounce {
 namespace {
 
-std::optional<double> finite(double limit) {
-  return std::isfinite(limit) ? std::optional(limit) : std::nullopt;
-}
-
-Report along(const Plan& plan) {
-  const PathLimits& limits = plan.given().limits.path;
-  return check(plan.law().curve(),
-               {.velocity = finite(limits.velocity),
-                .acceleration = finite(std::max(limits.acceleration, limits.deceleration)),
-                .jerk = finite(limits.jerk)});
+Report along(const Spec& spec, const Plan& plan) {
+  Report report = check_along(plan);
+  for (Finding& f : report.findings)
+    if (f.quantity.ends_with("celeration"))
+      f.unit = rate_unit(spec.units.position, spec.units.x, 2);
+  return report;
 }
 
 /// The time at which the axes first are at q. Near a rest q hardly depends on time: where a stretch ends at q but
@@ -115,7 +112,7 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
-                      .along = along(played)};
+                      .along = along(spec, played)};
   summary.cost = cost_of(plan, summary.corners);
   summary.events = places_of(path, played, path.events);
   return summary;

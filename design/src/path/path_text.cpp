@@ -104,14 +104,14 @@ std::string places_text(const PathSummary& s, const Along& units) {
 }
 
 /// A line for each kind of note: how many, and the first in words.
-std::string notes_text(const PathSummary& s) {
+std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
   for (std::size_t k = 1; k < note_names.size(); ++k) {
     const auto has = [&](const CornerRecord& c) { return c.note == static_cast<JointNote>(k); };
     const auto first = std::find_if(s.corners.begin(), s.corners.end(), has);
     if (first == s.corners.end()) continue;
     const auto count = std::count_if(first, s.corners.end(), has);
-    text += fmt::format("warning: line {}: {}", first->line, first->text);
+    text += fmt::format("warning: line {}: {}", first->line, explain(*first, units.length));
     if (count > 1) text += fmt::format(" {} corners in all have this note.", count);
     text += '\n';
   }
@@ -164,7 +164,7 @@ std::string path_text(const Spec& spec, const PathSummary& s) {
   const auto stops = std::count_if(s.corners.begin(), s.corners.end(),
                                    [](const CornerRecord& c) { return c.stop; });
   text += fmt::format("\n{} corners: {} rounded, {} stops\n", s.corners.size(), moving, stops);
-  text += notes_text(s);
+  text += notes_text(s, units);
   if (!s.events.empty())
     text +=
         fmt::format("{} events of M, H, S and T words: --json has their places\n", s.events.size());

@@ -31,8 +31,7 @@ struct PathSummary {
   PathCost cost;
   std::vector<CornerRecord> corners;
   std::vector<EventPlace> events;
-  /// Velocity, acceleration and jerk along the path within [path.limits]: exact extrema of the timing law. Where
-  /// acceleration and deceleration differ, the greater one counts.
+  /// The motion along the path within [path.limits] and the limits of the commands: check_along().
   Report along;
 };
 
