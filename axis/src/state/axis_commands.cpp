@@ -125,8 +125,9 @@ void MotionAxis::break_groups() {
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && armed_.waiting()) drop({.cause = Cause::group_stopped});
-  if (inputs_.group_broken && active() && ending_ == Ending::none)
-    now_.refused = end_motion(Ending::group);
+  // This stop has the dynamics of the axis, so it is never rejected: the answer of the command of
+  // this tick stays.
+  if (inputs_.group_broken && active() && ending_ == Ending::none) end_motion(Ending::group);
 }
 
 MotionAxis::Rejection MotionAxis::hold(bool on) {
