@@ -104,7 +104,7 @@ TEST(Overlap, OfRandomLinesKeepsLimitsAndDeviation) {
                                                motion.axes[1].at(t).position - points[k + 1][1]));
       }
       EXPECT_GE(nearest, corner.deviation - 1e-9);
-      EXPECT_LE(nearest, corner.deviation + 100 * corner.overlap / 2000);
+      EXPECT_LE(nearest, corner.deviation + 100 * corner.overlap / 2000 + 1e-9);
     }
     if (HasFailure()) break;
   }

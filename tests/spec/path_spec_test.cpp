@@ -76,6 +76,8 @@ TEST(PathSpecFile, ReadsZones) {
   EXPECT_EQ(zone.points.at(0).output, 17);
   EXPECT_THAT(complaint(zones("[\"x\", \"x\"]", good)), HasSubstr("two different axes"));
   EXPECT_THAT(complaint(zones("[\"x\", \"y\"]", "pulse = 0.01\n")), HasSubstr("point"));
+  EXPECT_THAT(complaint(zones("[\"x\", \"y\"]", "pulse = 0.01\npoint = [{ output = 1 }]\n")),
+              HasSubstr("at: is missing"));
   EXPECT_THAT(complaint(path + "[compare]\naxis = \"z\"\nmode = \"equal\"\nposition = 1\n"),
               HasSubstr("or be \"path\""));
 }

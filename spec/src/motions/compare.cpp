@@ -48,6 +48,14 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
   return points;
 }
 
+/// key = [x, y]: one number for each of two axes. Required.
+std::vector<double> read_pair(TomlReader& reader, const char* key,
+                              const std::vector<std::string>& units) {
+  if (!reader.has(key)) reader.refuse_misspelt(key);
+  if (!reader.has(key)) reader.fail(key, "", "is missing: a zone needs [x, y]");
+  return reader.numbers(key, units);
+}
+
 /// Modes "zone" and "zone_equal" of two axes: axes, band and [[compare.point]] with at and output.
 PlaneCompare read_zone(TomlReader& compare, const std::vector<AxisPart>& parts,
                        std::array<std::string, 2>& axes) {
@@ -60,11 +68,11 @@ PlaneCompare read_zone(TomlReader& compare, const std::vector<AxisPart>& parts,
     compare.fail("axes", "", "must name two different axes of the spec");
   std::copy_n(names.begin(), 2, axes.begin());
   PlaneCompare zone;
-  const std::vector<double> band = compare.numbers("band", units);
+  const std::vector<double> band = read_pair(compare, "band", units);
   zone.x_band = band[0];
   zone.y_band = band[1];
   for (TomlReader& point : compare.tables("point")) {
-    const std::vector<double> at = point.numbers("at", units);
+    const std::vector<double> at = read_pair(point, "at", units);
     zone.points.push_back(
         {at[0], at[1], static_cast<int>(point.optional_whole("output").value_or(1))});
     point.finish();
