@@ -7,9 +7,12 @@
 
 #include "jounce/lint/accepted.hpp"
 
+#include "lint/src/with_unit.hpp"
+
 namespace jounce {
 namespace {
 
+using lint_detail::with_unit;
 using What = FileChange::What;
 
 constexpr std::array words{std::pair{What::changed, "changed"}, std::pair{What::added, "new"},
@@ -55,10 +58,6 @@ std::string cell_row(const std::vector<std::string>& cells) {
   std::string row = "|";
   for (const std::string& each : cells) row += " " + cell(each) + " |";
   return row + "\n";
-}
-
-std::string with_unit(double value, const std::string& unit) {
-  return rounded(value) + (unit.empty() ? "" : " " + unit);
 }
 
 /// Peaks before and after, the greatest difference, and what is allowed: a row for each quantity.

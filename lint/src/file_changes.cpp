@@ -15,10 +15,13 @@
 #include "jounce/lint/lint.hpp"
 #include "jounce/plot/input_figure.hpp"
 
+#include "lint/src/with_unit.hpp"
+
 namespace jounce {
 namespace {
 
 namespace fs = std::filesystem;
+using lint_detail::with_unit;
 using What = FileChange::What;
 
 Diagnostic diagnostic(const char* rule, Level level, const std::string& file, std::string message) {
@@ -38,10 +41,6 @@ Version version(const Input& input, const std::string& name, bool as_table) {
   made.knots.clear();
   made.knot_names.clear();
   return made;
-}
-
-std::string with_unit(double value, const std::string& unit) {
-  return rounded(value) + (unit.empty() ? "" : " " + unit);
 }
 
 /// A statement for each quantity beyond its tolerance, and for each other difference.

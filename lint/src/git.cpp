@@ -23,6 +23,16 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
+/// The environment of this process. In a hook, git has set GIT_INDEX_FILE: `index` takes its place.
+std::vector<std::string> environment_with(const std::optional<std::string>& index) {
+  const std::string variable = "GIT_INDEX_FILE=";
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (!index || !std::string(*entry).starts_with(variable)) all.emplace_back(*entry);
+  if (index) all.push_back(variable + *index);
+  return all;
+}
+
 [[noreturn]] void fail(int error) {
   throw std::system_error(error, std::generic_category(), "cannot run git");
 }
@@ -42,9 +52,7 @@ std::string read_all(int pipe) {
 
 GitAnswer git(std::vector<std::string> arguments, const std::optional<std::string>& index) {
   arguments.insert(arguments.begin(), "git");
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
-  if (index) environment.push_back("GIT_INDEX_FILE=" + *index);
+  std::vector<std::string> environment = environment_with(index);
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
   posix_spawn_file_actions_t actions;

@@ -1483,6 +1483,8 @@ end = { master = 240, slave = 240, geo_velocity = 1 }
 [[segment]]
 law = "quintic"
 end = { master = 360, slave = 360 }
+[limits]
+geo_velocity = 2
 )");
   const Result result = run("check cam.toml");
   EXPECT_EQ(result.status, 0) << "a warning fails nothing";

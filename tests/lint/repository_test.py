@@ -228,6 +228,17 @@ class Repository(unittest.TestCase):
             self.assertIn("main:cams/feeder.toml", (self.folder / "out" / picture).read_text())
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), sorted(pictures + ["summary.md"]))
 
+    def test_a_revision_in_a_hook_and_in_a_folder(self):
+        """In a hook git sets GIT_INDEX_FILE, and the index is that of the commit."""
+        self.changed()
+        self.git("add", "-A")
+        index = (self.folder / ".git/index").read_bytes()
+        done = self.jounce("check", ".", "--baseline", "HEAD", folder=self.folder / "cams", status=1,
+                           GIT_INDEX_FILE=str(self.folder / ".git/index"))
+        self.assertIn("compared with HEAD: 1 changed, 1 new, 1 renamed\n", done.stdout)
+        self.assertIn("renamed: HEAD:cams/knife.toml -> cutter.toml\n", done.stdout)
+        self.assertEqual((self.folder / ".git/index").read_bytes(), index)
+
     def test_a_tolerance_accepts_a_change(self):
         self.write("cams/feeder.toml", CAM.format(name="feeder", master=GOOD).replace("slave = 50 ", "slave = 50.01 "))
         self.jounce("check", ".", "--baseline", "main", status=1)
