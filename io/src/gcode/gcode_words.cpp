@@ -13,7 +13,7 @@ struct Unsupported {
 };
 
 // The meanings of DIN 66025, RS-274 and LinuxCNC.
-constexpr std::array<Unsupported, 18> unsupported{{
+constexpr std::array<Unsupported, 17> unsupported{{
     {5, 5.3, "a spline", "have the CAM program write lines and arcs"},
     {10, 10, "the setting of an offset", "give the offset in [gcode], such as G54 = [...]"},
     {28, 30.9, "the return to a reference position", "write the position with G0"},
@@ -25,7 +25,6 @@ constexpr std::array<Unsupported, 18> unsupported{{
     {50, 51, "scaling", "have the CAM program write the scaled path"},
     {52, 52, "a shift of the coordinates", "use an offset G54 to G59 of [gcode]"},
     {53, 53, "motion in machine coordinates", "write the position in the offset that is active"},
-    {61.1, 61.1, "exact path mode", "use G61, or G64 P with the greatest deviation"},
     {68, 69, "rotation of the coordinates", "have the CAM program write the rotated path"},
     {73, 76.9, "a drilling or thread cycle", "have the CAM program write G0 and G1"},
     {81, 89, "a drilling cycle", "have the CAM program write G0 and G1"},
