@@ -84,6 +84,39 @@ void evaluate_three_axes(benchmark::State& state) {
 }
 BENCHMARK(evaluate_three_axes);
 
+/// The same by a cursor, at the cycle of 1 ms.
+void evaluate_by_cursor(benchmark::State& state) {
+  const Plan made = plan(zigzag(10000, Corner::deviation, 0.5), limits(3));
+  std::vector<Motion> out(3);
+  PlanCursor cursor(made);
+  double t = 0;
+  for (auto _ : state) {
+    t += 0.001;
+    if (t > made.duration()) t = 0;
+    cursor.at(t, out);
+    benchmark::DoNotOptimize(out.data());
+  }
+}
+BENCHMARK(evaluate_by_cursor);
+
+/// Arcs of 1 to 6 mm, joined to lines by blends.
+void plan_arcs(benchmark::State& state) {
+  Program p(3);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.05});
+  for (std::int64_t i = 0; i < state.range(0); ++i) {
+    const Point from = p.position();
+    const double r = 1 + static_cast<double>(i % 6);
+    if (i % 2 == 0)
+      p.line({from[0] + 5, from[1]}, static_cast<int>(i + 1));
+    else
+      p.arc(arc_about(from, {from[0], from[1] + r}, {from[0], from[1] + 2 * r}, Plane{0, 1},
+                      ArcRotation::counterclockwise),
+            static_cast<int>(i + 1));
+  }
+  by_segment(state, p);
+}
+BENCHMARK(plan_arcs)->Range(1000, 1000)->Unit(benchmark::kMillisecond);
+
 void axes_of_a_plan(benchmark::State& state) {
   const Plan made = plan(zigzag(1000, Corner::deviation, 0.5), limits(3));
   for (auto _ : state) benchmark::DoNotOptimize(to_axes(made));

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/common/json.hpp"
 
+#include <fmt/format.h>
+
 namespace jounce::cli {
+
+void print_json(std::FILE* out, const Json& document) {
+  fmt::print(out, "{}\n", document.dump(1));
+}
 
 nlohmann::ordered_json document_of(AxisDocuments axes) {
   if (axes.size() == 1) return std::move(axes.front().second);

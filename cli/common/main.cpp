@@ -16,7 +16,6 @@
 #include "jounce/stream/transport/transport.hpp"
 
 #include "cli/common/verb.hpp"
-#include "cli/machine/page.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -32,8 +31,8 @@ int run(int argc, char** argv) {
   return line.run(argc, argv);
 }
 
-/// Opens /dev/null for each standard stream that the caller has closed: a file that is opened later must not get its
-/// number.
+/// Opens /dev/null for each standard stream that the caller has closed: a file that is opened later
+/// must not get its number.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) std::abort();

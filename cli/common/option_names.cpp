@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/common/option_names.hpp"
 
+#include "jounce/base/units.hpp"
+
 namespace jounce::cli {
 
 std::string option_of(const std::string& key) {
@@ -10,6 +12,14 @@ std::string option_of(const std::string& key) {
   std::string option = "--" + key;
   std::replace(option.begin(), option.end(), '_', '-');
   return option;
+}
+
+double quantity_of(const std::string& option, const std::string& text, const std::string& unit) {
+  try {
+    return quantity(text, unit);
+  } catch (const InputError& error) {
+    throw InputError(option, text, error.rule());
+  }
 }
 
 }  // namespace jounce::cli

@@ -3,11 +3,14 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
+
+#include "cli/common/interrupt.hpp"
 
 namespace jounce::cli {
 
-/// A line on standard error with the progress of long work: on a terminal only, after the first second, at most ten
-/// times a second. The destructor clears it.
+/// A line on standard error with the progress of long work: on a terminal only, after the first
+/// second, at most ten times a second. The destructor clears it.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -24,6 +27,26 @@ class Progress {
   std::chrono::steady_clock::time_point shown_;
   bool terminal_;
   bool visible_ = false;
+};
+
+/// Long work with a progress line, which Ctrl-C stops:
+///
+///     WatchedWork work("optimizing");
+///     while (work.goes_on(share, step)) ...
+class WatchedWork {
+ public:
+  explicit WatchedWork(std::string what) : progress_(std::move(what)) {}
+
+  /// Shows the progress. Returns false after Ctrl-C.
+  bool goes_on(double share, const std::string& now = "") {
+    progress_.show(share, now);
+    return !interrupt_.asked();
+  }
+  [[nodiscard]] bool interrupted() const { return interrupt_.asked(); }
+
+ private:
+  Progress progress_;
+  Interrupt interrupt_;
 };
 
 }  // namespace jounce::cli

@@ -129,6 +129,7 @@ void add_stop(CommandLine& line);
 void add_order(CommandLine& line);
 void add_run(CommandLine& line);
 void add_monitor(CommandLine& line);
+void add_page(CommandLine& line);
 void add_replay(CommandLine& line);
 
 /// Throws InputError if both are the same file: an output must not replace its input.

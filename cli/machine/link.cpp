@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/machine/link.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -9,8 +11,6 @@
 #include "jounce/stream/transport/address.hpp"
 #include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
-
-#include "cli/machine/open_network.hpp"
 
 namespace jounce::cli {
 

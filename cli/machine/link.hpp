@@ -38,6 +38,15 @@ Nanos nanos(double seconds);
 /// Adds --url and --key, and the hidden --inject-loss and --seed.
 void add_link_options(const Verb& verb, LinkOptions& options);
 
+/// True if every machine of a network can command the axes of this address: the address leaves this
+/// machine, and there is no key.
+bool is_open(const LinkOptions& options);
+
+/// Why that is dangerous, and what to do.
+inline constexpr const char* open_warning =
+    "this --url reaches other machines and there is no --key, so every machine of that network can "
+    "move and stop these axes. Make a key with `jounce new key -o line.key`";
+
 /// A link made from the options, and made worse if they ask for it. Throws TransportError with
 /// advice where the network is missing.
 class Link {

@@ -4,33 +4,30 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/commands.hpp"
+#include "jounce/machine/command_words.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/interrupt.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/machine/await_home.hpp"
-#include "cli/machine/link.hpp"
-#include "cli/machine/order_words.hpp"
+#include "cli/machine/outcome.hpp"
 
 namespace jounce::cli {
 namespace {
 
 struct OrderArguments {
   std::string executor;
-  OrderWords words;
+  CommandWords words;
   double seconds = 0;  // length of a hold-to-run jog; 0: until Ctrl-C
   std::int64_t at = -1;
   LinkOptions link;
@@ -38,15 +35,11 @@ struct OrderArguments {
 };
 
 /// The units of the axis, and of the values of its commands.
-Units units_of(Transport& link, const OrderArguments& options,
-               const std::optional<wire::Key>& key) {
-  link.subscribe(wire::channel(options.executor, wire::Lane::status), 1);
-  const auto message =
-      next_status(link, options.executor, std::chrono::seconds(1), steady_now, key);
-  if (!message) {
-    throw TransportError("no message from " + options.executor + ": " + unheard_hint);
-  }
-  return std::get<wire::Status>(message->body).units;
+Units units_of(const OrderArguments& options, Link& link) {
+  const auto status =
+      present_status(link.transport(), options.executor, std::chrono::seconds(1), link.key());
+  if (!status) throw TransportError("no message from " + options.executor + ": " + unheard_hint);
+  return status->units;
 }
 
 /// Keeps the session of a hold-to-run jog, so long as it is held.
@@ -67,51 +60,44 @@ CallOutcome hold(const OrderArguments& options, Client& client) {
   return outcome;
 }
 
-/// Commands of an operator need no session: another session may own the axis.
+/// Waits until the axis is homed; Ctrl-C stops it.
+CallOutcome wait_for_home(const OrderArguments& options, Client& client, Link& link) {
+  const Interrupt interrupt;
+  return await_home(
+      link.transport(), options.executor, client, [&] { return interrupt.asked(); }, link.key());
+}
+
 CallOutcome give(const OrderArguments& options, const ClientCommand& command, Link& link) {
-  if (!is_operators(kind_of(command))) {
-    Client client(link.transport(), options.executor, {.key = link.key()});
-    CallOutcome outcome = client.command(command, options.at);
-    if (holds_to_run(command) && outcome.ok()) outcome = hold(options, client);
-    if (std::holds_alternative<command::Home>(command) && outcome.ok())
-      outcome = await_home(options.executor, client, link);
-    static_cast<void>(client.release());
-    return outcome;
-  }
-  const wire::Reply reply = operator_command(link.transport(), options.executor,
-                                             wire::message_of(command, options.at), link.key());
-  if (reply.outcome == wire::Outcome::accepted) return {};
-  if (reply.outcome == wire::Outcome::pending)
-    return {StreamError::command_timeout,
-            {},
-            0,
-            options.executor + " did not accept or reject the command in time"};
-  return {StreamError::refused, reply.refusal, reply.cause,
-          std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
+  const bool homes = std::holds_alternative<command::Home>(command);
+  if (!homes && !holds_to_run(command))
+    return send_command(link.transport(), options.executor, command, options.at, link.key());
+  Client client(link.transport(), options.executor, {.key = link.key()});
+  CallOutcome outcome = client.command(command, options.at);
+  if (outcome.ok()) outcome = homes ? wait_for_home(options, client, link) : hold(options, client);
+  static_cast<void>(client.release());
+  return outcome;
 }
 
 int report(const OrderArguments& options, const CallOutcome& outcome) {
   if (options.json) {
-    const nlohmann::ordered_json document{{"ok", outcome.ok()},
-                                          {"error", name(outcome.error)},
-                                          {"cause", outcome.cause},
-                                          {"reason", outcome.reason}};
-    fmt::print("{}\n", document.dump(1));
+    print_json({{"ok", outcome.ok()},
+                {"error", name(outcome.error)},
+                {"cause", outcome.cause},
+                {"reason", outcome.reason}});
   } else if (outcome.ok()) {
     fmt::print("{}: {}\n", options.executor,
                options.words.what == "home" ? "homed" : options.words.what + " accepted");
   } else {
     fmt::print(stderr, "jounce: {}: {}\n", options.executor, outcome.reason);
   }
-  if (outcome.ok()) return fine;
-  return outcome.error == StreamError::refused ? finding : fault;
+  return status_of(outcome, {StreamError::refused});
 }
 
 int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
   Link link(options.link);
-  const Units units = units_of(link.transport(), options, link.key());
+  const Units units = units_of(options, link);
   if (options.words.what == "home" && options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
                      "cannot be combined with home, which waits until the axis is homed");
@@ -119,8 +105,8 @@ int run_order(const OrderArguments& options) {
 }
 
 /// The options that the commands have.
-void add_options(const Verb& verb, OrderWords& words) {
-  for (const auto& [name, help, range] : order_options()) {
+void add_options(const Verb& verb, CommandWords& words) {
+  for (const auto& [name, help, range] : command_options()) {
     if (range == FieldRange::flag) {
       verb.flag("--" + name, words.flags[name], help);
       continue;
@@ -153,9 +139,9 @@ void add_order(CommandLine& line) {
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
-  verb.option("WHAT", options->words.what, listed(order_words()) + " (the axis's own table)")
+  verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
       .required()
-      .check(one_of(order_words()));
+      .check(one_of(command_words()));
   verb.option("VALUE", options->words.value,
               "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
               "of set-position, ratio of gear-in and gear-in-pos (3:2)");

@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/machine/page.hpp"
-
-#include <array>
-#include <csignal>
+#include <chrono>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 #include "jounce/web/gate.hpp"
-#include "jounce/web/panel.hpp"
+#include "jounce/web/page_process.hpp"
 
 #include "cli/common/interrupt.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
-#include "cli/machine/open_network.hpp"
-#include "cli/machine/page_process.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -40,56 +29,25 @@ struct PageArguments {
   bool of_run = false;
 };
 
-web::PanelOptions panel_of(const PageArguments& options, const Link& link, std::string token) {
+web::PanelOptions panel_of(const PageArguments& options, const Link& link) {
   return {.axes = options.axes,
           .key = link.key(),
           .title = "Jounce",
-          .token = std::move(token),
+          .token = web::new_token(),
           .warning = is_open(options.link) ? std::string("Warning: ") + open_warning : ""};
-}
-
-/// Makes a page that `jounce run` has started less important than the executor: it has a lower priority, ends
-/// with the executor, and is the first process to be killed if memory is short.
-void give_way() {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  setpriority(PRIO_PROCESS, 0, 10);
-  std::ofstream("/proc/self/oom_score_adj") << 1000;
-}
-
-/// A line from standard input.
-std::string line_in() {
-  std::string line;
-  for (char c = 0; line.size() < 256 && read(STDIN_FILENO, &c, 1) == 1 && c != '\n';) line += c;
-  return line;
-}
-
-/// Until the other end of standard input is closed, as it is where the executor has ended, however it did.
-void wait_for_end_of_input() {
-  std::array<char, 256> dropped{};
-  while (read(STDIN_FILENO, dropped.data(), dropped.size()) > 0) {
-  }
-}
-
-int serve_for_run(const PageArguments& options) {
-  give_way();
-  const std::string token = line_in();
-  if (token.empty()) return bad_input;
-  const Link link(options.link);
-  const web::Panel panel(panel_of(options, link, token), web::Listening::inherited(page_socket),
-                         [&] { return open_transport(options.link.url); });
-  wait_for_end_of_input();
-  return fine;
 }
 
 int run_page(const PageArguments& options) {
   for (const std::string& axis : options.axes) require_name_on_bus("NAME", axis);
-  if (options.of_run) return serve_for_run(options);
+  const auto make_link = [&] { return open_transport(options.link.url); };
+  if (options.of_run)
+    return web::serve_for_parent(panel_of(options, Link(options.link)), make_link) ? fine
+                                                                                   : bad_input;
   const Interrupt interrupt;
   const Link link(options.link);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
-  const web::Panel panel(panel_of(options, link, web::new_token()),
-                         web::Listening(static_cast<std::uint16_t>(options.port)),
-                         [&] { return open_transport(options.link.url); });
+  const web::Panel panel(panel_of(options, link),
+                         web::Listening(static_cast<std::uint16_t>(options.port)), make_link);
   fmt::print(stderr, "jounce: live page at {}\n", panel.address());
   const Nanos begin = steady_now();
   const auto in_time = [&] {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,19 +7,18 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/executor/shell.hpp"
+#include "jounce/machine/machine_parts.hpp"
+#include "jounce/machine/run_text.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/driver.hpp"
+#include "jounce/web/page_process.hpp"
 
+#include "cli/common/json.hpp"
+#include "cli/common/say.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
-#include "cli/machine/machine.hpp"
-#include "cli/machine/open_network.hpp"
-#include "cli/machine/page_process.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -34,72 +32,14 @@ struct RunArguments {
   bool json = false;
 };
 
-void print(const AxisSummary& axis, bool alone) {
-  fmt::print("{}{} motions finished, {} stopped; at {:.9g}\n", alone ? "" : axis.name + ": ",
-             axis.finished, axis.stopped, axis.position);
-  if (axis.fault != Cause::none)
-    fmt::print("{}fault: {}: {}\n", alone ? "" : axis.name + ": ", name(axis.fault),
-               meaning(axis.fault));
-}
-
-std::string within(const Histogram::Counts& counts) {
-  const double us = upper_bound(counts, 0.999);
-  return std::isinf(us) ? "more than 16384 us" : fmt::format("{} us", us);
-}
-
-void print(const ExecutorSummary& summary) {
-  for (const AxisSummary& axis : summary.axes) print(axis, summary.axes.size() == 1);
-  const CycleCounts& cycle = summary.cycle;
-  fmt::print("{} ticks, {} late, by at most {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
-             cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
-             within(summary.lateness), within(summary.computing));
-  if (!summary.realtime.empty()) fmt::print("{}\n", summary.realtime);
-}
-
-nlohmann::ordered_json json_of(const ExecutorSummary& summary) {
-  nlohmann::ordered_json axes = nlohmann::ordered_json::array();
-  for (const AxisSummary& axis : summary.axes)
-    axes.push_back({{"name", axis.name},
-                    {"finished", axis.finished},
-                    {"stopped", axis.stopped},
-                    {"fault", name(axis.fault)},
-                    {"position", axis.position}});
-  return {{"axes", axes},
-          {"realtime", summary.realtime},
-          {"ticks", summary.cycle.ticks},
-          {"late", summary.cycle.late},
-          {"skipped", summary.cycle.skipped},
-          {"latest_ns", summary.cycle.latest_ns},
-          {"computed_ns", summary.cycle.computed_ns},
-          {"lateness_us", summary.lateness},
-          {"computing_us", summary.computing},
-          {"log_lost", summary.cycle.lost},
-          {"record_lost", summary.record_lost}};
-}
-
 int report(const ExecutorSummary& summary, bool json) {
   if (json)
-    fmt::print("{}\n", json_of(summary).dump(1));
+    print_json(Json::parse(summary_json(summary)));
   else
-    print(summary);
+    fmt::print("{}", summary_text(summary));
   const bool faulty = std::any_of(summary.axes.begin(), summary.axes.end(),
                                   [](const AxisSummary& a) { return a.fault != Cause::none; });
   return faulty ? finding : fine;
-}
-
-bool logs_are_whole(const RunArguments& options, const ExecutorSummary& summary) {
-  bool whole = true;
-  if (summary.cycle.lost > 0) {
-    fmt::print(stderr, "jounce: {} ticks are missing from the log\n", summary.cycle.lost);
-    whole = false;
-  }
-  for (const AxisSummary& axis : summary.axes) {
-    if (!axis.log_truncated) continue;
-    fmt::print(stderr, "jounce: the log of {} is cut off: {}.truncated\n", axis.name,
-               printable(log_of(options.machine.log, axis.name, summary.axes.size())));
-    whole = false;
-  }
-  return whole;
 }
 
 bool has_played(const ExecutorSummary& summary) {
@@ -107,22 +47,15 @@ bool has_played(const ExecutorSummary& summary) {
                      [](const AxisSummary& a) { return a.finished + a.stopped > 0; });
 }
 
-bool record_is_whole(const ExecutorSummary& summary) {
-  if (summary.record_trouble.empty() && summary.record_lost == 0) return true;
-  fmt::print(stderr, "jounce: the record is incomplete: {}\n",
-             summary.record_trouble.empty()
-                 ? std::to_string(summary.record_lost) + " cycles are missing"
-                 : printable(summary.record_trouble));
-  return false;
-}
-
-/// The live page, where it is asked for: a process of its own.
-std::unique_ptr<PageProcess> page_of(const RunArguments& options,
-                                     const std::vector<ExecutorOptions>& axes) {
+/// The live page of --web: `jounce page` in another process.
+std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
+                                          const std::vector<ExecutorOptions>& axes) {
   if (!options.web) return nullptr;
-  std::vector<std::string> names;
-  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
-  auto page = std::make_unique<PageProcess>(*options.web, names, options.link);
+  std::vector<std::string> words{"jounce", "page", "--of-run", "--url", options.link.url};
+  if (!options.link.key.empty()) words.insert(words.end(), {"--key", options.link.key});
+  for (const auto& axis : axes) words.push_back(axis.receiver.executor);
+  auto page = std::make_unique<web::PageProcess>(
+      *options.web, std::move(words), [](const std::string& notice) { say("jounce: " + notice); });
   fmt::print(stderr, "jounce: live page at {}\n", page->address());
   return page;
 }
@@ -156,21 +89,11 @@ void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOp
   if (record.black_box) require_not_read(record.black_box->string(), "--black-box");
 }
 
-bool has_its_names(const ExecutorSummary& summary) {
-  if (summary.lost_name.empty()) return true;
-  fmt::print(stderr,
-             "jounce: name_taken: another executor on this --url has the name {}: this executor "
-             "stopped its axes and ended\n",
-             summary.lost_name);
-  return false;
-}
-
 int run_executor(const RunArguments& options) {
   require_other_files(options);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
-  auto [axes, masters, watchdog] = parts_of(options.machine);
+  auto [axes, masters, watchdog] = machine_parts(options.machine);
   require_no_inputs(options, axes);
-  (void)Machine(machine_of(axes), masters.size());
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto page = page_of(options, axes);
@@ -180,9 +103,9 @@ int run_executor(const RunArguments& options) {
   how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
   const int status = report(summary, options.json);
-  if (!has_its_names(summary)) return fault;
-  if (!options.machine.log.empty() && !logs_are_whole(options, summary)) return fault;
-  if (!record_is_whole(summary)) return fault;
+  const auto missing = missing_parts(summary, options.machine.log);
+  for (const std::string& part : missing) fmt::print(stderr, "jounce: {}\n", part);
+  if (!missing.empty()) return fault;
   const bool idle = options.run.once && !has_played(summary);
   return status == fine && idle ? finding : status;
 }
@@ -191,6 +114,7 @@ int run_executor(const RunArguments& options) {
 
 void add_run(CommandLine& line) {
   const auto options = std::make_shared<RunArguments>();
+  options->machine.notify = say;
   const Verb verb = line.verb("run", "Run an executor: receive tables and play them, tick by tick",
                               "jounce run axis.toml --enable --log run.csv --once\n"
                               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
@@ -21,23 +20,6 @@ struct StopArguments {
   double patience = 10;
 };
 
-/// The state in which the axis has come to rest, from its status; nullopt if it does not within the
-/// time.
-std::optional<State> state_at_rest(Transport& link, const std::string& executor, Nanos patience,
-                                   const std::optional<wire::Key>& key) {
-  using State = State;
-  for (const Nanos begin = steady_now(); steady_now() - begin < patience;) {
-    const auto message =
-        next_status(link, executor, std::chrono::milliseconds(100), steady_now, key);
-    const auto* status = message ? std::get_if<wire::Status>(&message->body) : nullptr;
-    if (status == nullptr) continue;
-    if (status->state == State::standstill || status->state == State::disabled ||
-        status->state == State::error_stop)
-      return status->state;
-  }
-  return std::nullopt;
-}
-
 int run_stop(const StopArguments& options) {
   require_name_on_bus("NAME", options.executor);
   Link link(options.link);
@@ -46,7 +28,7 @@ int run_stop(const StopArguments& options) {
   if (operator_stop(link.transport(), options.executor, mode, std::chrono::seconds(2), steady_now,
                     link.key())) {
     const auto state =
-        state_at_rest(link.transport(), options.executor, nanos(options.patience), link.key());
+        await_rest(link.transport(), options.executor, nanos(options.patience), link.key());
     if (!state) {
       fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
                  options.executor, options.patience);

@@ -14,18 +14,18 @@
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/verb.hpp"
+#include "cli/verbs/check_run.hpp"
 
 namespace jounce::cli {
 namespace {
 
 struct CheckArguments {
-  std::string file;
+  CheckRun run;
   std::string axis, machine;
   std::vector<std::string> limits;
   std::string slave, master,
       master_velocity;  ///< state at the start of a coupling; units may be omitted
   int continuity = 1;
-  bool json = false;
 };
 
 /// Sets a limit from the command line, `velocity=3` or `velocity="3 mm/s"`, in place of the limit of the spec.
@@ -82,40 +82,69 @@ EngageState engage_state(const Input& input, const CheckArguments& options) {
   return at;
 }
 
-int run_check(const CheckArguments& options) {
-  std::vector<Input> inputs = load_program(options.file, options.machine, options.axis);
+Report report_of(const Input& input, const CheckArguments& options) {
+  Report report = checked(input, options.continuity, engage_state(input, options));
+  add_not_limited(report, input);
+  if (!input.plan) add_no_limits(report);  // the plan of a path keeps the limits of the path
+  return report;
+}
+
+/// The whole answer for one file.
+int print_answer(const CheckArguments& options) {
+  const bool json = options.run.json;
+  std::vector<Input> inputs = load_program(options.run.file(), options.machine, options.axis);
   for (Input& input : inputs) set_limits(input, options);
   bool ok = true;
   AxisDocuments documents;
   std::optional<PathSummary> path;
   if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
-  if (path && !options.json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
+  if (path && !json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
+  const Overlapped* const overlap = inputs.front().overlap.get();
+  if (overlap != nullptr && !json) fmt::print("{}\n", overlap_text(*inputs.front().spec, *overlap));
   for (const Input& input : inputs) {
-    Report report = checked(input, options.continuity, engage_state(input, options));
-    add_not_limited(report, input);
-    ok = ok && report.ok();
-    if (options.json)
+    const Report report = report_of(input, options);
+    ok = ok && report.ok() && (!options.run.strict || report.warnings() == 0);
+    if (json)
       documents.emplace_back(input.axis, Json::parse(check_json(report, input)));
     else
       fmt::print("{}", check_text(report, input));
-    if (!options.json && &input != &inputs.back()) fmt::print("\n");
+    if (!json && &input != &inputs.back()) fmt::print("\n");
   }
-  if (options.json) {
+  if (json) {
     nlohmann::ordered_json document = document_of(std::move(documents));
     if (path)
       document["path"] = nlohmann::ordered_json::parse(path_json(*inputs.front().spec, *path));
+    if (overlap != nullptr)
+      document["overlap"] =
+          nlohmann::ordered_json::parse(overlap_json(*inputs.front().spec, *overlap));
     fmt::print("{}\n", document.dump(1));
   }
   return ok ? fine : finding;
+}
+
+int run_check(const CheckArguments& options) {
+  require_one_file(options.run, "--axis", options.axis);
+  if (options.run.is_one_answer())
+    return answer(options.run, [&] { return print_answer(options); });
+  const auto examine = [&](std::vector<Input>& axes) {
+    std::vector<Report> reports;
+    for (Input& axis : axes) {
+      set_limits(axis, options);
+      reports.push_back(report_of(axis, options));
+    }
+    return reports;
+  };
+  return check_files("check", options.run, examine, options.machine);
 }
 
 }  // namespace
 
 void add_check(CommandLine& line) {
   const auto options = std::make_shared<CheckArguments>();
-  const Verb verb = line.verb("check", "Check exact limits and continuity of a spec or a table",
-                              "jounce check cam.toml --limit geo_acceleration=0.02");
-  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  const Verb verb = line.verb("check", "Check exact limits and continuity of specs and tables",
+                              "jounce check cam.toml --limit geo_acceleration=0.02\n"
+                              "jounce check . --format github --baseline origin/main");
+  add_run_options(verb, options->run);
   verb.option(
           "--limit", options->limits,
           "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
@@ -137,7 +166,6 @@ void add_check(CommandLine& line) {
   verb.option("--master-velocity", options->master_velocity,
               "For a spec with [coupling]: velocity of the master at that time, per second; "
               "default: that of [master]");
-  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_check(*options); });
 }
 

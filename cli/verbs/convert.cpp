@@ -4,15 +4,14 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/io/points_text.hpp"
 #include "jounce/io/samples_csv.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/target_options.hpp"
 #include "cli/common/verb.hpp"
 
@@ -35,40 +34,42 @@ struct ConvertArguments {
   bool json = false;
 };
 
-const CamFormat* format_of(const ConvertArguments& options) {
-  return options.to.empty() ? cam_format_of_path(options.output) : cam_format_named(options.to);
-}
-
-Interpolation rule_for(const ConvertArguments& options, const Table& table) {
-  if (const CamFormat* format = format_of(options)) return rule_of(*format);
+Interpolation rule_for(const ConvertArguments& options, const TableForm& form, const Table& table) {
+  if (form.format != nullptr) return rule_of(*form.format);
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     if (options.rule == name(rule)) return rule;
   return rule_of(options.target).value_or(table.rule());
 }
 
-Conversion conversion_of(const ConvertArguments& options, const Input& input) {
-  Conversion wanted{.rule = rule_for(options, input.table.table),
+Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
+                         const Input& input) {
+  Conversion wanted{.rule = rule_for(options, form, input.table.table),
                     .intervals = options.intervals,
                     .units = {options.master_unit, options.position_unit},
                     .periodic = options.periodic,
-                    .format = format_of(options)};
+                    .format = form.format};
   if (options.target.any())
     wanted.target =
         target_of(options.target, input.table.table.axis(), wanted.rule, input.labels.units);
   return wanted;
 }
 
-Converted convert(const Input& input, const ConvertArguments& options) {
+Converted convert(const Input& input, const ConvertArguments& options, const TableForm& form) {
   return with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step",
                             "p_step", "v_step", "master_unit", "position_unit"},
-                           [&] { return converted(input, conversion_of(options, input)); });
+                           [&] { return converted(input, conversion_of(options, form, input)); });
 }
 
-/// Samples at every --every, as CSV for other programs.
-std::string samples_of(const TableFile& file, const ConvertArguments& options) {
-  if (format_of(options) != nullptr || options.to == "json" || options.to == "points" ||
-      options.output.ends_with(".json"))
+std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
+  if (form.format != nullptr && options.every.empty()) return form_text(form, file);
+  for (const auto& [unit, option] :
+       {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
+    if (unit->empty())
+      throw InputError(option, "",
+                       "is missing: the file names no unit. Give one, such as mm or deg");
+  if (options.every.empty()) return form_text(form, file);
+  if (form.name != "csv" || options.output.ends_with(".json"))
     throw InputError("--every", options.every,
                      "writes samples, which are CSV: end OUT in .csv, and leave out --to");
   try {
@@ -78,69 +79,23 @@ std::string samples_of(const TableFile& file, const ConvertArguments& options) {
   }
 }
 
-std::string text_of(const TableFile& file, const ConvertArguments& options) {
-  const CamFormat* const format = format_of(options);
-  if (format != nullptr && options.every.empty()) return exchange_text(*format, file);
-  for (const auto& [unit, option] :
-       {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty())
-      throw InputError(option, "",
-                       "is missing: the file names no unit. Give one, such as mm or deg");
-  if (!options.every.empty()) return samples_of(file, options);
-  return options.to == "json"     ? to_json(file)
-         : options.to == "csv"    ? to_csv(file)
-         : options.to == "points" ? points_text(file)
-                                  : table_text(options.output, file);
-}
-
 /// Reports the parts of the input that the output does not contain.
-std::vector<std::string> losses(const ConvertArguments& options, const Input& input,
-                                const Table& made) {
+std::vector<std::string> losses(const ConvertArguments& options, const TableForm& form,
+                                const Input& input, const Table& made) {
   std::vector<std::string> all = input.unread;
   if (!options.every.empty()) all.emplace_back("samples: the file contains no values between them");
-  if (options.to == "points")
+  if (form.name == "points")
     all.emplace_back("points count from the first knot; their types define the rates");
-  const std::vector<std::string> more = jounce::losses(input, format_of(options), made);
+  const std::vector<std::string> more = jounce::losses(input, form.format, made);
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
-std::string word_for(const ConvertArguments& options) {
-  if (const CamFormat* format = format_of(options)) return format->name;
-  if (options.to == "points") return options.to;
-  return options.to == "json" || (options.to.empty() && options.output.ends_with(".json")) ? "json"
-                                                                                           : "csv";
-}
-
-nlohmann::ordered_json json_of(const Converted& made, const ConvertArguments& options,
-                               const Input& input) {
-  nlohmann::ordered_json document{{"table", options.output},
-                                  {"format", word_for(options)},
-                                  {"knots", made.file.table.size()},
-                                  {"rule", name(made.file.table.rule())},
-                                  {"lossless", !made.error.has_value()}};
-  if (made.error) {
-    document["error"] = made.error->position;
-    document["error_where"] = made.error->where;
-    document["error_velocity"] = made.error->velocity;
-  }
-  document["losses"] = losses(options, input, made.file.table);
-  return document;
-}
-
-void print_text(std::FILE* out, const Converted& made, const ConvertArguments& options,
-                const Input& input) {
-  fmt::print(out, "{} -> {}: {} knots, {}\n", input.name, word_for(options), made.file.table.size(),
-             name(made.file.table.rule()));
-  fmt::print(out, "{}\n", error_text(made, input.labels));
-  for (const auto& loss : losses(options, input, made.file.table)) fmt::print(out, "{}\n", loss);
-}
-
 /// The extension of the file or --to must determine the format.
-void require_known_ending(const ConvertArguments& options) {
+void require_known_ending(const ConvertArguments& options, const TableForm& form) {
   const std::string& path = options.output;
-  if (format_of(options) != nullptr || !options.to.empty() || path == "-" ||
-      path.ends_with(".csv") || path.ends_with(".json"))
+  if (form.format != nullptr || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
+      path.ends_with(".json"))
     return;
   std::string endings = ".csv, .json";
   for (const CamFormat* format : cam_formats())
@@ -151,16 +106,18 @@ void require_known_ending(const ConvertArguments& options) {
 }
 
 int run_convert(const ConvertArguments& options) {
-  require_known_ending(options);
+  const TableForm form = table_form(options.to, options.output);
+  require_known_ending(options, form);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
-  const Converted made = convert(input, options);
-  write_file(options.output, text_of(made.file, options));
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // standard output is for the table
+  const Converted made = convert(input, options, form);
+  write_file(options.output, text_of(made.file, options, form));
+  std::FILE* out = text_stream({options.output});
+  const auto lost = losses(options, form, input, made.file.table);
   if (options.json)
-    fmt::print(out, "{}\n", json_of(made, options, input).dump());
+    fmt::print(out, "{}\n", conversion_json(made, form, options.output, lost));
   else
-    print_text(out, made, options, input);
+    fmt::print(out, "{}", conversion_text(input, made, form, lost));
   return fine;
 }
 

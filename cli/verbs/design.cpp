@@ -9,6 +9,7 @@
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -22,27 +23,14 @@ struct DesignArguments {
   bool json = false;
 };
 
-/// The file of one axis: feeder.csv; for several axes feeder-x.csv, feeder-y.csv.
-std::string file_of(const std::string& path, const std::string& axis, std::size_t axes) {
-  if (axes == 1 || path.empty()) return path;
-  if (path == "-")
-    throw InputError("--output", "",
-                     "is missing: each axis needs a file; -o a.csv writes a-" + axis +
-                         ".csv and so on, --axis " + axis + " writes one axis only");
-  const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
-  const auto dot = path.find_last_of('.');
-  const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;
-  return path.substr(0, end) + "-" + axis + path.substr(end);
-}
-
 /// Adds the files of one axis.
 void add_files(const Input& input, const DesignArguments& options, std::size_t axes,
                std::vector<Output>& files) {
-  const std::string table = file_of(options.output, input.axis, axes);
+  const std::string table = file_of_axis("--output", options.output, input.axis, axes);
   files.push_back({table, table_text(table, input.table)});
   if (options.curve.empty()) return;
   files.push_back(
-      {file_of(options.curve, input.axis, axes),
+      {file_of_axis("--curve", options.curve, input.axis, axes),
        std::visit([&](const auto& curve) { return curve_json(curve, input.labels.units); },
                   *input.curve)});
 }
@@ -58,11 +46,11 @@ int run_design(const DesignArguments& options) {
   }
   require_other_file(options.spec, options.output);
   write_files(files);
-  std::FILE* out = options.output == "-" ? stderr : stdout;  // standard output is for the table
+  std::FILE* out = text_stream({options.output});
   AxisDocuments documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];
-    const std::string file = file_of(options.output, input.axis, inputs.size());
+    const std::string file = file_of_axis("--output", options.output, input.axis, inputs.size());
     if (options.json)
       documents.emplace_back(input.axis, Json::parse(design_json(input, reports[i], file)));
     else

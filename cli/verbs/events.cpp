@@ -39,11 +39,12 @@ int run_events(const EventsArguments& options) {
 
 void add_events(CommandLine& line) {
   const auto options = std::make_shared<EventsArguments>();
-  const Verb verb = line.verb("events", "List the exact times at which outputs switch",
-                              "jounce events scan.toml -o events.csv");
+  const Verb verb = line.verb(
+      "events", "List the exact times at which outputs switch, or the lines of a path begin",
+      "jounce events scan.toml -o events.csv");
   verb.option("FILE", options->file,
-              "Spec of a motion with [compare], or of a cam with [[switch]] and [master]; "
-              "- is standard input")
+              "Spec of a motion with [compare], of a path, or of a cam with [[switch]] and "
+              "[master]; - is standard input")
       .required();
   verb.option("-o,--output", options->output, "CSV to write; - is standard output");
   verb.flag("--json", options->json, "Events as JSON");

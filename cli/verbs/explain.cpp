@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "jounce/base/nearest.hpp"
 #include "jounce/command/causes.hpp"
 #include "jounce/controllers/controller_errors.hpp"
-#include "jounce/profiles/error.hpp"
+#include "jounce/report/messages.hpp"
 #include "jounce/report/rules.hpp"
 #include "jounce/stream/message/refusals.hpp"
 
+#include "cli/common/json.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -23,17 +21,6 @@ struct ExplainArguments {
   std::string code;
   bool markdown = false;
   bool json = false;
-};
-
-/// A message that the program prints, or an error of a controller.
-struct Message {
-  std::string group;
-  std::string code;
-  std::string name;
-  std::string meaning;
-  std::string
-      remedy;  ///< next step; for an error of a controller, the answer of Jounce in its place
-  bool is_foreign = false;
 };
 
 /// The group of a Cause. Each group has a block of numbers.
@@ -65,101 +52,21 @@ std::vector<Message> all_messages() {
   return all;
 }
 
-/// All groups, in the order of their first message.
-std::vector<std::string> groups_of(const std::vector<Message>& all) {
-  std::vector<std::string> groups;
-  for (const Message& one : all)
-    if (std::find(groups.begin(), groups.end(), one.group) == groups.end())
-      groups.push_back(one.group);
-  return groups;
-}
-
-/// A text for a cell of a Markdown table.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, 1, '\\');
-  return text;
-}
-
-void print_markdown(const std::vector<Message>& all) {
-  fmt::print(
-      "# Messages\n\nAll numbers and names that an axis, an executor and the stream report. "
-      "`jounce explain NAME`\n"
-      "prints one of them, also the errors of controllers for cams ([their "
-      "table](../cam/errors.md)).\n"
-      "`jounce explain --markdown` prints this page.\n");
-  std::vector<Message> own;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(own),
-               [](const Message& one) { return !one.is_foreign; });
-  for (const std::string& group : groups_of(own)) {
-    fmt::print("\n## {}\n\n| no. | name | what happened | what to do |\n|---|---|---|---|\n",
-               group);
-    for (const Message& one : own)
-      if (one.group == group)
-        fmt::print("| {} | {} | {} | {} |\n", one.code,
-                   one.code.empty() ? "`" + one.name + "`" : one.name, cell(one.meaning),
-                   cell(one.remedy));
-  }
-}
-
-void print_json(const std::vector<Message>& all) {
-  nlohmann::ordered_json document = nlohmann::ordered_json::array();
-  for (const Message& one : all)
-    document.push_back({{"group", one.group},
-                        {"code", one.code},
-                        {"name", one.name},
-                        {"meaning", one.meaning},
-                        {"remedy", one.remedy}});
-  fmt::print("{}\n", document.dump(1));
-}
-
-/// The number and the name, if there are any.
-std::string title_of(const Message& one) {
-  return one.code + (one.code.empty() || one.name.empty() ? "" : " ") + one.name;
-}
-
-void print_text(const std::vector<Message>& all) {
-  for (const Message& one : all)
-    fmt::print("{} ({})\n  {}\n  {}: {}\n", title_of(one), one.group, one.meaning,
-               one.is_foreign ? "In Jounce" : "What to do", one.remedy);
-}
-
-void print_list(const std::vector<Message>& all) {
-  for (const std::string& group : groups_of(all)) {
-    fmt::print("{}:\n", group);
-    for (const Message& one : all)
-      if (one.group == group) fmt::print("  {:>6} {:<20} {}\n", one.code, one.name, one.meaning);
-  }
-}
-
-/// The messages with this number or name.
-std::vector<Message> matching(const std::vector<Message>& all, const std::string& code) {
-  std::vector<Message> found;
-  const RuleInfo* const rule = rule_info(code);
-  const std::string name = rule != nullptr ? rule->rule : code;
-  for (const Message& one : all)
-    if (one.code == code || one.name == name) found.push_back(one);
-  if (!found.empty()) return found;
-  std::vector<std::string> names;
-  for (const Message& one : all) names.push_back(one.name);
-  const std::string meant = nearest(code, names);
-  throw InputError(
-      "CODE", code,
-      "is not the number or name of a message: " +
-          (meant.empty() ? "`jounce explain` lists all" : "did you mean " + meant + "?"));
+std::vector<Message> named(const std::vector<Message>& all, const std::string& code) {
+  return under_option("CODE", [&] { return messages_named(all, code); });
 }
 
 int run_explain(const ExplainArguments& options) {
   const std::vector<Message> all = all_messages();
-  const auto chosen = options.code.empty() ? all : matching(all, options.code);
+  if (options.code.empty() && !options.json) {
+    fmt::print("{}", options.markdown ? messages_markdown(all) : messages_list(all));
+    return fine;
+  }
+  const auto chosen = options.code.empty() ? all : named(all, options.code);
   if (options.json)
-    print_json(chosen);
-  else if (options.markdown)
-    print_markdown(chosen);
-  else if (options.code.empty())
-    print_list(chosen);
+    print_json(Json::parse(messages_json(chosen)));
   else
-    print_text(chosen);
+    fmt::print("{}", options.markdown ? messages_markdown(chosen) : messages_text(chosen));
   return fine;
 }
 

@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "jounce/spec/spec.hpp"
+#include <fmt/format.h>
 
-#include "cli/common/folders.hpp"
+#include "jounce/base/file.hpp"
+#include "jounce/design/cam_check.hpp"
+#include "jounce/design/path_text.hpp"
+#include "jounce/design/peaks.hpp"
+#include "jounce/plot/optimum_figure.hpp"
+#include "jounce/study/optimum.hpp"
+#include "jounce/study/tune.hpp"
+
+#include "cli/common/json.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/picture.hpp"
+#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
-#include "cli/optimize/optimizing.hpp"
 
 namespace jounce::cli {
 namespace {
+
+struct OptimizeArguments {
+  std::string spec;
+  std::string output;
+  std::string table;
+  std::string plot;
+  std::string against;  ///< file of a drive
+  bool json = false;
+  std::optional<double> seconds = {};  ///< instead of the time budget of the spec
+};
 
 void give_budget(Spec& spec, double seconds) {
   require_positive("--seconds", seconds);
@@ -19,6 +40,76 @@ void give_budget(Spec& spec, double seconds) {
     spec.optimize.seconds = seconds;
 }
 
+SpecOptimum optimum(const OptimizeArguments& options, const Spec& spec) {
+  std::optional<Spec> drive;
+  if (!options.against.empty()) drive = read_spec(options.against);
+  if (drive && !drive->drive)
+    throw drive->document.located(InputError("drive", "", "is missing: --against needs a [drive]"));
+  WatchedWork work(spec.parameters ? "searching" : "optimizing");
+  const auto watch = [&](double done, const std::string& step) { return work.goes_on(done, step); };
+  return drive ? optimum_against(spec, *drive, watch) : optimum_of(spec, watch);
+}
+
+/// True if `jounce check` finds no fault with any axis of a spec. Prints the faults.
+bool passes_check(std::FILE* out, const Spec& spec) {
+  bool passes = true;
+  for (const Input& input : inputs_of(spec, spec.document.name)) {
+    const Report report = checked(input);
+    if (report.ok()) continue;
+    passes = false;
+    fmt::print(out, "no file is written: the result breaks these checks:\n{}",
+               full_text(report, input.labels));
+  }
+  return passes;
+}
+
+/// For a path: what was gained, and the proven bound.
+void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
+  if (!std::holds_alternative<PathSpec>(optimized.subject)) return;
+  const std::shared_ptr<const Plan> before = make_axes(given).front().plan;
+  const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
+  if (!before || !after) return;  // lines that overlap
+  const double bound = lower_bound(*after);
+  fmt::print(out, "{}at least {} {} on this path (proven; jerk not limited): {} times the bound\n",
+             path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,
+             rounded(after->duration() / bound));
+}
+
+void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
+           const std::string& text) {
+  std::vector<Output> files;
+  if (!options.table.empty()) {
+    const std::vector<Input> inputs = inputs_of(optimized, optimized.document.name);
+    for (const Input& input : inputs) {
+      const std::string file = file_of_axis("--table", options.table, input.axis, inputs.size());
+      files.push_back({file, table_text(file, input.table)});
+    }
+  }
+  if (!options.output.empty()) files.push_back({options.output, text});
+  if (!options.plot.empty()) write_picture(options.plot, optimum_figure(given, optimized));
+  write_files(files);
+}
+
+/// Prints the optimum and the peaks of the optimized spec. Writes the files if it passes the check.
+int report(const OptimizeArguments& options, const Spec& given, const SpecOptimum& best) {
+  std::FILE* out = text_stream({options.output, options.table, options.plot});
+  if (!options.json) fmt::print(out, "{}", best.text);
+  std::optional<Spec> spec;
+  if (best.spec)
+    spec = parse_spec(*best.spec, options.output.empty() ? given.document.name : options.output);
+  if (options.json) {
+    Json document = Json::parse(best.json);
+    if (spec) document["peaks"] = Json::parse(peaks_json(peak_changes(given, *spec)));
+    print_json(out, document);
+  } else if (spec) {
+    fmt::print(out, "{}", peaks_text(peak_changes(given, *spec)));
+    print_bound(out, given, *spec);
+  }
+  if (!spec || !passes_check(options.json ? stderr : out, *spec)) return finding;
+  write(options, given, *spec, *best.spec);
+  return fine;
+}
+
 int run_optimize(const OptimizeArguments& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
@@ -26,6 +117,8 @@ int run_optimize(const OptimizeArguments& options) {
       {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
   if (!options.plot.empty()) require_picture("--plot", options.plot);
   Spec spec = read_spec(options.spec);
+  if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
+    spec.parameters = corner_parameters(spec);
   if (options.seconds) give_budget(spec, *options.seconds);
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
@@ -33,9 +126,7 @@ int run_optimize(const OptimizeArguments& options) {
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
         InputError("optimize", "", "--against needs a cam with segments of free shape"));
-  if (spec.parameters) return optimize_parameters(options, spec);
-  return spec.optimize.shape.shapes.empty() ? optimize_knots(options, spec)
-                                            : optimize_shapes(options, spec);
+  return report(options, spec, optimum(options, spec));
 }
 
 }  // namespace
@@ -48,7 +139,7 @@ void add_optimize(CommandLine& line) {
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb.option("SPEC", options->spec,
               "Spec with [optimize]: a cam with `free` knots or shapes, or any kind with "
-              "[[optimize.parameter]]; - is standard input")
+              "[[optimize.parameter]]; or a path: its corners; - is standard input")
       .required();
   verb.option("-o,--output", options->output,
               "Optimized spec to write: the same text with new numbers and points");

@@ -7,9 +7,9 @@
 #include "jounce/base/file.hpp"
 #include "jounce/proof/report_page.hpp"
 
-#include "cli/common/folders.hpp"
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {

@@ -14,8 +14,8 @@
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
 
-#include "cli/common/folders.hpp"
 #include "cli/common/interrupt.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
@@ -96,8 +96,7 @@ int report(const SweepSpec& spec, const SweepResult& result, const SweepArgument
     write_picture(options.plot, sweep_figure(spec, result, summary), look(spec));
   if (const std::string journal = journal_of(options); !journal.empty())
     std::remove(journal.c_str());
-  const bool taken = options.output == "-" || options.npy == "-" || options.plot == "-";
-  fmt::print(taken ? stderr : stdout, "{}",
+  fmt::print(text_stream({options.output, options.npy, options.plot}), "{}",
              options.json ? summary_json(spec, result, summary) + "\n"
                           : summary_text(spec, result, summary));
   return summary.within > 0 ? fine : finding;

@@ -13,17 +13,17 @@
 #include "cli/common/json.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
+#include "cli/verbs/check_run.hpp"
 
 namespace jounce::cli {
 namespace {
 
 struct ValidateArguments {
-  std::string file;
+  CheckRun run;
   std::string axis;
   std::string log;
   std::string signals;
   std::size_t samples = 2001;
-  bool json = false;
 };
 
 void print_text(std::FILE* out, const Proof& proof, const Input& input) {
@@ -39,7 +39,7 @@ void print_text(std::FILE* out, const Proof& proof, const Input& input) {
 void require_signals_of(const ValidateArguments& options, const std::vector<Input>& inputs) {
   if (options.signals.empty()) return;
   require_signals("--signals", options.signals);
-  require_other_file(options.file, options.signals);
+  require_other_file(options.run.file(), options.signals);
   require_folders({{"--signals", options.signals}});
   if (inputs.size() > 1)
     throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
@@ -59,8 +59,10 @@ Proof proven(const Input& input, const ValidateArguments& options) {
                        .progress = progress});
 }
 
-int run_validate(const ValidateArguments& options) {
-  const std::vector<Input> inputs = load_axes(options.file, options.axis);
+/// The whole answer for one file.
+int print_answer(const ValidateArguments& options) {
+  const bool json = options.run.json;
+  const std::vector<Input> inputs = load_axes(options.run.file(), options.axis);
   if (inputs.size() > 1 && !options.log.empty())
     throw InputError("--log", options.log, "is for one axis: name it with --axis");
   require_signals_of(options, inputs);
@@ -69,16 +71,30 @@ int run_validate(const ValidateArguments& options) {
   AxisDocuments documents;
   for (const Input& input : inputs) {
     const Proof proof = proven(input, options);
-    ok = ok && proof.report.ok();
+    ok = ok && proof.report.ok() && (!options.run.strict || proof.report.warnings() == 0);
     if (!options.signals.empty())
       write_file(options.signals, signals_file(*proof.drive, input, options.signals));
-    if (options.json)
+    if (json)
       documents.emplace_back(input.axis, Json::parse(proof_json(proof, input)));
     else
       print_text(out, proof, input);
   }
-  if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump(1));
+  if (json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump(1));
   return ok ? fine : finding;
+}
+
+int run_validate(const ValidateArguments& options) {
+  for (const auto& [option, value] : {std::pair{"--axis", &options.axis},
+                                      {"--log", &options.log},
+                                      {"--signals", &options.signals}})
+    require_one_file(options.run, option, *value);
+  if (options.run.is_one_answer())
+    return answer(options.run, [&] { return print_answer(options); });
+  return check_files("validate", options.run, [](std::vector<Input>& axes) {
+    std::vector<Report> reports;
+    for (const Input& axis : axes) reports.push_back(prove(axis).report);
+    return reports;
+  });
 }
 
 }  // namespace
@@ -87,9 +103,10 @@ void add_validate(CommandLine& line) {
   const auto options = std::make_shared<ValidateArguments>();
   const Verb verb = line.verb(
       "validate",
-      "Prove a motion by integration, in a servo model, and against the log of an executor",
-      "jounce validate cam.toml --log run.csv");
-  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+      "Prove motions by integration, in a servo model, and against the log of an executor",
+      "jounce validate cam.toml --log run.csv\n"
+      "jounce validate . --format junit");
+  add_run_options(verb, options->run);
   verb.axis(options->axis);
   verb.option("--log", options->log,
               "Tick log of an executor: compare every tick with the table (to rounding) and with "
@@ -102,7 +119,6 @@ void add_validate(CommandLine& line) {
               "Number of rows of --signals, equally spaced over the run")
       .shown()
       .check(whole(2, 10'000'000));
-  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_validate(*options); });
 }
 

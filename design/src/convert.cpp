@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/io/points_text.hpp"
 #include "jounce/pvt/fill.hpp"
 
 namespace jounce {
@@ -189,6 +191,44 @@ std::string error_text(const Converted& made, const Labels& labels) {
                      rounded(made.error->position), labels.units.position,
                      rounded(made.error->where), labels.units.x, rounded(made.error->velocity),
                      labels.unit_of(rate), rate);
+}
+
+TableForm table_form(const std::string& name, const std::string& path) {
+  const CamFormat* const format = name.empty() ? cam_format_of_path(path) : cam_format_named(name);
+  if (format != nullptr) return {format->name, format};
+  if (name.empty()) return {path.ends_with(".json") ? "json" : "csv"};
+  return {name};
+}
+
+std::string form_text(const TableForm& form, const TableFile& file) {
+  if (form.format != nullptr) return exchange_text(*form.format, file);
+  if (form.name == "points") return points_text(file);
+  return form.name == "json" ? to_json(file) : to_csv(file);
+}
+
+std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
+                            const std::vector<std::string>& losses) {
+  std::string text =
+      fmt::format("{} -> {}: {} knots, {}\n{}\n", input.name, form.name, made.file.table.size(),
+                  name(made.file.table.rule()), error_text(made, input.labels));
+  for (const std::string& loss : losses) text += loss + "\n";
+  return text;
+}
+
+std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
+                            const std::vector<std::string>& losses) {
+  nlohmann::ordered_json document{{"table", path},
+                                  {"format", form.name},
+                                  {"knots", made.file.table.size()},
+                                  {"rule", name(made.file.table.rule())},
+                                  {"lossless", !made.error.has_value()}};
+  if (made.error) {
+    document["error"] = made.error->position;
+    document["error_where"] = made.error->where;
+    document["error_velocity"] = made.error->velocity;
+  }
+  document["losses"] = losses;
+  return document.dump();
 }
 
 }  // namespace jounce

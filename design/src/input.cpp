@@ -46,7 +46,8 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           std::move(made.zones),
           made.sampled.binding,
           {},
-          std::move(made.plan)};
+          std::move(made.plan),
+          std::move(made.overlap)};
 }
 
 /// True if the number of knots is given: the table has the least error for it.
@@ -252,6 +253,18 @@ void add_not_limited(Report& report, const Input& input) {
   }
 }
 
+void add_no_limits(Report& report) {
+  if (has_limits(report)) return;
+  Finding f;
+  f.rule = "warning/no_limits";
+  f.quantity = "limits";
+  f.severity = Severity::warning;
+  f.has_limit = false;
+  f.advice = "give [limits] in the spec, or --limit";
+  report.findings.push_back(std::move(f));
+  sort(report);
+}
+
 std::optional<double> table_tolerance(const Input& input) {
   if (!input.error) return std::nullopt;
   if (is_best_of_so_many(input)) return input.error->position;
@@ -299,7 +312,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
       add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
-    if (spec.compare && spec.compare->axis == input.axis)
+    if (spec.compare && !spec.compare->plane && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
   }
   add_ends(input, at, report);

@@ -71,33 +71,35 @@ std::vector<Row> rows(const Characteristics& c) {
 
 constexpr const char* introduction = R"(# The laws, and how to choose one
 
-This page is printed by `jounce laws --markdown`: it has the names, texts and numbers of the program.
+`jounce laws --markdown` prints this page, so its names, texts and numbers are those of the program.
 
-A law leads the slave over a stroke h while the master runs a length b. With the master at constant speed ω, the slave's peaks are
+A motion law moves the slave over a stroke h while the master moves by a length b. If the master runs at
+constant speed ω, the peaks of the slave are
 
     velocity Cv h ω / b,   acceleration Ca h (ω / b)²,   jerk Cj h (ω / b)³,   torque of inertia J Cm h² (ω / b)³ / ω
 
-so choose a law by the limit of the machine:
+Cv, Ca, Cj and Cm are characteristic values of the law, in the tables below. J is the inertia of the slave. So
+choose a law by the quantity that limits the machine:
 
-| what limits | take |
+| limiting quantity | law |
 |---|---|
-| nothing in particular | `modified_sine`, or `345` if the controller takes polynomials only |
+| nothing in particular | `modified_sine`, or `345` if the controller accepts only polynomials |
 | speed of the motor | `modified_sine`; over long strokes `modified_constant_velocity` |
 | torque of the motor (mass) | `modified_trapezoid` |
 | heat of the motor | `345`; `cubic` if jumps of the acceleration are permitted |
-| vibration | `inclined_sine`, `4567`; with a known natural frequency look at `jounce validate` |
-| no dwell beside it | `simple_sine` there and back; `harmonic_combination` from a dwell to a reversal |
-| given velocities at the ends | `quintic`; any law whose ends are "R, G" takes velocities, too |
+| vibration | `inclined_sine`, `4567`; with a known natural frequency, see the result of `jounce validate` |
+| none; no dwell before or after the motion | `simple_sine` out and back; `harmonic_combination` from a dwell to a reversal |
+| given velocities at the ends | `quintic`; any law with the ends "R, G" can also begin and end at a velocity |
 | measured points | `quintic_spline` with a `tolerance` |
-| your own shape, or an optimized one | `hermite`, by `jounce optimize`: see [optimising cams](optimize/cams.md) |
+| your own shape, or an optimized one | `hermite`, by `jounce optimize`: see [the best shape of a cam](optimize/cams.md) |
 
-The letters of VDI 2143 describe the ends: R rest, G constant velocity, U reversal (acceleration without velocity), B both.
-Do not write them into a spec: they follow from the knots. A value that a knot leaves out follows from the laws beside it,
-or from `boundaries`.
+The letters of VDI 2143 describe the ends: R rest, G constant velocity, U reversal (acceleration without
+velocity), B both. A spec does not contain these letters, because they follow from the knots. If a knot omits a
+value, the value follows from the laws before and after the knot, or from `boundaries`.
 
-A law from rest to rest that takes an `inflection` λ (the share of the segment before the velocity peak; default 1/2) keeps
-its Cv; Ca becomes Ca / 2λ, and the deceleration Ca / 2(1 − λ). R-U laws with an inflection find λ from the acceleration at
-the knot of the reversal.
+Some laws from rest to rest have the key `inflection` λ: the share of the segment before the velocity peak,
+default 1/2. It does not change Cv. The peak acceleration becomes Ca / (2λ), and the peak deceleration Ca / (2(1
+− λ)). For R-U laws with an inflection, Jounce computes λ from the acceleration at the knot of the reversal.
 
 )";
 

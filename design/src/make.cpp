@@ -231,7 +231,7 @@ std::vector<Made> make_motions(const Spec& spec) {
     Sampled table = sampled(curves[i], parts[i].table);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
-    if (before.path.plan) {
+    if (!before.path.names.empty()) {
       table.error.position += before.path.axes.error[i][0];
       table.error.velocity += before.path.axes.error[i][1];
     }
@@ -241,7 +241,8 @@ std::vector<Made> make_motions(const Spec& spec) {
                    std::move(table),
                    residuals_of(spec, before.curves[i], curves[i]),
                    {},
-                   before.path.plan});
+                   before.path.plan,
+                   before.path.overlap});
   }
   return all;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/output_events.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/design/path_text.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 
 namespace jounce {
@@ -21,6 +24,84 @@ std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory
   std::vector<OutputEvent> events;
   for (const OutputEdge& edge : compared(compare.compare, motion).edges)
     events.push_back({edge.time, "compare", edge.on, position_at(motion, edge.time)});
+  return events;
+}
+
+/// The pulses of a compare in a plane; overlapping ones of an output are one.
+std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
+                                  const Trajectory& y) {
+  const std::vector<CompareEvent> fired = compared(zone, x, y);
+  std::vector<OutputEvent> events;
+  std::map<int, double> ends;  // when the last pulse of each output ends
+  std::map<int, std::size_t> last;
+  for (const CompareEvent& event : fired) {
+    const int output = zone.points[event.point].output;
+    const std::string name = "output " + std::to_string(output);
+    const double end = event.time + zone.pulse;
+    if (const auto running = ends.find(output);
+        running != ends.end() && event.time <= running->second) {
+      events[last[output]].time = end;
+      events[last[output]].position = position_at(x, end);
+    } else {
+      events.push_back({event.time, name, true, position_at(x, event.time)});
+      last[output] = events.size();
+      events.push_back({end, name, false, position_at(x, end)});
+    }
+    ends[output] = end;
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const OutputEvent& a, const OutputEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+/// The words of a G-code program that move nothing, and the lines of a path, as they begin.
+OutputEvents of_path(const Spec& spec, const Plan& plan) {
+  const auto& path = std::get<PathSpec>(spec.subject);
+  OutputEvents events{{}, spec.time_unit, spec.units.position, {}, {}};
+  for (const auto& places : {places_of_lines(path, plan), places_of(path, plan, path.events)})
+    for (const EventPlace& place : places)
+      events.all.push_back({place.time, place.event.word, true, place.where});
+  std::stable_sort(events.all.begin(), events.all.end(),
+                   [](const OutputEvent& a, const OutputEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+const Input& axis_of(const std::vector<Input>& axes, const std::string& name) {
+  return *std::find_if(axes.begin(), axes.end(),
+                       [&](const Input& axis) { return axis.axis == name; });
+}
+
+/// [compare] of two axes, of the length along a path, or of one axis.
+OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
+  const CompareSpec& compare = *spec.compare;
+  OutputEvents events{{}, spec.time_unit, spec.units.position, {}, axes.front().labels};
+  if (compare.plane) {
+    const Input& x = axis_of(axes, compare.plane_axes[0]);
+    const Input& y = axis_of(axes, compare.plane_axes[1]);
+    events.position = x.labels.units.position;
+    events.labels = x.labels;
+    const auto& motion_x = std::get<Trajectory>(*x.curve);
+    const auto& motion_y = std::get<Trajectory>(*y.curve);
+    events.all = of_zones(*compare.plane, motion_x, motion_y);
+    events.report = check(*compare.plane, motion_x, motion_y);
+    return events;
+  }
+  const auto add = [&](const Trajectory& motion) {
+    events.all = of_compare(compare, motion);
+    events.report = check(compare.compare, motion, compare.device);
+  };
+  const auto axis = std::find_if(axes.begin(), axes.end(),
+                                 [&](const Input& each) { return each.axis == compare.axis; });
+  if (axis == axes.end()) {
+    if (!axes.front().plan)
+      throw spec.document.located(
+          InputError("compare.axis", "\"path\"", "lines that overlap have no length along them"));
+    add(axes.front().plan->law().curve());
+    return events;
+  }
+  events.position = axis->labels.units.position;
+  events.labels = axis->labels;
+  add(std::get<Trajectory>(*axis->curve));
   return events;
 }
 
@@ -57,14 +138,8 @@ OutputEvents output_events(const std::vector<Input>& axes) {
     throw InputError("spec", axes.front().name,
                      "is a table: outputs need a spec with [compare] or [[switch]]");
   const Spec& spec = *axes.front().spec;
-  if (spec.compare)
-    for (const Input& axis : axes)
-      if (axis.axis == spec.compare->axis)
-        return {
-            of_compare(*spec.compare, std::get<Trajectory>(*axis.curve)), spec.time_unit,
-            axis.labels.units.position,
-            check(spec.compare->compare, std::get<Trajectory>(*axis.curve), spec.compare->device),
-            axis.labels};
+  if (spec.compare) return of_compare(spec, axes);
+  if (axes.front().plan) return of_path(spec, *axes.front().plan);
   if (spec.over_master() && !spec.switches.table.switches.empty())
     return {of_switches(spec, std::get<Cam>(*axes.front().curve), seconds_per_unit(spec)),
             spec.time_unit,

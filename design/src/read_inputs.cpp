@@ -8,6 +8,10 @@
 namespace jounce {
 namespace {
 
+std::string name_of(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
 /// One input for each cam. If there are several, each has the name of its cam as its axis.
 std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
   std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
@@ -26,10 +30,19 @@ std::vector<Input> cams_of(const std::string& text, const std::string& name, boo
 
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
   std::string text = read_file(path);
-  const std::string name = path == "-" ? "standard input" : path;
+  if (is_finished_table(text)) return table_inputs(text, path, decimal_comma);
+  return inputs_of(parse_spec(std::move(text), name_of(path)), path);
+}
+
+bool is_finished_table(const std::string& text) {
+  return is_table(text) || cam_format_of_text(text) != nullptr;
+}
+
+std::vector<Input> table_inputs(const std::string& text, const std::string& path,
+                                bool decimal_comma) {
+  const std::string name = name_of(path);
   if (is_table(text)) return {input_of(parse_table(text, name), name)};
-  if (cam_format_of_text(text) != nullptr) return cams_of(text, name, decimal_comma);
-  return inputs_of(parse_spec(std::move(text), name), path);
+  return cams_of(text, name, decimal_comma);
 }
 
 }  // namespace jounce

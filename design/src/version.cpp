@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/version.hpp"
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "jounce/base/printable.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -23,6 +27,32 @@ Version version_of(const Input& input, const std::string& path) {
   }
   if (input.spec) version.limits = input.limits;
   return version;
+}
+
+std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
+                                                 std::vector<Input> after,
+                                                 const std::string& before_path,
+                                                 const std::string& after_path) {
+  std::vector<std::pair<Input, Input>> all;
+  if (before.size() == 1 && after.size() == 1) {
+    all.emplace_back(std::move(before.front()), std::move(after.front()));
+    return all;
+  }
+  for (const auto& [some, others, file] :
+       {std::tuple{&before, &after, &after_path}, {&after, &before, &before_path}})
+    for (const Input& one : *some)
+      if (std::none_of(others->begin(), others->end(),
+                       [&](const Input& other) { return other.axis == one.axis; }))
+        throw InputError("axis", "",
+                         "is missing: " + *file + " has no axis " +
+                             (one.axis.empty() ? "without a name" : one.axis) +
+                             ". Name the axis to compare");
+  for (Input& one : before) {
+    const auto other = std::find_if(after.begin(), after.end(),
+                                    [&](const Input& each) { return each.axis == one.axis; });
+    all.emplace_back(std::move(one), std::move(*other));
+  }
+  return all;
 }
 
 }  // namespace jounce

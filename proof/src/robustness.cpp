@@ -2,47 +2,18 @@
 #include "proof/src/robustness.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/parallel.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Calls `body` on every core. Throws the first exception of a body again.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& body,
-                  const ProofProgress& progress) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr thrown;
-  std::mutex mutex;
-  const auto work = [&](bool reports) {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        body(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!thrown) thrown = std::current_exception();
-        next = count;
-      }
-      if (reports && progress) progress(static_cast<double>(i) / static_cast<double>(count));
-    }
-  };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(work, false);
-  work(true);
-  others.clear();  // joins
-  if (thrown) std::rethrow_exception(thrown);
-}
 
 std::string in_words(std::string key) {
   std::replace(key.begin(), key.end(), '_', ' ');

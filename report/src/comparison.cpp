@@ -74,11 +74,8 @@ std::vector<Remark> remarks_of(const Curve<Over>& a, const Curve<Over>& b, const
 
 /// True if this quantity is within the tolerance.
 bool tolerated(const Change& change, std::size_t order, const Tolerance& tolerance) {
-  if (change.none()) return true;
-  if (tolerance.of[order]) return std::abs(change.largest.value) <= *tolerance.of[order];
-  if (tolerance.share) return change.within(*tolerance.share);
-  return std::any_of(tolerance.of.begin(), tolerance.of.end(),
-                     [](const auto& one) { return one.has_value(); });
+  const auto most = permitted(change, order, tolerance);
+  return change.none() || !most || std::abs(change.largest.value) <= *most;
 }
 
 template <class Over>
@@ -88,6 +85,16 @@ std::vector<double> places(const Version& version, const Curve<Over>& curve) {
 }
 
 }  // namespace
+
+std::optional<double> permitted(const Change& change, std::size_t order,
+                                const Tolerance& tolerance) {
+  if (tolerance.of[order]) return tolerance.of[order];
+  if (tolerance.share) return *tolerance.share * change.span();
+  const bool others = std::any_of(tolerance.of.begin(), tolerance.of.end(),
+                                  [](const auto& one) { return one.has_value(); });
+  if (others) return std::nullopt;
+  return change.rounding;
+}
 
 bool Comparison::equal() const {
   return remarks.empty() &&

@@ -155,6 +155,10 @@ bool is_unlimited(const Finding& finding) {
   return finding.rule.family() == RuleFamily::unlimited;
 }
 
+bool has_limits(const Report& report) {
+  return std::any_of(report.findings.begin(), report.findings.end(), is_limit);
+}
+
 std::string not_limited_text(const Report& report, const Labels& labels) {
   std::string text;
   for (const Finding& f : report.findings)

@@ -74,6 +74,8 @@ std::string of_bound(const Finding& f, const std::string& where) {
 
 /// Findings that are allowed but perhaps not intended.
 std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "warning/no_limits")
+    return "no limit is given: the check compares the motion with nothing";
   if (f.rule == "warning/overshoot")
     return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
                        value, where, rounded(f.limit), percent(f.margin));

@@ -66,28 +66,34 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
 /// Reads the parts of a spec of one axis.
 void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool knots_are_the_table = kind.name == std::string_view("pvt") && !top.has("then");
-  spec.table = spec_detail::read_table_options(
-      top, spec.units, knots_are_the_table,
-      kind.runs == Kind::over_master ? Domain::master : Domain::time);
+  top.attempt([&] {
+    spec.table = spec_detail::read_table_options(
+        top, spec.units, knots_are_the_table,
+        kind.runs == Kind::over_master ? Domain::master : Domain::time);
+  });
   Limits* slave = kind.runs == Kind::over_master ? &spec.slave : nullptr;
-  spec.limits = spec_detail::read_limits(top, spec.units, slave, spec.time_unit);
-  if (kind.name != std::string_view("axis")) spec.drive = spec_detail::read_drive(top, spec.units);
+  top.attempt(
+      [&] { spec.limits = spec_detail::read_limits(top, spec.units, slave, spec.time_unit); });
+  if (kind.name != std::string_view("axis"))
+    top.attempt([&] { spec.drive = spec_detail::read_drive(top, spec.units); });
 }
 
 /// Reads the parts that any cam may have: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
   if (auto master = read_master(top, spec)) spec.master = master;
-  spec.follower = spec_detail::read_follower(top, spec);
-  spec.coupling = spec_detail::read_coupling(top, spec.units, spec.time_unit);
-  spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
+  top.attempt([&] { spec.follower = spec_detail::read_follower(top, spec); });
+  top.attempt([&] { spec.coupling = spec_detail::read_coupling(top, spec.units, spec.time_unit); });
+  top.attempt([&] {
+    spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::master, spec.master_period());
+  });
 }
 
 void read_cam(TomlReader& top, Spec& spec) {
   spec.subject = spec_detail::read_cam(top, spec.units, spec);
   spec.master = read_master(top, spec);
-  spec_detail::read_optimize(top, spec);
-  spec.disc = spec_detail::read_disc(top, spec.units);
-  spec.polydyne = spec_detail::read_polydyne(top);
+  top.attempt([&] { spec_detail::read_optimize(top, spec); });
+  top.attempt([&] { spec.disc = spec_detail::read_disc(top, spec.units); });
+  top.attempt([&] { spec.polydyne = spec_detail::read_polydyne(top); });
 }
 
 void read_pvt(TomlReader& top, Spec& spec) {
@@ -178,13 +184,14 @@ void read_body(TomlReader& top, Spec& spec) {
   const bool several =
       kind.name == std::string_view("axes") || kind.name == std::string_view("path");
   if (!several) read_one_axis(top, spec, kind);
-  kind.read(top, spec);
-  if (kind.runs == Kind::over_master) read_beside_cam(top, spec);
+  if (!top.attempt([&] { kind.read(top, spec); })) return;
+  if (kind.runs == Kind::over_master) top.attempt([&] { read_beside_cam(top, spec); });
   if (kind.runs == Kind::over_time) {
-    spec.then = spec_detail::read_then(top, spec);
-    spec.compare = spec_detail::read_compare(top, spec);
+    top.attempt([&] { spec.then = spec_detail::read_then(top, spec); });
+    top.attempt([&] { spec.compare = spec_detail::read_compare(top, spec); });
   }
-  if (kind.runs != Kind::no_curve) spec.parameters = spec_detail::read_parameters(top, spec);
+  if (kind.runs != Kind::no_curve)
+    top.attempt([&] { spec.parameters = spec_detail::read_parameters(top, spec); });
   top.finish();
 }
 
@@ -249,18 +256,25 @@ toml::table spec_detail::parse_toml(const Document& document) {
   }
 }
 
+std::string spec_kind(const std::string& text) {
+  try {
+    const toml::table root = spec_detail::parse_toml({"", text, {}, {}});
+    return root["kind"].value<std::string>().value_or("");
+  } catch (const InputError&) {
+    return "";  // the reader reports the error
+  }
+}
+
 Spec parse_spec(std::string text, std::string name) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
   const toml::table root = spec_detail::parse_toml(document);
   Spec spec;
   spec.document = std::move(document);
-  TomlReader top(root, "", spec.document);
-  try {
-    read_body(top, spec);
-  } catch (const InputError& error) {
-    throw spec.document.located(error);
-  }
+  spec_detail::ErrorList errors;
+  TomlReader top(root, "", spec.document, &errors);
+  top.attempt([&] { read_body(top, spec); });
+  errors.throw_any();
   return spec;
 }
 

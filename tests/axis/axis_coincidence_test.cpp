@@ -48,6 +48,26 @@ TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
   }
 }
 
+// Another axis of the group stops in the tick of a command: the command keeps its own answer.
+TEST(AxisCoincidence, ACommandIsAnsweredInTheTickInWhichItsGroupBreaks) {
+  Job job(1, there_and_back(0, 10, 1, Extrapolation::hold));
+  const Command bad{command::MoveAbsolute{.position = NAN}};
+  const Command good{command::Override{.factor = 0.5}};
+  for (const Command& command : {bad, good}) {
+    Bench axis(wide);
+    axis.tell(Kind::enable);
+    axis.step({command::Arm{.movement = &job, .group = 42}});
+    axis.tell(Kind::start);
+    axis.run(200);
+    Inputs inputs;
+    inputs.group_broken = true;
+    const Tick now = axis.step(command, inputs);
+    EXPECT_EQ(now.state, State::stopping);
+    EXPECT_EQ(now.broken[0], 42);
+    EXPECT_EQ(refusal(now), command.kind() == bad.kind() ? Cause::no_value : Cause::none);
+  }
+}
+
 // A target is a position of the axis, also after a superimposed move.
 TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
   Bench axis({.limits = limits(200, 1000)});

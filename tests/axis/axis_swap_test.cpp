@@ -63,6 +63,22 @@ TEST(AxisSwap, ARepeatingTableGoesOverIntoAnotherAtItsWrapWithoutAStop) {
   EXPECT_EQ(bench.step().state, State::standstill);
 }
 
+// The end of a pass is requested, then a hold, then another table: that one plays to its own end.
+TEST(AxisSwap, TheRequestedEndOfAPassEndsWithItsTable) {
+  Job wraps(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
+  Bench bench(wide);
+  bench.play(wraps, 100);
+  ASSERT_EQ(refusal(bench.tell(Kind::finish)), Cause::none);
+  bench.tell(Kind::hold);
+  const double stands = bench.run(100).position;
+  Job next(2, there_and_back(stands, 5, 2, Extrapolation::hold));
+  ASSERT_EQ(refusal(bench.arm(next)), Cause::none);
+  ASSERT_EQ(refusal(bench.tell(Kind::start)), Cause::none);
+  const Tick last = bench.run(1999);
+  EXPECT_EQ(last.job, 2U);
+  EXPECT_EQ(bench.run(2).reason, Cause::none) << "its end is not the end of a pass";
+}
+
 TEST(AxisSwap, TablesThatMeetAtSpeedAreJoinedWithinATick) {
   Job slow(1, turning(0.5, 2));
   Job same(2, turning(0.25, 1));    // the same velocity where it begins

@@ -15,7 +15,8 @@ class Feed final : public Movement {
   Feed(std::uint64_t id, double from, double reach, double w)
       : Movement(id, Course::path), from_(from), reach_(reach), w_(w) {}
 
-  double supply = 0;  ///< s of path that come in a step; 0: the source has dried up
+  double supply = 0;      ///< s of path that come in a step; 0: the source has dried up
+  bool complete = false;  ///< no more path will come
 
   Cause begin(const MotionState& axis, const Moment& /*now*/) noexcept override {
     return std::abs(axis.position - from_) < 1e-9 ? Cause::none : Cause::not_at_start;
@@ -30,7 +31,7 @@ class Feed final : public Movement {
   }
   [[nodiscard]] Progress progress() const noexcept override { return Progress::running; }
   [[nodiscard]] double known() const noexcept override { return known_; }
-  [[nodiscard]] bool growing() const noexcept override { return true; }
+  [[nodiscard]] bool growing() const noexcept override { return !complete; }
   [[nodiscard]] Peaks peaks() const noexcept override {
     const double r = std::abs(reach_);
     return {r * w_, r * w_ * w_, r * w_ * w_ * w_, 0};

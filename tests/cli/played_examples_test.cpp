@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "jounce/design/executor_tables.hpp"
+#include "jounce/design/input.hpp"
 #include "jounce/design/reference.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
@@ -22,7 +23,6 @@
 #include "jounce/proof/played.hpp"
 #include "jounce/pvt/check.hpp"
 
-#include "cli/common/input.hpp"
 #include "executor/site.hpp"
 #include "support/errors.hpp"
 
@@ -403,7 +403,7 @@ class PlayedExample : public ::testing::TestWithParam<std::string> {};
 std::string played(const std::string& file) {
   std::string why;
   const std::string error = test::error_of([&] {
-    for (const Input& loaded : load_axes((examples / file).string())) {
+    for (const Input& loaded : read_inputs((examples / file).string())) {
       const Input input = from_rest_to_rest(loaded);
       SCOPED_TRACE(input.name);
       Play play(input, file);
@@ -429,7 +429,7 @@ TEST_P(PlayedExample, IsWhatCheckAndDesignPromise) {
 TEST(PlayedExamples, LeaveOutNoTable) {
   for (const auto& entry : fs::recursive_directory_iterator(examples))
     if (entry.path().extension() == ".toml" && no_tables.contains(kind_of(entry.path()))) {
-      EXPECT_THROW((void)load_axes(entry.path().string()), InputError) << entry.path();
+      EXPECT_THROW((void)read_inputs(entry.path().string()), InputError) << entry.path();
     }
   for (const auto& names : {no_tables, refused})
     for (const auto& [name, why] : names)

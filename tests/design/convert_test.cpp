@@ -13,6 +13,8 @@
 namespace jounce::convert_test {
 namespace {
 
+using testing::HasSubstr;
+
 const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
 
 Input cam() {
@@ -74,6 +76,29 @@ TEST(Convert, LossesNameTheRestOfTheSpec) {
   EXPECT_EQ(losses(cam_table(), cam_format_named("xyva"), input.table.table).size(), 0U);
   EXPECT_EQ(losses(cam_table(), cam_format_named("pairs"), input.table.table).size(), 3U)
       << "positions only, no units, no period";
+}
+
+TEST(Convert, TheNameOrTheEndOfThePathIsTheForm) {
+  EXPECT_EQ(table_form("", "cam.json").name, "json");
+  EXPECT_EQ(table_form("", "-").name, "csv");
+  EXPECT_EQ(table_form("", "cam.st").format, cam_format_named("codesys"));
+  EXPECT_EQ(table_form("points", "cam.st").name, "points") << "the name counts more";
+  const TableFile table = cam_table().table;
+  EXPECT_EQ(form_text({}, table), to_csv(table));
+  EXPECT_EQ(form_text(table_form("xyva", ""), table),
+            exchange_text(*cam_format_named("xyva"), table));
+}
+
+TEST(Convert, TheAnswerStatesTheErrorAndTheLosses) {
+  const Input input = cam();
+  const Converted made =
+      converted(input, {.rule = Interpolation::linear,
+                        .target = Target{.rule = Interpolation::linear, .tolerance = 1.0}});
+  const std::string text = conversion_text(input, made, {}, {"laws stay in the spec"});
+  EXPECT_THAT(text,
+              HasSubstr("-> csv: " + std::to_string(made.file.table.size()) + " knots, linear\n"));
+  EXPECT_THAT(text, HasSubstr("\nlaws stay in the spec\n"));
+  EXPECT_THAT(conversion_json(made, {}, "cam.csv", {}), HasSubstr("\"lossless\":false"));
 }
 
 /// 40 mm by 3-4-5 over 0 to 120 deg, a dwell to 180, back until 300, a dwell to 360.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/base/file.hpp"
+
 #include "support/errors.hpp"
 
 namespace jounce::output_events_test {
@@ -28,6 +30,58 @@ TEST(OutputEvents, ACompareFiresAtItsPositions) {
   EXPECT_EQ(pulses, 11U);
   EXPECT_EQ(events.position, "mm");
   EXPECT_THAT(to_csv(events), ::testing::StartsWith("time [s],output,on,position [mm]\n"));
+}
+
+// The middles of three sides of a square: the x axis enters the first zone at 49.5 mm. By hand: 100 mm/s after
+// 0.2 s and 10 mm.
+TEST(OutputEvents, ZonesFireWhereBothAxesEnterThem) {
+  const OutputEvents events = output_events(read_inputs(examples + "position-compare/zones.toml"));
+  ASSERT_EQ(events.all.size(), 6U);
+  EXPECT_TRUE(events.report.ok());
+  EXPECT_EQ(events.all[0].output, "output 16");
+  EXPECT_NEAR(events.all[0].position, 49.5, 1e-9);
+  EXPECT_NEAR(events.all[0].time, 0.2 + (49.5 - 10) / 100, 1e-9);
+  EXPECT_NEAR(events.all[1].time, events.all[0].time + 2e-3, 1e-12);
+  EXPECT_FALSE(events.all[1].on);
+  EXPECT_EQ(events.all[2].output, "output 17");
+  EXPECT_NEAR(events.all[2].position, 100, 1e-9);
+  EXPECT_EQ(events.all[4].output, "output 16");
+  EXPECT_NEAR(events.all[4].position, 50.5, 1e-9);  // from the other side
+}
+
+TEST(OutputEvents, AZoneThatIsNotEnteredIsAFinding) {
+  std::string text = read_file(examples + "position-compare/zones.toml");
+  text.replace(text.find("at = [100, 50]"), 14, "at = [102, 50]");
+  const OutputEvents events = output_events(inputs_of(parse_spec(text, "z.toml"), "z.toml"));
+  ASSERT_EQ(events.report.findings.size(), 1U);
+  EXPECT_EQ(events.report.findings[0].rule, "compare/missed");
+  EXPECT_EQ(events.report.findings[0].value, 1);  // it blocks the one behind it
+  EXPECT_EQ(events.all.size(), 2U);
+}
+
+// A pulse each 100 mm along the square without rounding: at the corners, where the axes rest.
+TEST(OutputEvents, TheLengthAlongAPathIsCompared) {
+  const std::string text = read_file(examples + "path-square/stop.toml") +
+                           "\n[compare]\naxis = \"path\"\nmode = \"linear\"\nstart = 50\n"
+                           "increment = 100\ncount = 4\npulse = \"1 ms\"\n";
+  const OutputEvents events = output_events(inputs_of(parse_spec(text, "p.toml"), "p.toml"));
+  EXPECT_TRUE(events.report.ok());
+  ASSERT_EQ(events.all.size(), 8U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(events.all[2 * k].position, 50 + 100.0 * static_cast<double>(k), 1e-9);
+    EXPECT_NEAR(events.all[2 * k].time, 0.6 + 1.2 * static_cast<double>(k), 1e-9);
+  }
+}
+
+// The square with stops: a side takes 1.2 s.
+TEST(OutputEvents, OfAPathAreItsLines) {
+  const OutputEvents events = output_events(read_inputs(examples + "path-square/stop.toml"));
+  ASSERT_EQ(events.all.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(events.all[k].time, 1.2 * static_cast<double>(k), 1e-6);
+    EXPECT_NEAR(events.all[k].position, 100.0 * static_cast<double>(k), 1e-9);
+    EXPECT_THAT(events.all[k].output, ::testing::StartsWith("line "));
+  }
 }
 
 TEST(OutputEvents, ASpecWithoutOutputsIsRefused) {

@@ -57,6 +57,81 @@ TEST(PathExamples, OfHimcTakeTheirTimes) {
   EXPECT_GT(square, 3 * with_jerk(100) + 0.9);
 }
 
+TEST(PathExamples, OfAnOverlapTakesItsClosedForm) {
+  const auto axes = inputs_of(read_spec(examples + "path-square/overlap.toml"), "");
+  // tests/oracle/path.json, closed form 5.
+  EXPECT_NEAR(axes.front().overlap->duration, 4.349152, 1e-6);
+  EXPECT_NEAR(axes.front().table.table.end(), 4.349152, 1e-6);
+  EXPECT_EQ(axes.front().overlap->corners.size(), 3U);
+  for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
+TEST(PathExamples, OfAnOverrideTakesTheTimeOfTheManual) {
+  EXPECT_NEAR(duration("pmc600-path/ratio.toml"), 0.75 + 2450.0 / 3000 + 0.3, 1e-9);
+}
+
+TEST(PathExamples, OfGcodeWithArcsStopsAtEachCorner) {
+  const double pi = std::acos(-1);
+  EXPECT_NEAR(duration("pmc600-path/gcode-arcs.toml"),
+              move(std::sqrt(2) * 1000, 1000, 2000) + 2 * move(pi * 500, 1000, 2000), 1e-9);
+}
+
+const Plan& plan_of(const std::vector<Input>& axes) {
+  return *axes.front().plan;
+}
+
+/// Velocity along the path where it first is at q.
+double velocity_at(const Plan& plan, double q) {
+  double low = 0;
+  double high = plan.duration();
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    (plan.law().at(middle).position < q ? low : high) = middle;
+  }
+  return plan.law().at(low).velocity;
+}
+
+TEST(PathExamples, OfHimcTheStadiumRestsAtThePointThatComesLate) {
+  const auto axes = inputs_of(read_spec(examples + "himc-path/stadium.toml"), "");
+  const Plan& plan = plan_of(axes);
+  const double half = 50 * std::acos(-1);  // 157.08
+  EXPECT_NEAR(plan.path().length(), 200 + 2 * half, 1e-9);
+  const double p1 = velocity_at(plan, 100);
+  EXPECT_GT(p1, 90);
+  EXPECT_LE(p1, 100 * (1 + 1e-12));
+  EXPECT_NEAR(velocity_at(plan, 100 + half), 50, 1e-6);
+  EXPECT_NEAR(velocity_at(plan, 200 + half), 0, 0.01);
+  for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
+TEST(PathExamples, OfHimcTheSecondLapIsRoundedEverywhere) {
+  const auto axes = inputs_of(read_spec(examples + "himc-path/second-lap.toml"), "");
+  const std::vector<CornerRecord> corners = plan_of(axes).corners();
+  ASSERT_EQ(corners.size(), 8U);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    EXPECT_EQ(corners[k].stop, k < 3) << k;
+    EXPECT_LE(corners[k].trim, k < 3 ? 0 : 20 * (1 + 1e-12)) << k;
+    if (k >= 3) {
+      EXPECT_GT(corners[k].trim, 0) << k;
+    }
+  }
+  EXPECT_LE(corners.back().trim, 10 * (1 + 1e-12));
+  for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
+TEST(PathExamples, OfHimcCornersBesideAnArcAreRounded) {
+  const auto axes = inputs_of(read_spec(examples + "himc-path/arc-corners.toml"), "");
+  const std::vector<CornerRecord> corners = plan_of(axes).corners();
+  ASSERT_EQ(corners.size(), 2U);
+  for (const CornerRecord& corner : corners) {
+    EXPECT_FALSE(corner.stop);
+    EXPECT_NEAR(corner.angle, std::acos(0), 1e-6);
+    EXPECT_GT(corner.trim, 0);
+    EXPECT_LE(corner.trim, 20 * (1 + 1e-12));
+  }
+  for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
 TEST(PathExamples, OfTheSquareAreNeverSlowerThanStopping) {
   EXPECT_NEAR(duration("path-square/stop.toml"), 4.8, 1e-9);
   // spec of the corner: v 56.462162 mm/s in each, tests/oracle/path.json, closed form 3.

@@ -54,6 +54,17 @@ TEST(Gcode, ReadsLinesWithTheirFeedCornerAndSourceLine) {
   EXPECT_EQ(program.settings()[program.commands()[2].settings].corner, Corner::stop);
 }
 
+TEST(Gcode, StopsAtTangentJointsByG61Point1Only) {
+  const Program program =
+      parsed("G61 G1 X1 F60\nX2\nG61.1 X3\nX4\nG61 X5\nG61.1 X6\nG64 P0.1 X7\n").program;
+  std::vector<Junction> junctions;
+  for (const Program::Command& c : program.commands())
+    junctions.push_back(program.settings()[c.settings].junction);
+  constexpr Junction passed = Junction::look_ahead;
+  constexpr Junction rest = Junction::buffered;
+  EXPECT_THAT(junctions, ElementsAre(passed, passed, rest, rest, passed, rest, passed));
+}
+
 TEST(Gcode, CountsInInchesFromG20On) {
   const Program program = parsed("G20 G64 P0.002\nG1 X1 C90 F60\nG21 Y25.4\n").program;
   EXPECT_THAT(program.position(), ElementsAre(25.4, 25.4, 0, 90, 0, 0, 0, 0, 0));

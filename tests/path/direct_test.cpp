@@ -8,6 +8,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
+#include "tests/path/paths.hpp"
+
 namespace jounce::direct_test {
 namespace {
 
@@ -45,6 +47,62 @@ TEST(Direct, RejectsBadInput) {
   EXPECT_THROW(direct({}, {1}, {}), InputError);
   EXPECT_THROW(direct({}, {std::nan("")}, limits), InputError);
   EXPECT_THROW(direct({}, {5}, {{.position_max = 4, .velocity = 1}}), InputError);
+}
+
+/// A line at 100 mm/s is left at 90 mm for 100 mm: the fastest stop, 0.2 s. For 50 mm it turns back.
+TEST(Aborting, LeavesALineFromItsMovingState) {
+  Program p(1);
+  p.set({.velocity = 100});
+  p.line({200});
+  const Plan made = plan(p, path_tests::usual(1));
+  const Trajectory near = aborted(made, 1, {100}).front();
+  EXPECT_NEAR(near.end(), 1.2, 1e-9);
+  EXPECT_NEAR(near.at(near.end(), Side::left).position, 100, 1e-9);
+  // It cannot end before 1.2 s, and a stop with a move back bounds it: 50 mm take 2 (v / A + A / J) at their peak v,
+  // for which v^2 / A + v A / J = 50.
+  const double v = -50 + std::sqrt(2500 + 50e3);
+  const double back = aborted(made, 1, {50}).front().end();
+  EXPECT_GT(back, 1.2);
+  EXPECT_LE(back, 1.2 + 2 * (v / 1000 + 0.1) + 1e-9);
+}
+
+TEST(Aborting, KeepsTheLimitsAndIsContinuous) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    path_tests::Random random(seed);
+    GroupLimits group = path_tests::usual(2, random.log_between(1e3, 1e6));
+    for (Limits& axis : group.axes) axis.velocity = random.log_between(20, 500);
+    Program p(2);
+    p.set({.velocity = 100, .corner = Corner::deviation, .value = 1});
+    Point at{};
+    for (int i = 0; i < 5; ++i) {
+      at[0] += random.between(-50, 50);
+      at[1] += random.between(-50, 50);
+      p.line(at);
+    }
+    const Plan made = plan(p, group);
+    const double t = made.duration() * random();
+    const Point to{random.between(-100, 100), random.between(-100, 100)};
+    const PlanAxes motion{aborted(made, t, to), {}};
+    EXPECT_LE(path_tests::excess(motion, group), 1e-12);
+    std::vector<Motion> was(2);
+    made.at(t / 2, was);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Trajectory& f = motion.curves[i];
+      EXPECT_NEAR(f.end(), motion.curves[0].end(), 1e-9);
+      EXPECT_NEAR(f.at(t / 2).position, was[i].position, 1e-9);
+      EXPECT_NEAR(f.at(f.end(), Side::left).position, to[i], 1e-8);
+      EXPECT_NEAR(f.at(f.end(), Side::left).velocity, 0, 1e-6);
+      for (int order = 0; order < 2; ++order)
+        EXPECT_LE(std::abs(largest_jump(f, order).step), 1e-6) << order;
+      EXPECT_LE(std::abs(largest_jump(f, 2).step), 1e-4);
+    }
+    if (HasFailure()) break;
+  }
+  Program p(1);
+  p.set({.velocity = 100});
+  p.line({200});
+  EXPECT_THROW(aborted(plan(p, path_tests::usual(1)), 3, {1}), InputError);
 }
 
 }  // namespace

@@ -50,6 +50,36 @@ std::string command(const std::string& keys) {
   return "[path]\nvelocity = 100\n[[command]]\n" + keys + "\n";
 }
 
+TEST(PathSpecFile, ReadsAnOverride) {
+  const PathSpec path = read(command("type = \"line\"\nto = [1, 2, 3]") +
+                             "[[override]]\ntime = \"200 ms\"\nfactor = 0.5\n"
+                             "[[override]]\ntime = 1\nfactor = 0\n");
+  ASSERT_EQ(path.override_steps.size(), 2U);
+  EXPECT_EQ(path.override_steps[0].time, 0.2);
+  EXPECT_EQ(path.override_steps[0].factor, 0.5);
+  EXPECT_EQ(path.override_steps[1].factor, 0);
+  EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 3]") + "[[override]]\ntime = 1\n"),
+              HasSubstr("override[1].factor"));
+}
+
+TEST(PathSpecFile, ReadsZones) {
+  const std::string path = command("type = \"line\"\nto = [1, 2, 3]");
+  const auto zones = [&](const std::string& axes, const std::string& rest) {
+    return path + "[compare]\nmode = \"zone_equal\"\naxes = " + axes + "\nband = [0.1, 0.2]\n" +
+           rest;
+  };
+  const std::string good = "pulse = 0.01\npoint = [{ at = [1, 2], output = 17 }]\n";
+  const Spec spec = parse_spec(head + zones("[\"x\", \"y\"]", good), "path.toml");
+  const PlaneCompare& zone = spec.compare->plane.value();
+  EXPECT_TRUE(zone.equal);
+  EXPECT_EQ(zone.y_band, 0.2);
+  EXPECT_EQ(zone.points.at(0).output, 17);
+  EXPECT_THAT(complaint(zones("[\"x\", \"x\"]", good)), HasSubstr("two different axes"));
+  EXPECT_THAT(complaint(zones("[\"x\", \"y\"]", "pulse = 0.01\n")), HasSubstr("point"));
+  EXPECT_THAT(complaint(path + "[compare]\naxis = \"z\"\nmode = \"equal\"\nposition = 1\n"),
+              HasSubstr("or be \"path\""));
+}
+
 TEST(PathSpecFile, ReadsCommandsWithTheirLines) {
   const PathSpec path = read(R"([path]
 velocity = 100

@@ -10,6 +10,7 @@
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/operate.hpp"
 
 namespace jounce::web {
 namespace {
@@ -72,17 +73,6 @@ CommandValues values_of(const PageCommand& command, const Word& word) {
   return values;
 }
 
-CallOutcome outcome_of(const wire::Reply& reply, const std::string& axis) {
-  if (reply.outcome == wire::Outcome::accepted) return {};
-  if (reply.outcome == wire::Outcome::pending)
-    return {StreamError::command_timeout,
-            {},
-            0,
-            axis + " did not accept or reject the command in time"};
-  return {StreamError::refused, reply.refusal, reply.cause,
-          std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
-}
-
 }  // namespace
 
 PageCommand read_command(std::string_view text) {
@@ -118,13 +108,7 @@ CallOutcome give(Transport& link, const PageCommand& command, const std::optiona
   if (word == nullptr)
     return outcome_of(operator_command(link, axis, wire::Stop{.mode = wire::StopMode::stop}, key),
                       axis);
-  const ClientCommand what = command_of(word->kind, values_of(command, *word));
-  if (is_operators(word->kind))
-    return outcome_of(operator_command(link, axis, wire::message_of(what), key), axis);
-  Client client(link, axis, {.key = key});
-  CallOutcome outcome = client.command(what);
-  static_cast<void>(client.release());
-  return outcome;
+  return send_command(link, axis, command_of(word->kind, values_of(command, *word)), -1, key);
 }
 
 }  // namespace jounce::web

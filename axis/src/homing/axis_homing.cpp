@@ -51,17 +51,16 @@ MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   now_.homed = method->last == 0;
   if (now_.homed) return set_position(spec.offset);
   homing_.emplace(*method, spec, seen());
-  begun_ = emitted_ = now_.tick;
+  begun_ = bare_.tick = now_.tick;
   MoveDynamics dynamics{.acceleration = spec.acceleration, .deceleration = spec.acceleration};
   fill(dynamics, config_);
-  home_position_ = spec.offset;
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) fail(Cause::jump);
   return std::nullopt;
 }
 
 Homing::Seen MotionAxis::seen() const {
-  const bool at_rest = base_ == Base::move && goal_.kind == Goal::Kind::rest &&
-                       seconds(emitted_ - origin_) >= plan_.duration();
+  const bool at_rest =
+      base_ == Base::move && move_.goal().kind == Goal::Kind::rest && move_.is_over(bare_.tick);
   Sensors sensors = inputs_.feedback.sensors;
   sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
   sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
@@ -76,17 +75,19 @@ void MotionAxis::seek() {
   if (homing_->done()) return find_home();
   const double velocity = homing_->velocity();
   if (velocity == before) return;
-  Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity, goal_.dynamics};
+  Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity,
+            move_.goal().dynamics};
   if (velocity != 0) goal.dynamics.velocity = std::abs(velocity);
-  if (!adopt(goal, wanted_rate())) fail(Cause::jump);
+  if (!adopt(goal, requested_rate())) fail(Cause::jump);
 }
 
 /// The axis stands beyond its home position, which gets its new coordinate.
 void MotionAxis::find_home() {
   const double home = homing_->home() + now_.offset;
+  const double position = homing_->offset();
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
-  if (const auto no = set_position(now_.position + (home_position_ - home))) now_.refused = no;
+  if (const auto no = set_position(now_.position + (position - home))) now_.refused = no;
   now_.homed = true;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
-#include <variant>
 
 #include "jounce/axis/axis.hpp"
 
@@ -10,20 +9,6 @@
 // progress itself. After any withdrawal, the present motion can therefore stop at its own target.
 
 namespace jounce {
-namespace {
-
-/// Its target, its distance or its velocity.
-double value_of(const BufferedMove& move) {
-  return std::visit(
-      [](const auto& each) {
-        if constexpr (requires { each.position; }) return each.position;
-        if constexpr (requires { each.distance; }) return each.distance;
-        if constexpr (requires { each.velocity; }) return each.velocity;
-      },
-      move);
-}
-
-}  // namespace
 
 /// One command with its own tick can wait. The axis checks its conditions in that tick.
 MotionAxis::Rejection MotionAxis::postpone(const Command& command) {
@@ -59,25 +44,14 @@ void MotionAxis::forget_later() {
 MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
   constexpr auto most = static_cast<double>(WaitingMoves::most);
   if (next_.full()) return Refusal{Cause::buffer_full, most, most};
-  if (base_ == Base::movement && !on_path()) return Refusal{Cause::synchronized};
+  if (base_ == Base::live) return Refusal{Cause::synchronized};
+  const MotionState from = end_of(next_, expected_end(), move_rules()).value_or(last());
   Goal goal;
-  if (auto no = goal_of(move, end_of_waiting().value_or(last()), goal)) return no;
+  if (auto no = goal_of(move, from, move_rules(), goal)) return no;
   next_.push(move);
   const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
-  if (follows && base_ == Base::move && ending_ == Ending::none && wanted_rate() > 0)
-    return replan();
+  if (follows && base_ == Base::move && requested_rate() > 0) return replan();
   return std::nullopt;
-}
-
-/// The state at rest after the last waiting move; nullopt: not available.
-std::optional<MotionState> MotionAxis::end_of_waiting() const {
-  auto end = expected_end();
-  for (const BufferedMove& move : next_) {
-    Goal goal;
-    if (!end || goal_of(move, *end, goal) || goal.kind != Goal::Kind::position) return std::nullopt;
-    end = MotionState{goal.value, 0, 0};
-  }
-  return end;
 }
 
 /// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
@@ -85,21 +59,23 @@ std::optional<MotionState> MotionAxis::end_of_waiting() const {
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
   if (next_.empty() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
   Goal further;
-  if (goal_of(next_.front(), {goal.value, 0, 0}, further)) return 0;
+  if (goal_of(next_.front(), {goal.value, 0, 0}, move_rules(), further)) return 0;
   return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);
+}
+
+bool MotionAxis::passes() const {
+  return !next_.empty() && base_ == Base::move && move_.passes();
 }
 
 /// The target was passed since the previous tick: the plan continues from there at that very
 /// instant. Returns the cause if it cannot: in the direction of motion, only a limit switch.
 Cause MotionAxis::pass_target() {
-  const double beyond = plan_time() - plan_.duration();
-  const MotionState there = plan_.end();
+  const MotionState there = move_.plan().end();
   Goal goal;
-  if (goal_of(next_.front(), {goal_.value, 0, 0}, goal))
+  if (goal_of(next_.front(), {move_.goal().value, 0, 0}, move_rules(), goal))
     return there.velocity > 0 ? Cause::positive_switch : Cause::negative_switch;
   next_.pop();
-  if (!plan_from(there, now_.tick, goal, factor_)) return Cause::jump;
-  ahead_ = beyond;
+  if (!plan_from({there, now_.tick}, goal, factor_, move_.beyond(now_.tick))) return Cause::jump;
   ++now_.finished;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
   return Cause::none;
@@ -109,10 +85,10 @@ Cause MotionAxis::pass_target() {
 /// unchanged.
 MotionAxis::Rejection MotionAxis::take_back_next() {
   const WaitingMoves waited = std::exchange(next_, {});
-  const bool blends = base_ == Base::move && goal_.through != 0;
-  if (!waited.empty() && blends && !plan_from(bare_, emitted_, goal_, wanted_rate())) {
+  const bool blends = base_ == Base::move && move_.passes();
+  if (!waited.empty() && blends && !plan_from(bare_, move_.goal(), requested_rate())) {
     next_ = waited;
-    return Refusal{Cause::no_such_move, goal_.value};
+    return Refusal{Cause::no_such_move, move_.goal().value};
   }
   forget(waited);
   return std::nullopt;
@@ -124,7 +100,7 @@ void MotionAxis::begin_next() {
   const BufferedMove move = next_.front();
   next_.pop();
   Goal goal;
-  auto no = goal_of(move, last(), goal);
+  auto no = goal_of(move, last(), move_rules(), goal);
   if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
   if (!no) return;
   now_.dropped = no;

@@ -11,27 +11,44 @@ namespace jounce {
 void MotionAxis::conclude() {
   if (state_ == State::homing) return;  // homing sets its state itself when it ends
   if (base_ == Base::move) {
-    if (plan_time() < plan_.duration()) return;
+    if (!move_.is_over(now_.tick)) return;
     if (ending_ != Ending::none) return rest();
-    if (wanted_rate() == 0) return;
-    if (goal_.kind == Goal::Kind::position || goal_.value == 0) return rest();
+    if (requested_rate() == 0) return;
+    const Goal& goal = move_.goal();
+    if (goal.kind == Goal::Kind::position || goal.value == 0) return rest();
     if (!next_.empty()) begin_next();
     return;
   }
-  if (!on_path()) {
-    if (active_->progress() != Progress::done) return;
+  if (base_ == Base::live) {
+    if (live_->progress() != Progress::done) return;
     const double still = 1e-9 * *config_.limits.velocity;  // rounding
     if (!(std::abs(now_.velocity) > still)) return rest();
-    const bool keeps = active_->keeps_velocity();
-    leave(keeps ? Goal::Kind::velocity : Goal::Kind::rest);
-    origin_ = now_.tick;  // tick of the present setpoint, not of the previous one
-    return;
+    return leave(live_->keeps_velocity() ? Goal::Kind::velocity : Goal::Kind::rest);
   }
-  const bool passed = boundary_ == Boundary::finish && clock_.at(now_.tick).s >= boundary_at_;
-  if (active_->progress() == Progress::done || passed) return rest();
-  const bool at_rest = clock_.target() == 0 && clock_.steady(now_.tick);
+  const bool passed = path_.finishes() && path_.reaches_boundary(now_.tick);
+  if (path_->progress() == Progress::done || passed) return rest();
   const bool resumable = ending_ == Ending::fault && now_.fault == Cause::underrun;
-  if (ending_ != Ending::none && at_rest && !resumable) rest();
+  if (ending_ != Ending::none && path_.rests(now_.tick) && !resumable) rest();
+}
+
+Cause MotionAxis::reason_to_rest() const {
+  switch (ending_) {
+    case Ending::none:
+      return path_.finishes() ? Cause::pass_ended : Cause::none;
+    case Ending::stop:
+      return Cause::stopped;
+    case Ending::release:
+      return Cause::released;
+    case Ending::group:
+      return Cause::group_stopped;
+    case Ending::halt:
+      return Cause::halted;
+    case Ending::table:
+      return Cause::end_velocity;
+    case Ending::fault:
+      break;
+  }
+  return now_.fault;
 }
 
 /// Ends the motion, for any reason.
@@ -39,14 +56,7 @@ void MotionAxis::rest() {
   const bool stopped = ending_ >= Ending::stop && ending_ <= Ending::halt;
   if (stopped) ++now_.stopped;
   if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
-  now_.reason = ending_ == Ending::stop         ? Cause::stopped
-                : ending_ == Ending::release    ? Cause::released
-                : ending_ == Ending::group      ? Cause::group_stopped
-                : ending_ == Ending::halt       ? Cause::halted
-                : ending_ == Ending::table      ? Cause::end_velocity
-                : ending_ == Ending::fault      ? now_.fault
-                : boundary_ == Boundary::finish ? Cause::pass_ended
-                                                : Cause::none;
+  now_.reason = reason_to_rest();
   state_ = ending_ == Ending::fault ? State::error_stop : State::standstill;
   const bool goes_on = above_.running() && ending_ == Ending::none;
   const double more = goes_on ? above_.remaining(now_.tick) : 0;
@@ -62,12 +72,12 @@ void MotionAxis::rest() {
   }
   // The superimposed move continues alone.
   base_ = Base::move;
-  bare_ = from;
+  bare_ = {from, now_.tick};
   now_.velocity = from.velocity;
   now_.acceleration = from.acceleration;
   state_ = State::discrete_motion;
   held_ = held;
-  if (!plan_from(from, now_.tick, {Goal::Kind::position, target, dynamics}, wanted_rate()))
+  if (!plan_from(bare_, {Goal::Kind::position, target, dynamics}, requested_rate()))
     fail(more > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
 }
 
@@ -76,7 +86,6 @@ void MotionAxis::freeze() {
   drop_movement();
   base_ = Base::rest;
   ending_ = Ending::none;
-  boundary_ = Boundary::none;
   held_ = false;
   homing_.reset();
   above_.clear();
@@ -94,8 +103,7 @@ void MotionAxis::fail(Cause cause) {
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
-  break_group();
-  disarm();
+  break_groups();
   forget_next();
   forget_later();
   Reaction reaction = reaction_to(cause);
@@ -112,17 +120,20 @@ void MotionAxis::fail(Cause cause) {
   if (reaction == Reaction::freeze) return cut_off();
   if (base_ == Base::move && ending_ == Ending::fault && cause != Cause::aborted) return;
   const bool on_it = reaction == Reaction::stop_on_path && on_path() && !above_.running();
-  boundary_ = Boundary::none;
+  path_.forget_boundary();
   ending_ = Ending::fault;
-  if (on_it && stop_on_path()) return;
-  const bool limit = cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit;
-  if (limit && stop_at_limit(cause)) return;
+  if (on_it && path_.stop(request())) return;
+  if (cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit) {
+    const auto goal = stop_at_limit(cause, last(), dt(), config_);
+    if (goal && adopt(*goal, 1)) return;
+  }
   brake(cause == Cause::aborted ? config_.abort_acceleration : config_.stop_acceleration);
 }
 
 void MotionAxis::drop_movement() {
-  if (active_) hand_back(active_);
-  active_ = nullptr;
+  if (const Movement* const played = active()) hand_back(played);
+  path_.end();
+  live_.end();
 }
 
 }  // namespace jounce

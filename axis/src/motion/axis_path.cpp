@@ -1,141 +1,126 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "jounce/axis/axis.hpp"
 
-// The time of a path (path_clock.hpp): its rate, its end, and the stop before a growing path runs
-// out.
+// The motion along a path (path_player.hpp), and the changes to the next path without a stop: at the
+// end of the present path, or of its pass, or where its master passes a position.
 
 namespace jounce {
 
 Cause MotionAxis::advance_path(Setpoint& next) {
-  PathTime time = clock_.at(now_.tick);
-  seek_boundary();
-  if (boundary_ != Boundary::none && time.s >= boundary_at_) {
-    if (boundary_ == Boundary::finish) {
+  PathTime time = path_.time(now_.tick);
+  if (path_.reaches_boundary(now_.tick)) {
+    if (path_.finishes()) {
       joint_ = true;
-      next = {now_.master, 0, {active_->end()->position, 0, 0, 0}};
+      next = {now_.master, 0, {path_->end()->position, 0, 0, 0}};
       return Cause::none;
     }
     if (const Cause no = swap_at_boundary(); no != Cause::none) return no;
-    time = clock_.at(now_.tick);
+    time = path_.time(now_.tick);
   }
-  govern();
-  if (ending_ != Ending::fault && starves()) return Cause::underrun;
-  if (active_->growing() && time.s > active_->known()) return Cause::jump;
-  next = active_->at(moment(time.s));
-  if (const auto s = swaps_at_master() ? passing(time.s) : std::nullopt) {
-    swap_at_master(*s);
-    time = clock_.at(now_.tick);
-    next = active_->at(moment(time.s));
-  }
-  played_to_ = time.s;
-  next = at_rate(next, time);
-  joint_ = joint_ || active_->progress() == Progress::done;
-  if (active_->progress() != Progress::broken) return Cause::none;
-  return is_fault(active_->cause()) ? active_->cause() : Cause::jump;
-}
-
-/// True if the available part of the path is shorter than a stop that begins in the next tick.
-bool MotionAxis::starves() const {
-  if (wanted_rate() == 0) return false;
-  if (active_->progress() == Progress::starving) return true;
-  if (!active_->growing()) return false;
-  const std::int64_t next = now_.tick + 1;
-  const double rest = clock_.at(next).s + clock_.way_to_rest(next, slope_to(0, now_.tick));
-  return active_->known() < rest + 1e-3 * seconds(1);  // rounding
-}
-
-/// Above full speed, a growing path runs only while its available part suffices to return to full
-/// speed and then to rest. A slow supply therefore first slows the path; it is an underrun only at
-/// full speed. The path gets the requested rate, or half of the increase, or half of that, if half
-/// as much again is available: the margin prevents oscillation.
-void MotionAxis::govern() {
-  if (factor_ <= 1 || wanted_rate() <= 1) return;
-  if (!active_->growing()) {
-    change_rate(granted_rate());
-    return;
-  }
-  const double rate = clock_.target();
-  if (rate > 1 && !knows(now_.tick + 1, 1, 1)) change_rate(1);
-  if (rate < 1 || !clock_.steady(now_.tick)) return;
-  constexpr double least = 1.0 / 64;
-  for (double more = wanted_rate(); more - rate > least; more = (more + rate) / 2)
-    if (knows(now_.tick, more, 1.5)) {
-      change_rate(more);
-      return;
+  path_.govern(request());
+  if (ending_ != Ending::fault && path_.starves(request())) return Cause::underrun;
+  if (path_->growing() && time.s > path_->known()) return Cause::jump;
+  const bool swaps = armed_.waiting() && armed_.when() == StartAt::master_position;
+  if (swaps && path_->synchronized())
+    if (const auto s = path_.passing(armed_.position(), time.s, moment())) {
+      swap_at_master(*s);
+      time = path_.time(now_.tick);
     }
-}
-
-/// True if `times` times the path time is available that a run at `rate` takes to full speed and to
-/// rest.
-bool MotionAxis::knows(std::int64_t tick, double rate, double times) const {
-  const double way = clock_.way_by(tick, rate, slope_to(rate, now_.tick));
-  return active_->known() >= clock_.at(tick).s + times * way + 1e-3 * seconds(1);  // rounding
-}
-
-// ---- rates -------------------------------------------------------------------------------------
-
-/// The requested rate; a path may grant less.
-double MotionAxis::wanted_rate() const {
-  if (held_ || ending_ != Ending::none) return 0;
-  if (homing_) return std::min(factor_, 1.0);  // the motion behind a switch has its own speeds
-  return on_path() ? std::min(factor_, most_rate()) : factor_;
-}
-
-/// The highest rate of this path, and of the armed one if a swap is due.
-double MotionAxis::most_rate() const {
-  const double own = highest_rate(peaks_, config_);
-  return armed_.waiting() ? std::min(own, highest_rate(armed_->peaks(), config_)) : own;
-}
-
-/// The rate that a path accepts now. Above full speed, govern() sets the rate of a growing path; a
-/// path that is about to be swapped for a growing one first returns to full speed.
-double MotionAxis::granted(double wanted) const {
-  if (!on_path() || wanted <= 1) return wanted;
-  if (armed_.waiting() && armed_->growing()) return 1;
-  return active_->growing() ? std::clamp(clock_.target(), 1.0, wanted) : wanted;
-}
-
-bool MotionAxis::change_rate(double rate) {
-  if (rate == clock_.target()) return true;
-  if (rate == 0) return stop_on_path();
-  return clock_.change(now_.tick, rate, slope_to(rate, now_.tick));
-}
-
-/// Stops within the available path. After a late cycle, a stop from now on may end beyond it, and
-/// so may a change of this tick. The stop then begins in the last stepped tick, for which starves()
-/// has kept enough path.
-bool MotionAxis::stop_on_path() {
-  PathClock now = clock_;
-  const bool can = now.target() == 0 || now.change(now_.tick, 0, slope_to(0, now_.tick));
-  const double rest = now.at(now_.tick).s + now.way_to_rest(now_.tick, 0);
-  const bool reaches = !active_->growing() || rest <= active_->known();
-  if (can && reaches) clock_ = now;
-  if (reaches) return can;
-  clock_ = shown_;
-  return clock_.target() == 0 || clock_.change(from_, 0, slope_to(0, from_));
-}
-
-/// The slope of a change to that rate from that tick on.
-double MotionAxis::slope_to(double rate, std::int64_t tick) const {
-  const double highest = std::max({1.0, clock_.highest(tick), rate});
-  return rate_slope(peaks_, config_, highest, above_.peaks());
-}
-
-/// Applies a new rate: changes the clock of a path, or plans a move again.
-MotionAxis::Rejection MotionAxis::replan() {
-  const bool done = on_path() ? replan_path() : replan_move();
-  return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
+  next = path_.play(time, moment());
+  joint_ = joint_ || path_->progress() == Progress::done;
+  if (path_->progress() != Progress::broken) return Cause::none;
+  return is_fault(path_->cause()) ? path_->cause() : Cause::jump;
 }
 
 /// The superimposed move comes to rest with the path, and resumes with it.
 bool MotionAxis::replan_path() {
   SuperimposedMove above = above_;
-  if (!above.hold(wanted_rate() == 0, emitted_) || !change_rate(granted_rate())) return false;
+  if (!above.hold(requested_rate() == 0, bare_.tick) || !path_.follow(request())) return false;
   above_ = above;
   return true;
+}
+
+// ---- the next path -----------------------------------------------------------------------------
+
+/// A swap at the end of the path, or of its present pass.
+MotionAxis::Rejection MotionAxis::start_at_end() {
+  if (base_ == Base::live) return start_at_pass_end();
+  const auto end = expected_end();
+  if (!on_path() || !(end || path_.open_ended())) return Refusal{Cause::not_on_path};
+  if (end)
+    if (auto no = armed_->admit(config_, *end)) return no;
+  if (auto no = against_swap()) return no;
+  armed_.accept(StartAt::end_of_table, 0, 0, now_.tick);
+  path_.follow(request());
+  path_.swap_at_end(now_.tick);
+  return std::nullopt;
+}
+
+/// Another coupling, at the end of a pass of the cam that follows the live master.
+MotionAxis::Rejection MotionAxis::start_at_pass_end() {
+  if (!live_->passes()) return Refusal{Cause::no_movement};
+  if (!armed_.is_live() || above_.running()) return Refusal{Cause::in_motion};
+  armed_.accept(StartAt::end_of_table, 0, 0, now_.tick);
+  return std::nullopt;
+}
+
+/// Reason why the armed movement cannot take over from the present path. From its accepted start to
+/// the swap, the rate is limited to the range of both paths. It falls to that by the dynamics of the
+/// present path.
+MotionAxis::Rejection MotionAxis::against_swap() const {
+  if (above_.running() || armed_.is_live()) return Refusal{Cause::in_motion};
+  if (!path_.steady(now_.tick)) return Refusal{Cause::rate_changing};
+  return std::nullopt;
+}
+
+/// The present path has reached its boundary. If the boundary was not available at the command,
+/// checks now that both paths meet; otherwise the present path ends.
+Cause MotionAxis::swap_at_boundary() {
+  const double boundary = path_.boundary();
+  if (!path_.open_ended()) {
+    swap(boundary, *path_->end());
+    return Cause::none;
+  }
+  const double last = path_->at({boundary, dt(), inputs_.master}).slave[0];
+  if (path_->progress() == Progress::broken) return path_->cause();
+  if (const auto no = armed_->admit(config_, {last + above_.finished(), 0, 0}))
+    drop(*no);
+  else
+    swap(boundary, {last, 0, 0});
+  return Cause::none;
+}
+
+/// Swaps where the master passes the start position, if both paths meet.
+void MotionAxis::swap_at_master(double s) {
+  const MotionState end = state_of(path_->at({s, dt(), inputs_.master}));
+  if (const auto no = armed_->admit(
+          config_, {end.position + above_.finished(), end.velocity, end.acceleration}))
+    return drop(*no);
+  swap(s, end);
+}
+
+/// The armed movement continues from the end of the present path, or of its pass, at path time
+/// `boundary`.
+void MotionAxis::swap(double boundary, MotionState end) {
+  path_.forget_boundary();
+  if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
+  // The boundary may precede the end of the rate change.
+  const double rate = path_.time(now_.tick).rate;
+  const double most = armed_->growing() ? 1 : highest_rate(armed_->peaks(), config_);
+  if (rate > most * (1 + 1e-9))
+    return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
+  end.position += above_.finished();
+  if (const Cause no = armed_->begin(end, moment()); no != Cause::none)
+    return drop({.cause = no, .value = end.position});
+  hand_back(path_.path());
+  const ArmedMotion begun = std::exchange(armed_, {});
+  path_.take_over(*begun.movement(), now_.tick, boundary);
+  ++now_.finished;
+  above_.clear_finished();
+  path_.follow(request());
+  enter(begun);
 }
 
 }  // namespace jounce

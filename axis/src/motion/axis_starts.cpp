@@ -14,13 +14,13 @@ MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
   if (!movement) return Refusal{Cause::no_value};
   const auto from = expected_end();
   Rejection no;
-  if (from || ends_somewhere())
+  if (from || path_.open_ended())
     no = movement->admit(config_, from.value_or(last()));
   else if (movement->course() == Course::path)
     no = Refusal{Cause::in_motion};
   if (no && stands()) no = movement->admit(config_, last());
   // A swap at a master position, or at the end of rows, checks its start state at the swap.
-  if (no && on_path() && (active_->synchronized() || ends_somewhere()) &&
+  if (no && on_path() && (path_->synchronized() || path_.open_ended()) &&
       (no->cause == Cause::start_position || no->cause == Cause::start_velocity))
     no.reset();
   if (no) {
@@ -29,7 +29,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
   }
   disarm();
   armed_.arm(movement, what.group);
-  join_group(what.group);
+  groups_.join(what.group, now_.tick);
   return std::nullopt;
 }
 
@@ -45,11 +45,12 @@ std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = above_.distance();
   if (base_ == Base::move) {
-    if (goal_.kind == Goal::Kind::velocity && goal_.value != 0) return std::nullopt;
-    const bool there = goal_.kind == Goal::Kind::position;
-    return MotionState{(there ? goal_.value : plan_.end().position) + above, 0, 0};
+    const Goal& goal = move_.goal();
+    if (goal.kind == Goal::Kind::velocity && goal.value != 0) return std::nullopt;
+    const bool there = goal.kind == Goal::Kind::position;
+    return MotionState{(there ? goal.value : move_.plan().end().position) + above, 0, 0};
   }
-  auto end = active_->end();
+  auto end = active()->end();
   if (end) end->position += above;
   return end;
 }
@@ -57,9 +58,8 @@ std::optional<MotionState> MotionAxis::expected_end() const {
 void MotionAxis::disarm() {
   const ArmedMotion was = std::exchange(armed_, {});
   if (was) hand_back(was.movement());
-  if (was && was.group() != 0) now_.broken[1] = was.group();
-  if (was && was.group() != 0 && was.waiting()) last_break_ = {was.group(), now_.tick};
-  if (boundary_ == Boundary::swap) boundary_ = Boundary::none;
+  groups_.break_armed(was.group(), was.waiting(), now_.tick);
+  if (path_.swaps()) path_.forget_boundary();
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
@@ -78,7 +78,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
   const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
   if (rests && !(later && armed_.is_live())) {
     auto no = armed_->admit(config_, last());
-    const Cause cause = armed_->begin(last(), moment(0));
+    const Cause cause = armed_->begin(last(), moment());
     if (cause != Cause::none && !no) no = begin_refusal(cause, last());
     if (cause != Cause::none) no->cause = cause;
     if (!no) no = against_switch(*armed_);
@@ -86,15 +86,15 @@ MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
   }
   const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
   armed_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
-  if (swaps) change_rate(granted_rate());
+  if (swaps) path_.follow(request());
   return std::nullopt;
 }
 
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
 /// may begin from here.
 bool MotionAxis::stands() const {
-  return on_path() && !above_.running() && ending_ == Ending::none && clock_.target() == 0 &&
-         clock_.steady(now_.tick) && now_.velocity == 0;
+  return on_path() && !above_.running() && ending_ == Ending::none && path_.rests(now_.tick) &&
+         now_.velocity == 0;
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
@@ -122,8 +122,8 @@ MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
 void MotionAxis::begin_due() {
   if (!armed_.waiting()) return;
   const bool on_cam = on_path() && !armed_.is_live();
-  if (armed_.when() == StartAt::master_position && on_cam) return;  // see swap_at_master()
-  if (armed_.when() == StartAt::end_of_table && on_path()) return;  // see swap_at_boundary()
+  if (armed_.when() == StartAt::master_position && on_cam) return;  // see advance_path()
+  if (armed_.when() == StartAt::end_of_table && on_path()) return;  // see advance_path()
   const auto at = begins_at();
   if (!at) return;
   if (!armed_.is_live() && moving() && !stands()) return drop({.cause = Cause::in_motion});
@@ -135,21 +135,12 @@ std::optional<Moment> MotionAxis::begins_at() {
   if (armed_.when() == StartAt::tick) {
     const std::int64_t late = now_.tick - armed_.tick_or(now_.tick);
     if (late < 0) return std::nullopt;
-    Moment at = moment(0);
-    at.t = -seconds(late);
-    return at;
+    return Moment{-seconds(late * config_.period), dt(), inputs_.master};
   }
   if (armed_.when() == StartAt::master_position) return crossing();
-  if (base_ != Base::movement) {  // that movement has ended
-    drop({.cause = Cause::no_movement});
-    return std::nullopt;
-  }
-  const double t = seconds(now_.tick - origin_);
-  auto at = active_->pass_end(coupled(moment(t)));
-  if (!at) return at;
-  at->t -= t;
-  at->master[0] += renamed_;
-  return at;
+  if (base_ == Base::live) return live_.pass_end(moment(), now_.tick);
+  drop({.cause = Cause::no_movement});  // that movement has ended
+  return std::nullopt;
 }
 
 /// The instant at which the live master passes the start position, between the previous tick and
@@ -169,17 +160,15 @@ std::optional<Moment> MotionAxis::crossing() const {
 std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
   if (!moving() || !armed_.is_live()) return last();
   Setpoint next;
-  if (armed_.when() != StartAt::tick && base_ == Base::movement && !on_path()) {
-    Moment there = coupled(at);
-    there.t += seconds(now_.tick - origin_);
-    next = active_->at(there);
-    if (active_->progress() == Progress::broken) no = active_->cause();
+  if (armed_.when() != StartAt::tick && base_ == Base::live) {
+    next = live_.at(at, now_.tick);
+    if (live_->progress() == Progress::broken) no = live_->cause();
   } else {
     no = advance(next);
   }
   if (no != Cause::none) return std::nullopt;
   above_.add_to(next, now_.tick);
-  return MotionState{next.slave[0], next.slave[1], next.slave[2]};
+  return state_of(next);
 }
 
 /// The answer of the armed movement to an axis in this state.
@@ -201,46 +190,47 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   const bool live = armed_.is_live();
-  const double ahead = -at.t;
   Cause no = Cause::none;
   const auto state = state_at(at, no);
   if (!state) return drop({.cause = no});
   if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
   if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
-  const Moment begin = live && armed_.when() != StartAt::tick ? at : moment(0);
+  const Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
   no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   drop_movement();
   forget_next();
-  active_ = begun.movement();
-  group_ = begun.group();
-  base_ = Base::movement;
-  ending_ = Ending::none;
   held_ = false;
+  ending_ = Ending::none;
   above_.clear();
-  joint_ = true;
-  peaks_ = active_->peaks();
-  origin_ = now_.tick;
-  renamed_ = 0;
   if (!was_moving) begun_ = begun.tick_or(now_.tick);
-  if (!live) {
-    const double rate = active_->growing() ? std::min(wanted_rate(), 1.0) : wanted_rate();
-    played_to_ = 0;
+  if (live) {
+    base_ = Base::live;
+    live_.begin(*begun.movement(), now_.tick);
+  } else {
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
-    if (begun.when() == StartAt::tick)
-      clock_.start(begun.tick_or(now_.tick), 0, rate);
-    else
-      clock_.start(now_.tick, ahead * rate, rate);
-    shown_ = clock_;
-    from_ = begun.tick_or(now_.tick);
+    const double ahead = begun.when() == StartAt::tick ? 0 : -at.t;
+    base_ = Base::path;
+    path_.begin(*begun.movement(), begun.tick_or(now_.tick), requested_rate(), ahead);
   }
   now_.reason = Cause::none;
-  state_ = active_->synchronized() ? State::synchronized_motion : State::discrete_motion;
-  has_master_ = active_->synchronized();
+  enter(begun);
+}
+
+/// The movement is now the played one.
+void MotionAxis::enter(const ArmedMotion& begun) {
+  group_ = begun.group();
+  joint_ = true;
+  state_ = playing_state();
+  has_master_ = begun->synchronized();
   outputs_.place(SwitchesOf::master);
+}
+
+State MotionAxis::playing_state() const {
+  return active()->synchronized() ? State::synchronized_motion : State::discrete_motion;
 }
 
 }  // namespace jounce

@@ -18,10 +18,6 @@ namespace {
 
 using profiles_detail::rounded_input;
 
-double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) / 1e9;
-}
-
 void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
   Range& range = ranges[order];
   if (value < range.min.value) range.min = {value, where, side};

@@ -38,10 +38,6 @@
 namespace jounce {
 namespace {
 
-double seconds(std::int64_t ns) {
-  return static_cast<double>(ns) / 1e9;
-}
-
 double tick_acceleration(const Peaks& peaks, const AxisConfig& config) {
   return std::max(peaks.acceleration, peaks.velocity_step / seconds(config.period));
 }

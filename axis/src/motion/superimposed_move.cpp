@@ -105,7 +105,7 @@ Peaks SuperimposedMove::peaks() const noexcept {
 }
 
 double SuperimposedMove::time(std::int64_t tick) const noexcept {
-  return static_cast<double>((tick - origin_) * config_.period) / 1e9;
+  return seconds((tick - origin_) * config_.period);
 }
 
 std::optional<Profile> SuperimposedMove::planned(const Motion& from, const Goal& goal,

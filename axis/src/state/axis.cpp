@@ -8,8 +8,9 @@
 #include "jounce/axis/setpoint_check.hpp"
 
 // One tick of an axis, from its inputs to its outputs; read from step() down. Other files: commands
-// in axis_commands.cpp, axis_moves.cpp and axis_starts.cpp, the time of a path in axis_path.cpp,
-// the change from one movement to the next in axis_swap.cpp, the end of a motion in axis_ends.cpp.
+// in axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp, a path and the next one
+// in axis_path.cpp, the end of a motion in axis_ends.cpp. The players of a motion have classes of
+// their own: PathPlayer, LivePlayer, MovePlayer, SuperimposedMove.
 
 namespace jounce {
 
@@ -17,8 +18,9 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
     : config_(resolved(config)),
       unranged_(config_),
-      clock_(config_.period),
-      shown_(config_.period),
+      path_(config_),
+      live_(config_.period),
+      move_(config_.period),
       above_(config_),
       outputs_(switches, compare) {
   now_.position = config_.position;
@@ -29,7 +31,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   assert(tick > last_tick_);
   now_.skipped = tick - last_tick_ - 1;
   now_.tick = tick;
-  now_.time = seconds(tick);
+  now_.time = seconds(tick * config_.period);
   now_.refused.reset();
   now_.dropped.reset();
   now_.handed_back = {};
@@ -37,7 +39,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
-  for (Movement* const movement : {active_, armed_.movement(), movement_of(command.what)})
+  for (Movement* const movement : {active(), armed_.movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
   obey_due();
@@ -59,19 +61,21 @@ void MotionAxis::report() {
   now_.in_position =
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
-  now_.job = active_ ? active_->id() : 0;
+  const Movement* const played = active();
+  now_.job = played ? played->id() : 0;
   now_.armed = armed_ ? armed_->id() : 0;
-  now_.group = active_ ? group_ : 0;
+  now_.group = played ? group_ : 0;
+  now_.broken = groups_.broken();
   now_.next = {};
   if (armed_ && armed_.group() != 0)
     now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
   now_.waiting = armed_.waiting() || !next_.empty() || later_;
-  now_.progress = active_ ? active_->progress() : moving() ? Progress::running : Progress::done;
+  now_.progress = played ? played->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
-  now_.override_ = on_path() ? granted(std::min(factor_, most_rate())) : factor_;
-  now_.rate = on_path() ? clock_.at(now_.tick).rate : 1;
+  now_.override_ = on_path() ? path_.granted(factor_, request().next) : factor_;
+  now_.rate = on_path() ? path_.time(now_.tick).rate : 1;
 }
 
 // ---- inputs ------------------------------------------------------------------------------------
@@ -94,8 +98,8 @@ void MotionAxis::take(const Inputs& inputs) {
 void MotionAxis::see_renamed(double by) {
   if (by == 0) return;
   last_master_[0] += by;
-  renamed_ += by;
-  if (base_ == Base::movement && !on_path()) outputs_.place(SwitchesOf::master);
+  live_.shift_master(by);
+  if (base_ == Base::live) outputs_.place(SwitchesOf::master);
 }
 
 void MotionAxis::watch() {
@@ -120,20 +124,20 @@ void MotionAxis::watch() {
 
 void MotionAxis::play() {
   // Ticks skipped before the motion began, or during a hold, do not count.
-  const bool held = on_path() && now_.velocity == 0 && clock_.at(now_.tick).rate == 0;
+  const bool held = on_path() && now_.velocity == 0 && path_.time(now_.tick).rate == 0;
   if (!held && std::min(now_.skipped, now_.tick - begun_) >= config_.longest_gap)
     return fail(Cause::stalled);
   constexpr int reactions = 3;  // stop on the path, then off it
   for (int i = 0; i < reactions && moving(); ++i) {
     Setpoint next;
     Cause wrong = advance(next);
-    const MotionState bare{next.slave[0], next.slave[1], next.slave[2]};
+    const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
       above_.add_to(next, now_.tick);
       wrong = judge(next);
     }
     if (wrong == Cause::none) {
-      bare_ = bare;
+      bare_ = {bare, now_.tick};
       give_out(next);
       return conclude();
     }
@@ -143,27 +147,28 @@ void MotionAxis::play() {
 
 Cause MotionAxis::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
-  if (base_ == Base::movement) {
-    next = active_->at(coupled(moment(seconds(now_.tick - origin_))));
-    next.master += renamed_;
-    if (active_->progress() != Progress::broken) return Cause::none;
-    return is_fault(active_->cause()) ? active_->cause() : Cause::master_lost;
-  }
-  while (passes() && plan_time() >= plan_.duration())  // a late cycle may pass several
+  return base_ == Base::live ? advance_live(next) : advance_move(next);
+}
+
+Cause MotionAxis::advance_live(Setpoint& next) {
+  next = live_.at(moment(), now_.tick);
+  if (live_->progress() != Progress::broken) return Cause::none;
+  return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;
+}
+
+Cause MotionAxis::advance_move(Setpoint& next) {
+  while (passes() && move_.is_over(now_.tick))  // a late cycle may pass several
     if (const Cause no = pass_target(); no != Cause::none) return no;
-  const double t = plan_time();
-  const auto [p, v, a, j] = plan_.at(t);
-  const double beyond = std::max(t - plan_.duration(), 0.0);  // continues at its last velocity
-  next = {now_.master, 0, {p + v * beyond, v, a, j}};
+  next = {now_.master, 0, move_.at(now_.tick)};
   return Cause::none;
 }
 
 /// Checks a setpoint before its output; braking after a fault passes without a check.
 Cause MotionAxis::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
-  const MotionState state{next.slave[0], next.slave[1], next.slave[2]};
-  const double kinks = on_path() ? peaks_.velocity_step : 0;
-  const double joint = joint_ ? *config_.limits.acceleration * seconds(1) : 0;
+  const MotionState state = state_of(next);
+  const double kinks = on_path() ? path_.peaks().velocity_step : 0;
+  const double joint = joint_ ? *config_.limits.acceleration * seconds(config_.period) : 0;
   const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
   const Cause no = check_setpoint(last(), state, step, rules());
   const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
@@ -182,16 +187,13 @@ Cause MotionAxis::judge(const Setpoint& next) const {
 /// which exceed its own.
 bool MotionAxis::inside_as_a_whole() const {
   if (above_.shifts()) return false;
-  if (on_path()) return active_->bounded();
-  return base_ == Base::move && goal_.kind == Goal::Kind::position && ending_ == Ending::none &&
-         wanted_rate() > 0;
+  if (on_path()) return path_->bounded();
+  return base_ == Base::move && move_.goal().kind == Goal::Kind::position && requested_rate() > 0;
 }
 
 void MotionAxis::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
-  emitted_ = now_.tick;
-  shown_ = clock_;
-  from_ = now_.tick + 1;
+  path_.put_out(now_.tick);
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -230,26 +232,24 @@ void MotionAxis::drop(const Refusal& why) {
   disarm();
 }
 
-bool MotionAxis::on_path() const {
-  return base_ == Base::movement && active_->course() == Course::path;
+/// The played movement; null: none.
+Movement* MotionAxis::active() const {
+  return on_path() ? path_.path() : live_.movement();
 }
 
 MotionState MotionAxis::last() const {
   return {now_.position, now_.velocity, now_.acceleration};
 }
 
-Moment MotionAxis::moment(double t) const {
-  return {t, dt(), inputs_.master};
+/// The requested rate of the motion; a path may grant less.
+double MotionAxis::requested_rate() const {
+  if (held_ || ending_ != Ending::none) return 0;
+  return homing_ ? std::min(factor_, 1.0) : factor_;  // a homing has its own velocities
 }
 
-/// The moment in the master coordinate of the active live movement.
-Moment MotionAxis::coupled(Moment now) const {
-  now.master[0] -= renamed_;
-  return now;
-}
-
-double MotionAxis::seconds(std::int64_t ticks) const {
-  return static_cast<double>(ticks * config_.period) / 1e9;
+PathRequest MotionAxis::request() const {
+  return {now_.tick, requested_rate(), above_.peaks(),
+          armed_.waiting() ? armed_.movement() : nullptr};
 }
 
 }  // namespace jounce

@@ -16,7 +16,7 @@ void MotionAxis::obey(const Command& command) {
   if (std::holds_alternative<command::None>(command.what)) return;
   now_.refused = take_up(command);
   const auto* const start = std::get_if<command::Start>(&command.what);
-  if (start != nullptr && now_.refused && start->group != 0) now_.broken[1] = start->group;
+  if (start != nullptr && now_.refused) groups_.break_armed(start->group, false, now_.tick);
 }
 
 MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
@@ -51,8 +51,7 @@ MotionAxis::Rejection MotionAxis::power(bool on) {
   }
   now_.power = on;
   if (on) return std::nullopt;
-  break_group();
-  disarm();
+  break_groups();
   forget_next();
   forget_later();
   cut_off();
@@ -68,9 +67,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
   if (state_ != State::error_stop) return std::nullopt;
   ending_ = Ending::none;
   held_ = moving();
-  state_ = !moving()                 ? State::standstill
-           : active_->synchronized() ? State::synchronized_motion
-                                     : State::discrete_motion;
+  state_ = moving() ? playing_state() : State::standstill;
   return std::nullopt;
 }
 
@@ -97,20 +94,21 @@ MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const StopDynamics& 
   if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
   const bool stops = ending != Ending::halt || homing_;
   if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
-  break_group();
-  disarm();
+  break_groups();
   forget_next();
   if (stops) forget_later();
   const bool stopping = ending_ == Ending::stop || (stops && ending_ == ending);
   if (!moving() || stopping) return std::nullopt;
-  boundary_ = Boundary::none;
+  path_.forget_boundary();
   ending_ = ending;
-  if (ending == Ending::group && unplayed()) {
+  // Only the first point of the path was output, at the position of the axis.
+  const bool unplayed = on_path() && path_.unplayed() && now_.velocity == 0 && !above_.running();
+  if (ending == Ending::group && unplayed) {
     rest();
     return std::nullopt;
   }
   state_ = stops ? State::stopping : State::discrete_motion;
-  if (on_path() && !above_.running() && change_rate(0)) return std::nullopt;
+  if (on_path() && !above_.running() && path_.follow(request())) return std::nullopt;
   if (adopt({Goal::Kind::rest, 0, dynamics}, 1))
     now_.reason = Cause::none;
   else
@@ -118,39 +116,33 @@ MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const StopDynamics& 
   return std::nullopt;
 }
 
-/// Ends the motion early. disarm() does the same for an armed movement.
-void MotionAxis::break_group() {
-  if (!active_) return;
-  now_.broken[0] = group_;
-  last_break_ = {group_, now_.tick};
-}
-
-/// The armed movement now belongs to this group. A break of this tick stays: the other axes have
-/// not read it yet.
-void MotionAxis::join_group(std::int64_t group) {
-  if (last_break_.group == group && last_break_.tick == now_.tick) return;
-  std::replace(now_.broken.begin(), now_.broken.end(), group, std::int64_t{0});
+/// The motion ends early, and the armed movement with it.
+void MotionAxis::break_groups() {
+  if (active()) groups_.break_motion(group_, now_.tick);
+  disarm();
 }
 
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::stop_with_group() {
   if (inputs_.peers == Peers::broken && armed_.waiting()) drop({.cause = Cause::group_stopped});
-  if (inputs_.group_broken && active_ && ending_ == Ending::none)
-    now_.refused = end_motion(Ending::group);
-}
-
-/// True if only the first point of the path was output, at the position of the axis.
-bool MotionAxis::unplayed() const {
-  return on_path() && !above_.running() && played_to_ == 0 && now_.velocity == 0;
+  // This stop has the dynamics of the axis, so it is never rejected: the answer of the command of
+  // this tick stays.
+  if (inputs_.group_broken && active() && ending_ == Ending::none) end_motion(Ending::group);
 }
 
 MotionAxis::Rejection MotionAxis::hold(bool on) {
-  if (base_ == Base::movement && !on_path()) return Refusal{Cause::not_on_path};
+  if (base_ == Base::live) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   const bool before = std::exchange(held_, on);
   const auto no = replan();
   if (no) held_ = before;
   return no;
+}
+
+/// Applies a new rate: changes that of a path, or plans a move again.
+MotionAxis::Rejection MotionAxis::replan() {
+  const bool done = on_path() ? replan_path() : replan_move();
+  return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
@@ -160,8 +152,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
   const double most = std::max(1.0, factor_);
   if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
-  if (!moving() || ending_ != Ending::none || (base_ != Base::move && !on_path()))
-    return std::nullopt;
+  if (!moving() || ending_ != Ending::none || base_ == Base::live) return std::nullopt;
   const auto no = replan();
   if (no) factor_ = before;
   return no;
@@ -171,14 +162,13 @@ MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
 MotionAxis::Rejection MotionAxis::act(const command::Finish& /*it*/) {
   if (!on_path()) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
-  if (!std::isinf(active_->known()) || active_->pass() <= 0) return std::nullopt;
-  const auto end = active_->end();
-  const double most = *config_.limits.acceleration * seconds(1);
+  if (!std::isinf(path_->known()) || path_->pass() <= 0) return std::nullopt;
+  const auto end = path_->end();
+  const double most = *config_.limits.acceleration * seconds(config_.period);
   if (!end) return Refusal{Cause::no_movement};
   if (std::abs(end->velocity) > most) return Refusal{Cause::end_velocity, end->velocity, most};
   disarm();
-  boundary_ = Boundary::finish;
-  boundary_at_ = active_->pass() * (std::floor(clock_.at(now_.tick).s / active_->pass()) + 1);
+  path_.finish_pass(now_.tick);
   return std::nullopt;
 }
 

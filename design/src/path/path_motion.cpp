@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/path/override.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::design_detail {
@@ -69,25 +70,58 @@ InputError named(const InputError& error, const GcodeMachine& machine) {
   return InputError(error.key(), error.value(), error.rule());
 }
 
-Plan planned(const PathSpec& path) {
+/// Calls `make`; its errors get the source of the path.
+template <class Make>
+auto in_source(const PathSpec& path, const Make& make) {
   if (path.program.commands().empty())
     throw InputError("command", "",
                      "is missing: give [[command]], points or [gcode] with a file, or use this "
                      "spec as --machine "
                      "of a G-code program");
   try {
-    return plan(path.program, path.limits);
+    return make();
   } catch (const InputError& error) {
     if (error.line() == 0) throw;
     throw named(error, path.machine).at(path.source, error.line());
   }
 }
 
+/// Names of the segments of lines that overlap.
+std::vector<std::string> names_of(const Overlapped& motion, const Trajectory& curve, int first) {
+  std::vector<std::string> names;
+  std::size_t next = 0;  // the corner ahead
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const double t = (curve.breaks()[i] + curve.breaks()[i + 1]) / 2;
+    while (next < motion.corners.size() &&
+           motion.corners[next].time + motion.corners[next].overlap <= t)
+      ++next;
+    const bool overlaps = next < motion.corners.size() && motion.corners[next].time <= t;
+    const int line = overlaps    ? motion.corners[next].line
+                     : next == 0 ? first
+                                 : motion.corners[next - 1].line;
+    names.push_back((overlaps ? "corner " : "line ") + std::to_string(line));
+  }
+  return names;
+}
+
+PathMotion overlapping(const PathSpec& path) {
+  PathMotion made;
+  made.overlap = std::make_shared<const Overlapped>(
+      in_source(path, [&] { return overlapped(path.program, path.limits, *path.overlap); }));
+  made.axes.curves = made.overlap->axes;
+  made.axes.error.assign(made.axes.curves.size(), {});
+  for (const Trajectory& curve : made.axes.curves)
+    made.names.push_back(names_of(*made.overlap, curve, path.program.commands().front().line));
+  return made;
+}
+
 }  // namespace
 
 PathMotion motion_of(const PathSpec& path) {
+  if (path.overlap) return overlapping(path);
   PathMotion made;
-  made.plan = std::make_shared<const Plan>(planned(path));
+  const Plan planned = in_source(path, [&] { return plan(path.program, path.limits); });
+  made.plan = std::make_shared<const Plan>(played(planned, path.override_steps));
   made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
   for (Trajectory& curve : made.axes.curves) {
     curve = without_slivers(curve);

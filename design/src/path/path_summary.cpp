@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "jounce/base/units.hpp"
 #include "jounce/design/path_text.hpp"
+#include "jounce/path/along.hpp"
 
 namespace jounce {
 namespace {
 
-std::optional<double> finite(double limit) {
-  return std::isfinite(limit) ? std::optional(limit) : std::nullopt;
-}
-
-Report along(const Plan& plan) {
-  const PathLimits& limits = plan.given().limits.path;
-  return check(plan.law().curve(),
-               {.velocity = finite(limits.velocity),
-                .acceleration = finite(std::max(limits.acceleration, limits.deceleration)),
-                .jerk = finite(limits.jerk)});
+Report along(const Spec& spec, const Plan& plan) {
+  Report report = check_along(plan);
+  for (Finding& f : report.findings)
+    if (f.quantity.ends_with("celeration"))
+      f.unit = rate_unit(spec.units.position, spec.units.x, 2);
+  return report;
 }
 
 /// The time at which the axes first are at q. Near a rest q hardly depends on time: where a stretch ends at q but
@@ -67,9 +64,10 @@ double length_of(const Program& program, const Program::Command& command, const 
   return length > 0 ? length : distance(from, end_of(program, command), m, program.axes());
 }
 
-/// The places of all events, which are in the order of the program: where the first command in or behind the line of an
-/// event begins, and when, after the dwells before that line.
-std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan) {
+}  // namespace
+
+std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
+                                  std::span<const GcodeEvent> events) {
   std::vector<EventPlace> places;
   const auto commands = path.program.commands();
   Point at = path.program.start();
@@ -77,7 +75,7 @@ std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan) {
   double dwell = 0;
   std::size_t k = 0;
   std::vector<Motion> axes(plan.path().axes());
-  for (const GcodeEvent& event : path.events) {
+  for (const GcodeEvent& event : events) {
     for (; k < commands.size() && commands[k].line < event.line; ++k) {
       const bool rests = commands[k].kind == Program::Kind::dwell;
       dwell = rests ? dwell + path.program.numbers()[commands[k].data] : 0;
@@ -94,20 +92,29 @@ std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan) {
   return places;
 }
 
-}  // namespace
+std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan) {
+  std::vector<GcodeEvent> lines;
+  for (const Program::Command& command : path.program.commands())
+    if (lines.empty() || lines.back().line != command.line)
+      lines.push_back({"line " + std::to_string(command.line), command.line});
+  return places_of(path, plan, lines);
+}
 
-PathSummary summary_of(const Spec& spec, const Plan& plan) {
+PathSummary summary_of(const Spec& spec, const Plan& played) {
   const auto& path = std::get<PathSpec>(spec.subject);
+  const bool overridden = !path.override_steps.empty();
+  const Plan plan = overridden ? jounce::plan(path.program, path.limits) : played;
   PathSummary summary{.duration = plan.duration(),
+                      .played = overridden ? std::optional(played.duration()) : std::nullopt,
                       .stop_duration = plan.stop_duration(),
                       .lower_bound = lower_bound(plan),
                       .length = plan.path().length(),
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
-                      .along = along(plan)};
+                      .along = along(spec, played)};
   summary.cost = cost_of(plan, summary.corners);
-  summary.events = places_of(path, plan);
+  summary.events = places_of(path, played, path.events);
   return summary;
 }
 

@@ -48,6 +48,12 @@ std::string times_text(const PathSummary& s, const Along& units) {
       rounded(s.lower_bound));
 }
 
+std::string override_text(const PathSummary& s, const Along& units) {
+  if (!s.played) return "";
+  return fmt::format("{} {} under the override; all other numbers are without it\n",
+                     rounded(*s.played), units.time);
+}
+
 std::string costs_text(const PathSummary& s, const Along& units) {
   std::string text = fmt::format("at full speed: {} {}", rounded(s.cost.at_full_speed), units.time);
   for (std::size_t k = 0; k < loss_causes; ++k) {
@@ -98,14 +104,14 @@ std::string places_text(const PathSummary& s, const Along& units) {
 }
 
 /// A line for each kind of note: how many, and the first in words.
-std::string notes_text(const PathSummary& s) {
+std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
   for (std::size_t k = 1; k < note_names.size(); ++k) {
     const auto has = [&](const CornerRecord& c) { return c.note == static_cast<JointNote>(k); };
     const auto first = std::find_if(s.corners.begin(), s.corners.end(), has);
     if (first == s.corners.end()) continue;
     const auto count = std::count_if(first, s.corners.end(), has);
-    text += fmt::format("warning: line {}: {}", first->line, first->text);
+    text += fmt::format("warning: line {}: {}", first->line, explain(*first, units.length));
     if (count > 1) text += fmt::format(" {} corners in all have this note.", count);
     text += '\n';
   }
@@ -151,13 +157,14 @@ Json json_of(const EventPlace& place, const Spec& spec) {
 std::string path_text(const Spec& spec, const PathSummary& s) {
   const Along units = units_along(spec);
   const Labels labels{spec.units, false, {}};
-  std::string text = times_text(s, units) + costs_text(s, units) + "\n" + places_text(s, units);
+  std::string text = times_text(s, units) + override_text(s, units) + costs_text(s, units) + "\n" +
+                     places_text(s, units);
   const auto moving = std::count_if(s.corners.begin(), s.corners.end(),
                                     [](const CornerRecord& c) { return !c.stop && c.trim > 0; });
   const auto stops = std::count_if(s.corners.begin(), s.corners.end(),
                                    [](const CornerRecord& c) { return c.stop; });
   text += fmt::format("\n{} corners: {} rounded, {} stops\n", s.corners.size(), moving, stops);
-  text += notes_text(s);
+  text += notes_text(s, units);
   if (!s.events.empty())
     text +=
         fmt::format("{} events of M, H, S and T words: --json has their places\n", s.events.size());
@@ -177,17 +184,59 @@ std::string path_json(const Spec& spec, const PathSummary& s) {
   for (const CornerRecord& corner : s.corners) corners.push_back(json_of(corner));
   Json events = Json::array();
   for (const EventPlace& place : s.events) events.push_back(json_of(place, spec));
+  Json document{{"unit", units.length},
+                {"time_unit", units.time},
+                {"duration", s.duration},
+                {"stop_duration", s.stop_duration},
+                {"lower_bound", s.lower_bound},
+                {"length", s.length},
+                {"costs", std::move(costs)},
+                {"places", std::move(places)},
+                {"corners", std::move(corners)},
+                {"events", std::move(events)},
+                {"along", Json::parse(to_json(s.along, labels))}};
+  if (s.played) document["played"] = *s.played;
+  return document.dump();
+}
+
+std::string path_difference(const Spec& spec, const Plan& before, const Plan& after) {
+  const Along units = units_along(spec);
+  const double faster = before.duration() - after.duration();
+  return fmt::format("path: {} {} instead of {} {}: {} {} {}; {} {} long instead of {} {}\n",
+                     rounded(after.duration()), units.time, rounded(before.duration()), units.time,
+                     rounded(std::abs(faster)), units.time, faster >= 0 ? "less" : "more",
+                     rounded(after.path().length()), units.length, rounded(before.path().length()),
+                     units.length);
+}
+
+std::string overlap_text(const Spec& spec, const Overlapped& motion) {
+  const Along units = units_along(spec);
+  std::string text =
+      fmt::format("{0} {2} with overlap; with a stop at each corner: {1} {2}\n",
+                  rounded(motion.duration), rounded(motion.stop_duration), units.time);
+  text += fmt::format("{:>8} {:>12} {:>13} {:>16} {:>16}\n", "line", "at [" + units.time + "]",
+                      "overlap [" + units.time + "]", "deviation [" + units.length + "]",
+                      "from lines [" + units.length + "]");
+  for (const OverlapRecord& c : motion.corners)
+    text += fmt::format("{:>8} {:>12} {:>13} {:>16} {:>16}\n", c.line, rounded(c.time),
+                        rounded(c.overlap), rounded(c.deviation), rounded(c.one_sided));
+  return text;
+}
+
+std::string overlap_json(const Spec& spec, const Overlapped& motion) {
+  const Along units = units_along(spec);
+  Json corners = Json::array();
+  for (const OverlapRecord& c : motion.corners)
+    corners.push_back({{"line", c.line},
+                       {"time", c.time},
+                       {"overlap", c.overlap},
+                       {"deviation", c.deviation},
+                       {"one_sided", c.one_sided}});
   return Json{{"unit", units.length},
               {"time_unit", units.time},
-              {"duration", s.duration},
-              {"stop_duration", s.stop_duration},
-              {"lower_bound", s.lower_bound},
-              {"length", s.length},
-              {"costs", std::move(costs)},
-              {"places", std::move(places)},
-              {"corners", std::move(corners)},
-              {"events", std::move(events)},
-              {"along", Json::parse(to_json(s.along, labels))}}
+              {"duration", motion.duration},
+              {"stop_duration", motion.stop_duration},
+              {"corners", std::move(corners)}}
       .dump();
 }
 

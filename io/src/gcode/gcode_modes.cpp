@@ -13,7 +13,7 @@ namespace jounce::io_detail {
 namespace {
 
 /// G numbers times 10, by modal group: two of one group contradict each other.
-constexpr std::array<std::pair<int, int>, 26> modal_groups{{
+constexpr std::array<std::pair<int, int>, 27> modal_groups{{
     {0, 1},    {10, 1},   {20, 1},   {30, 1},   {800, 1},              //
     {170, 2},  {180, 2},  {190, 2},                                    //
     {900, 3},  {910, 3},                                               //
@@ -21,7 +21,7 @@ constexpr std::array<std::pair<int, int>, 26> modal_groups{{
     {200, 6},  {210, 6},                                               //
     {400, 7},  {490, 8},  {940, 5},                                    //
     {540, 12}, {550, 12}, {560, 12}, {570, 12}, {580, 12}, {590, 12},  //
-    {610, 13}, {640, 13},                                              //
+    {610, 13}, {611, 13}, {640, 13},                                   //
     {40, 0},
 }};
 
@@ -119,8 +119,10 @@ void GcodeInterpreter::set_mode(const GcodeBlock& block, const GcodeWord& word, 
       set_offset(block, word, static_cast<std::size_t>(code / 10 - 54));
       break;
     case 610:
+    case 611:  // exact stop: at tangent joints, too
       corner_.corner = Corner::stop;
       corner_.value = 0;
+      corner_.junction = code == 611 ? Junction::buffered : machine_.settings.junction;
       break;
     case 640:
       set_tolerance(block, word);
@@ -167,6 +169,7 @@ void GcodeInterpreter::set_tolerance(const GcodeBlock& block, const GcodeWord& w
   if (p != nullptr) {
     if (!(p->value >= 0)) fail_at(block, *p, "must not be negative: it is the greatest deviation");
     const bool averages = machine_.settings.corner == Corner::average;
+    corner_.junction = machine_.settings.junction;
     corner_.corner = p->value == 0 ? Corner::stop : averages ? Corner::average : Corner::deviation;
     corner_.value = p->value * scale_[0];
     return;

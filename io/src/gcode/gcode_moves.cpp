@@ -83,6 +83,7 @@ PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to
             "is missing: G1, G2 and G3 need a feed. Add F to this block, or velocity to [path]");
   now.corner = corner_.corner;
   now.value = corner_.value;
+  now.junction = corner_.junction;
   if (motion_ == 0 || feed_word_ == 0) return now;
   const Point& from = made_.program.position();
   std::size_t i = 0;

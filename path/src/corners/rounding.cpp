@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
@@ -25,7 +26,8 @@ enum class How : std::uint8_t { through, rest, turn, blend };
 
 struct Shape {
   double trim = 0;
-  double share = 0;  ///< share of a turn
+  double wanted = 0;  ///< trim without corners at the other ends of its sides
+  double share = 0;   ///< share of a turn
   double velocity = none;
   How how = How::through;
   JointNote note = JointNote::none;
@@ -35,14 +37,39 @@ struct Shape {
 struct Sides {
   Point before{}, behind{};            ///< directions
   Point bend_before{}, bend_behind{};  ///< curvatures
-  bool lines = false;
+};
+
+/// Two directions that meet: |w - u| and |w + u| / 2, over the path axes unless only followers turn.
+struct Bend {
+  double size = 0, cosine = 0;
+  bool is_tangent = false;
+
+  Bend(std::span<const double> u, std::span<const double> w, std::size_t path_axes) {
+    double change = 0;
+    double both = 0;
+    double length = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      change += (w[i] - u[i]) * (w[i] - u[i]);
+      both += (w[i] + u[i]) * (w[i] + u[i]);
+      length += w[i] * w[i];
+      if (i + 1 != path_axes) continue;
+      size = std::sqrt(change);
+      cosine = std::sqrt(both) / 2;
+    }
+    if (!(size > tangent)) {
+      size = std::sqrt(change);
+      cosine = std::sqrt(both) / 2;
+    }
+    is_tangent = !(size > tangent * std::sqrt(length));
+  }
 };
 
 class Rounding {
  public:
-  Rounding(const Route& route, const Program& program, const Rates& rates,
+  Rounding(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
            const std::vector<bool>& stop)
       : route_(route),
+        lines_(lines),
         program_(program),
         rates_(rates),
         curved_(reserved(rates)),
@@ -53,7 +80,10 @@ class Rounding {
     const std::size_t count = route_.path.pieces().size();
     shapes_.resize(count + 1);
     shapes_[0].how = shapes_[count].how = How::rest;
-    for (std::size_t k = 1; k < count; ++k) shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
+    for (std::size_t k = 1; k < count; ++k) {
+      shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
+      shapes_[k].wanted = shapes_[k].trim;
+    }
     for (std::size_t k = 1; k < count; ++k) share(k);
     for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
     return assembled();
@@ -73,20 +103,16 @@ class Rounding {
     return p.length * std::min(1.0, 2 * widest_trim / sweep);
   }
 
-  void direction(std::size_t k, Point& out) const {
-    const double* step = route_.path.numbers(k) + n_;
-    const double inverse = 1 / piece(k).length;
-    for (std::size_t i = 0; i < n_; ++i) out[i] = step[i] * inverse;
+  [[nodiscard]] std::span<const double> direction(std::size_t k) const {
+    return std::span(lines_.directions).subspan(k * n_, n_);
+  }
+
+  [[nodiscard]] bool are_lines(std::size_t k) const {
+    return piece(k - 1).kind == PieceKind::line && piece(k).kind == PieceKind::line;
   }
 
   [[nodiscard]] Sides sides(std::size_t k) const {
     Sides s;
-    s.lines = piece(k - 1).kind == PieceKind::line && piece(k).kind == PieceKind::line;
-    if (s.lines) {
-      direction(k - 1, s.before);
-      direction(k, s.behind);
-      return s;
-    }
     std::array<Jet, max_axes> jet{};
     route_.path.jets(k - 1, piece(k - 1).length, std::span(jet).first(n_));
     for (std::size_t i = 0; i < n_; ++i) {
@@ -114,29 +140,31 @@ class Rounding {
       return s;
     }
     if (route_.joints[k].smooth) return s;
+    if (are_lines(k)) {
+      const Bend bend(direction(k - 1), direction(k), rates_.path_axes);
+      if (bend.is_tangent) return s;
+      if (rests_at(k, bend, s)) return s;
+      return turned(k, bend, room);
+    }
     const Sides both = sides(k);
-    const Point change = vec::difference(both.behind, both.before);
-    double bend = vec::norm(change, rates_.path_axes);
-    const bool measured = bend > tangent;
-    if (!measured) bend = vec::norm(change, n_);
-    if (!(bend > tangent * vec::norm(both.behind, n_))) return smooth(k, both, room);
-    if (settings(k).corner == Corner::stop || stop_[k]) {
-      s.how = How::rest;
-      return s;
-    }
-    const double together =
-        vec::norm(vec::sum(both.before, both.behind), measured ? rates_.path_axes : n_) / 2;
-    if (!(together > 1e-8)) {
-      s.how = How::rest;
-      s.note = JointNote::turns_back;
-      return s;
-    }
-    return both.lines ? turned(k, both, change, bend, together, room) : blended(k, room);
+    const Bend bend(std::span(both.before).first(n_), std::span(both.behind).first(n_),
+                    rates_.path_axes);
+    if (bend.is_tangent) return smooth(k, both, room);
+    return rests_at(k, bend, s) ? s : blended(k, room);
+  }
+
+  /// True if the plan rests at a corner in any case; then `s` is the rest.
+  [[nodiscard]] bool rests_at(std::size_t k, const Bend& bend, Shape& s) const {
+    const bool asked = settings(k).corner == Corner::stop || stop_[k];
+    const bool turns_back = !(bend.cosine > 1e-8);
+    if (!asked && !turns_back) return false;
+    s.how = How::rest;
+    if (!asked) s.note = JointNote::turns_back;
+    return true;
   }
 
   /// Tangent sides: nothing is done, unless the curvature steps and the settings ask for a corner.
   [[nodiscard]] Shape smooth(std::size_t k, const Sides& both, double room) const {
-    if (both.lines) return {};
     const double step = vec::distance(both.bend_before, both.bend_behind, n_);
     const double larger =
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
@@ -152,15 +180,17 @@ class Rounding {
     return s;
   }
 
-  [[nodiscard]] Shape turned(std::size_t k, const Sides& both, const Point& change, double bend,
-                             double cosine, double room) const {
+  [[nodiscard]] Shape turned(std::size_t k, const Bend& corner, double room) const {
+    const auto [bend, cosine, is_tangent] = corner;
     TurnRates rates{
         std::min(rates_.path.normal_acceleration, rates_.path.total_acceleration) / bend,
         TurnRates::none};
     double fastest = cap(k);
+    const auto before = direction(k - 1);
+    const auto behind = direction(k);
     for (std::size_t i = 0; i < n_; ++i) {
-      const double d = std::abs(change[i]);
-      const double u = std::max(std::abs(both.before[i]), std::abs(both.behind[i]));
+      const double d = std::abs(behind[i] - before[i]);
+      const double u = std::max(std::abs(before[i]), std::abs(behind[i]));
       if (u > 0) fastest = std::min(fastest, rates_.velocity[i] / u);
       if (!(d > 0)) continue;
       rates.acceleration = std::min(rates.acceleration, rates_.acceleration[i] / d);
@@ -328,16 +358,17 @@ class Rounding {
     const double length = piece(side).kind == PieceKind::arc ? whole(side) : piece(side).length;
     const Shape& there = shapes_[other];
     if (there.how == How::rest) return length / 2;
-    const double sum = wanted_[k] + wanted_[other];
-    return sum > length ? length * (wanted_[k] / sum) : wanted_[k];
+    const double wanted = shapes_[k].wanted;
+    const double sum = wanted + there.wanted;
+    return sum > length ? length * (wanted / sum) : wanted;
   }
 
   void share(std::size_t k) {
-    if (wanted_.empty())
-      for (const Shape& s : shapes_) wanted_.push_back(s.trim);
-    if (!(wanted_[k] > 0)) return;
+    const double wanted = shapes_[k].wanted;
+    if (!(wanted > 0)) return;
     const double room = std::min(allowed(k, k - 1, k - 1), allowed(k, k + 1, k));
-    if (wanted_[k] > room) shapes_[k] = shape(k, room);
+    if (wanted > room) shapes_[k] = shape(k, room);
+    shapes_[k].wanted = wanted;
     if (shapes_[k].trim > room) shapes_[k].trim = room;  // rounding
   }
 
@@ -368,11 +399,7 @@ class Rounding {
   }
 
   [[nodiscard]] Box box(std::size_t k) const {
-    if (piece(k).kind == PieceKind::line) {
-      Point u{};
-      direction(k, u);
-      return line_box(rates_, settings(k), u.data());
-    }
+    if (piece(k).kind == PieceKind::line) return lines_.boxes[k];
     if (piece(k).kind == PieceKind::arc)
       return arc_box(curved_, settings(k), route_.path.numbers(k), piece(k).length, end_velocity(k),
                      end_velocity(k + 1));
@@ -392,8 +419,11 @@ class Rounding {
   /// step by up to 1e-9, which a table turns into jerk.
   [[nodiscard]] bool steps_at(std::size_t k) const {
     if (k == 0 || k >= route_.path.pieces().size() || shapes_[k].how != How::through) return false;
-    const Sides both = sides(k);
-    return both.lines && vec::distance(both.before, both.behind, n_) > 1e-14;
+    if (!are_lines(k)) return false;
+    double square = 0;
+    for (std::size_t i = 0; i < n_; ++i)
+      square += profiles_detail::square(direction(k)[i] - direction(k - 1)[i]);
+    return square > 1e-28;
   }
 
   void require_ramps(const Box& b, std::size_t k) const {
@@ -405,59 +435,75 @@ class Rounding {
   }
 
   Rounded assembled() {
-    std::vector<Unit> units;
     const std::size_t count = route_.path.pieces().size();
-    pieces_.reserve(2 * count);
-    numbers_.reserve(5 * n_ * count);
-    units.reserve(2 * count);
-    double start = 0;
-    const auto add_unit = [&](const Box& b, std::size_t joint, double entry, double dwell) {
-      PathPiece& p = pieces_.back();
-      p.start = start;
-      start += p.length;
-      units.push_back({p.length, b, entry, dwell, static_cast<std::uint32_t>(pieces_.size() - 1), 1,
-                       static_cast<std::uint32_t>(joint)});
-    };
+    const bool sharp =
+        std::none_of(shapes_.begin(), shapes_.end(), [](const Shape& s) { return s.trim > 0; });
+    units_.reserve(sharp ? count : 2 * count);
+    if (!sharp) {
+      pieces_.reserve(2 * count);
+      numbers_.reserve(5 * n_ * count);
+    }
     for (std::size_t k = 0; k < count; ++k) {
       const Shape& here = shapes_[k];
-      if (k > 0) corner_of(k, here, add_unit);
-      const std::size_t before = pieces_.size();
-      append_part(route_.path, k, here.trim, piece(k).length - shapes_[k + 1].trim, pieces_,
-                  numbers_);
-      if (pieces_.size() == before) continue;
-      Box b = box(k);
-      require_ramps(b, k);
-      if (steps_at(k) || steps_at(k + 1))
-        for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
-          *limit *= 1 - fit_share / 10;
+      if (k > 0) corner_of(k, here);
+      double length = piece(k).length;
+      if (!sharp) {
+        const std::size_t before = pieces_.size();
+        append_part(route_.path, k, here.trim, length - shapes_[k + 1].trim, pieces_, numbers_);
+        if (pieces_.size() == before) continue;
+        length = placed_length();
+      }
       const bool rests = here.how == How::rest;
-      add_unit(b, k,
-               rests                               ? 0
-               : here.how == How::through && k > 0 ? cap(k)
-                                                   : none,
-               rests ? route_.joints[k].dwell : 0);
+      const double entry = rests ? 0 : here.how == How::through && k > 0 ? cap(k) : none;
+      const double dwell = rests ? route_.joints[k].dwell : 0;
+      if (piece(k).kind == PieceKind::arc) {
+        const ArcZones zones =
+            arc_zones(curved_, settings(k), route_.path.numbers(k), piece(k).length, length,
+                      end_velocity(k), end_velocity(k + 1));
+        for (std::size_t i = 0; i < zones.count; ++i) {
+          require_ramps(zones.zone[i].box, k);
+          add_unit(zones.zone[i].length, zones.zone[i].box, k, i == 0 ? entry : none,
+                   i == 0 ? dwell : 0);
+        }
+      } else {
+        Box b = box(k);
+        require_ramps(b, k);
+        if (steps_at(k) || steps_at(k + 1))
+          for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
+            *limit *= 1 - fit_share / 10;
+        add_unit(length, b, k, entry, dwell);
+      }
+      ++placed_;
     }
     for (const std::int32_t line : route_.empty_lines)
       joints_.push_back({0, line, JointNote::no_distance, false});
-    return {Path(n_, std::move(pieces_), std::move(numbers_)), std::move(units),
-            std::move(joints_)};
+    Rounded result{{}, std::move(units_), std::move(joints_)};
+    if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_));
+    return result;
   }
 
-  template <class AddUnit>
-  void corner_of(std::size_t k, const Shape& s, AddUnit add_unit) {
-    const auto piece_index = static_cast<std::uint32_t>(pieces_.size());
+  /// Places the piece that was appended last behind the one before; returns its length.
+  double placed_length() {
+    PathPiece& last = pieces_.back();
+    last.start = end_;
+    end_ += last.length;
+    return last.length;
+  }
+
+  void add_unit(double length, const Box& b, std::size_t joint, double entry, double dwell) {
+    units_.push_back({length, b, entry, dwell, placed_, 1, static_cast<std::uint32_t>(joint)});
+  }
+
+  void corner_of(std::size_t k, const Shape& s) {
     if (s.how != How::through || s.note != JointNote::none)
-      joints_.push_back({piece_index, piece(k).line, s.note, s.how == How::rest});
+      joints_.push_back({placed_, piece(k).line, s.note, s.how == How::rest});
     if (s.how == How::turn) {
-      Point u{};
-      Point w{};
-      direction(k - 1, u);
-      direction(k, w);
       const Point from = route_.path.point(k - 1, piece(k - 1).length - s.trim);
       pieces_.push_back(
           {0, 2 * s.trim, numbers_.size(), piece(k).line, piece(k).settings, PieceKind::turn});
-      for (const Point& p : {from, u, w})
-        numbers_.insert(numbers_.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(n_));
+      numbers_.insert(numbers_.end(), from.begin(), from.begin() + static_cast<std::ptrdiff_t>(n_));
+      for (const auto side : {direction(k - 1), direction(k)})
+        numbers_.insert(numbers_.end(), side.begin(), side.end());
       numbers_.push_back(s.share);
     } else if (s.how == How::blend) {
       const Blend blend = blend_of(route_.path, k - 1, s.trim);
@@ -474,27 +520,48 @@ class Rounding {
     Box b;
     b.constant = true;
     b.velocity = s.velocity;
-    add_unit(b, k, none, 0);
+    add_unit(placed_length(), b, k, none, 0);
+    ++placed_;
   }
 
   const Route& route_;
+  const Lines& lines_;
   const Program& program_;
   const Rates& rates_;
   const Rates curved_;  ///< the same for pieces that are not lines
   const std::vector<bool>& stop_;
   std::size_t n_;
   std::vector<Shape> shapes_;
-  std::vector<double> wanted_;
   std::vector<PathPiece> pieces_;  // parts of the result
   std::vector<double> numbers_;
+  std::vector<Unit> units_;
+  std::uint32_t placed_ = 0;  // pieces so far
+  double end_ = 0;            // of the last piece
   std::vector<JointMark> joints_;
 };
 
 }  // namespace
 
-Rounded rounded(const Route& route, const Program& program, const Rates& rates,
+Lines lines_of(const Route& route, const Program& program, const Rates& rates) {
+  const std::size_t n = rates.axes;
+  const auto pieces = route.path.pieces();
+  Lines lines;
+  lines.directions.resize(n * pieces.size());
+  lines.boxes.resize(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].kind != PieceKind::line) continue;
+    double* direction = lines.directions.data() + k * n;
+    const double* step = route.path.numbers(k) + n;
+    const double inverse = 1 / pieces[k].length;
+    for (std::size_t i = 0; i < n; ++i) direction[i] = step[i] * inverse;
+    lines.boxes[k] = line_box(rates, program.settings()[pieces[k].settings], direction);
+  }
+  return lines;
+}
+
+Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
                 const std::vector<bool>& stop) {
-  return Rounding(route, program, rates, stop).run();
+  return Rounding(route, lines, program, rates, stop).run();
 }
 
 }  // namespace jounce

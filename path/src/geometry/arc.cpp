@@ -11,6 +11,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
+#include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 
@@ -27,6 +28,7 @@ struct Vertex {
   double at = 0;
   Point point{};
   Point behind{};       ///< direction that begins here
+  Point change{};       ///< D of (1)
   std::size_t leg = 0;  ///< piece of the route that begins here
 };
 
@@ -80,6 +82,8 @@ Run run_of(const Route& route, std::size_t first, std::size_t last, std::size_t 
     v.leg = last - 1;
     all.push_back(v);
   }
+  for (std::size_t k = 1; k < all.size(); ++k)
+    all[k].change = vec::difference(all[k].behind, all[k - 1].behind);
   run.vertices = std::move(all);
   return run;
 }
@@ -119,21 +123,18 @@ void for_pieces(const Run& run, double l, Visit visit) {
     const Vertex& here = v[meets - 1];
     piece.leg = here.leg;
     for (std::size_t i = 0; i < run.n; ++i) {
-      Jet r{v[base].point[i] + v[base].behind[i] * (q - v[base].at), v[base].behind[i], 0, 0};
-      for (std::size_t k = leaves; k < enters; ++k) {
-        const double d = v[k].behind[i] - v[k - 1].behind[i];
-        const double x = std::clamp((q - v[k].at) / l + 0.5, 0.0, 1.0);
-        const bool second = k < meets;
-        const double y = second ? 1 - x : x;
-        const double rise = 2.0 / 3 * y * y * y;
-        r[0] += d * l * (second ? x - 0.5 + rise : rise);
-        r[1] += d * (second ? 1 - 2 * y * y : 2 * y * y);
-        r[2] += d * 4 * y / l;
-        r[3] += d * (second ? -4 : 4) / (l * l);
-      }
-      piece.at_start[i] = r;
+      piece.at_start[i] = {v[base].point[i] + v[base].behind[i] * (q - v[base].at),
+                           v[base].behind[i], 0, 0};
       piece.polyline[i] = here.point[i] + here.behind[i] * (q - here.at);
       piece.direction[i] = here.behind[i];
+    }
+    for (std::size_t k = leaves; k < enters; ++k) {
+      const Jet rise = turn_rise(0.5, std::clamp((q - v[k].at) / l + 0.5, 0.0, 1.0));
+      const bool second = k < meets;  // also where x is 1/2 but for rounding
+      const Jet weight{l * rise[0], rise[1], rise[2] / l, (second ? -4 : 4) / (l * l)};
+      for (std::size_t i = 0; i < run.n; ++i)
+        for (std::size_t m = 0; m < weight.size(); ++m)
+          piece.at_start[i][m] += v[k].change[i] * weight[m];
     }
     visit(piece);
     q = next;
@@ -206,11 +207,11 @@ bool averages(const Route& route, const Program& program, std::size_t k) {
 
 }  // namespace
 
-Route with_averages(const Route& route, const Program& program) {
+std::optional<Route> with_averages(const Route& route, const Program& program) {
   const auto pieces = route.path.pieces();
   bool any = false;
   for (const PathSettings& s : program.settings()) any = any || s.corner == Corner::average;
-  if (!any) return route;
+  if (!any) return {};
   std::vector<PathPiece> out;
   std::vector<double> numbers;
   std::vector<Joint> joints;
@@ -264,7 +265,7 @@ Route with_averages(const Route& route, const Program& program) {
     ++k;
   }
   joints.push_back(route.joints.back());
-  return {Path(n, std::move(out), std::move(numbers)), std::move(joints), route.empty_lines};
+  return Route{Path(n, std::move(out), std::move(numbers)), std::move(joints), route.empty_lines};
 }
 
 }  // namespace jounce

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "path/src/geometry/route.hpp"
 
 namespace jounce {
 
 /// The route with its runs of lines under Corner::average replaced by their averages (docs/path/README.md, "Averages").
-/// A run ends where two lines meet at more than `sharpest`, at a rest, and where another corner mode begins.
-Route with_averages(const Route& route, const Program& program);
+/// A run ends where two lines meet at more than `sharpest`, at a rest, and where another corner mode begins. Nothing if no
+/// settings ask for averages.
+std::optional<Route> with_averages(const Route& route, const Program& program);
 
 /// |w - u| of two lines above which a corner is not averaged: 29 degrees. One sharp corner would make the window, and
 /// with it all turns of the run, small.

@@ -70,24 +70,6 @@ void drop_slivers(Cut& cut, double length) {
   });
 }
 
-/// f over s from -left to 1 + right: the same formula on a longer piece.
-Segment widened(const Segment& f, double left, double right) {
-  Segment g = f;
-  const double width = 1 + left + right;
-  g.length *= width;
-  for (int i = 0; i < g.degree; ++i)
-    for (int k = g.degree - 1; k >= i; --k)
-      g.c[static_cast<std::size_t>(k)] -= left * g.c[static_cast<std::size_t>(k) + 1];
-  double power = 1;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(g.degree); ++k, power *= width)
-    g.c[k] *= power;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(g.sines); ++i) {
-    g.sine[i].phase -= left * g.sine[i].angle;
-    g.sine[i].angle *= width;
-  }
-  return g;
-}
-
 /// One velocity over the whole of a piece.
 bool is_constant(const std::vector<Segment>& law, double length) {
   return law.size() == 1 && law.front().degree <= 1 &&
@@ -141,8 +123,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
   // The law may pass the ends of the piece by the rounding of places; there the formula goes on.
   constexpr double over = 1.0 / 64;
   const double begin = -over * pieces.front().length;
-  pieces.front() = widened(pieces.front(), over, 0);
-  pieces.back() = widened(pieces.back(), 0, over);
+  pieces.front() = part(pieces.front(), -over, 1);
+  pieces.back() = part(pieces.back(), 0, 1 + over);
   // Each phase relative to its own start: what is fitted to a short one is small, and so is its rounding.
   std::vector<Segment> relative(pieces.size());
   const Curve<OverLength> whole(pieces, begin, Extrapolation::hold);
@@ -176,9 +158,9 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
   for (const LawStretch& stretch : plan.law().stretches()) {
     if (stretch.pieces == 0) {
       for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t piece = stretch.piece;
-        const bool begins = stretch.start <= path.pieces()[piece].start;
-        const double at = path.point(piece, begins ? 0 : path.pieces()[piece].length)[i];
+        const PathPiece& piece = path.pieces()[stretch.piece];
+        const double u = std::clamp(stretch.start - piece.start, 0.0, piece.length);
+        const double at = path.point(stretch.piece, u)[i];
         axes[i].push_back(line(stretch.duration, at, at));
       }
       continue;

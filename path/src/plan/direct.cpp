@@ -9,13 +9,66 @@
 
 namespace jounce {
 
+namespace {
+
+Bounds bounds_of(const Limits& limits) {
+  Bounds bounds =
+      within(limits.velocity.value_or(Bounds::none), limits.acceleration.value_or(Bounds::none),
+             limits.jerk.value_or(Bounds::none));
+  bounds.position_min = limits.position_min.value_or(-Bounds::none);
+  bounds.position_max = limits.position_max.value_or(Bounds::none);
+  return bounds;
+}
+
+/// Appends the common motion of all axes to the segments of each; an axis that is there waits.
+void append_moves(std::span<const AxisMove> moves, Sync sync,
+                  std::vector<std::vector<Segment>>& axes) {
+  std::array<Profile, max_axes> profiles{};
+  const Synchronised result = synchronise(moves, sync, std::span(profiles).first(moves.size()));
+  if (result.status != MoveStatus::ok)
+    throw InputError("to[" + std::to_string(result.axis + 1) + "]", moves[result.axis].to.position,
+                     explain(result.status));
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    double time = 0;
+    if (moves[i].enabled) {
+      const Trajectory moving = profiles[i].curve();
+      axes[i].insert(axes[i].end(), moving.segments().begin(), moving.segments().end());
+      time = moving.end();
+    }
+    // The rest of the common duration; less than its rounding is none.
+    const double to = moves[i].to.position;
+    if (result.duration - time > 1e-14 * result.duration)
+      axes[i].push_back(line(result.duration - time, to, to));
+  }
+}
+
+std::vector<Trajectory> trajectories(std::vector<std::vector<Segment>> axes) {
+  std::vector<Trajectory> all;
+  for (std::vector<Segment>& segments : axes)
+    all.emplace_back(std::move(segments), 0, Extrapolation::hold);
+  return all;
+}
+
+/// The segments of a trajectory before t.
+std::vector<Segment> until(const Trajectory& curve, double t) {
+  std::vector<Segment> out;
+  for (std::size_t k = 0; k < curve.segments().size(); ++k) {
+    const Segment& f = curve.segments()[k];
+    const double share = (t - curve.breaks()[k]) / f.length;
+    if (!(share > 1e-13)) break;
+    out.push_back(share < 1 ? part(f, 0, share) : f);
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits, DirectMode mode) {
   const std::size_t n = limits.size();
   if (n < 1 || n > max_axes)
     throw InputError("axes", std::to_string(n), "must be 1 to " + std::to_string(max_axes));
   std::array<AxisMove, max_axes> moves{};
-  std::array<Profile, max_axes> profiles{};
   bool any = false;
   for (std::size_t i = 0; i < n; ++i) {
     require_valid(limits[i]);
@@ -27,34 +80,32 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
     any = any || move.enabled;
     move.from.position = from[i];
     move.to.position = to[i];
-    move.bounds = within(limits[i].velocity.value_or(Bounds::none),
-                         limits[i].acceleration.value_or(Bounds::none),
-                         limits[i].jerk.value_or(Bounds::none));
-    move.bounds.position_min = limits[i].position_min.value_or(-Bounds::none);
-    move.bounds.position_max = limits[i].position_max.value_or(Bounds::none);
+    move.bounds = bounds_of(limits[i]);
   }
   if (!any) throw InputError("to", to[0], "is the start; there is no move");
-  const Synchronised result =
-      synchronise(std::span(moves).first(n), mode == DirectMode::fast ? Sync::none : Sync::phase,
-                  std::span(profiles).first(n));
-  if (result.status != MoveStatus::ok)
-    throw InputError("to[" + std::to_string(result.axis + 1) + "]", to[result.axis],
-                     explain(result.status));
-  std::vector<Trajectory> axes;
+  std::vector<std::vector<Segment>> axes(n);
+  append_moves(std::span(moves).first(n), mode == DirectMode::fast ? Sync::none : Sync::phase,
+               axes);
+  return trajectories(std::move(axes));
+}
+
+std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to) {
+  if (!(t >= 0 && t <= plan.duration()))
+    throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
+  const std::size_t n = plan.path().axes();
+  const PlanAxes planned = to_axes(plan);
+  std::array<AxisMove, max_axes> moves{};
+  std::vector<std::vector<Segment>> axes(n);
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<Segment> segments;
-    double time = 0;
-    if (moves[i].enabled) {
-      const Trajectory moving = profiles[i].curve();
-      segments.assign(moving.segments().begin(), moving.segments().end());
-      time = moving.end();
-    }
-    // The rest of the common duration; less than its rounding is none.
-    if (result.duration - time > 1e-14 * result.duration)
-      segments.push_back(line(result.duration - time, to[i], to[i]));
-    axes.emplace_back(std::move(segments), 0, Extrapolation::hold);
+    require_finite(("to[" + std::to_string(i + 1) + "]").c_str(), to[i]);
+    const Motion now = planned.curves[i].at(t, Side::left);
+    axes[i] = until(planned.curves[i], t);
+    moves[i].from = {now.position, now.velocity, now.acceleration};
+    moves[i].to.position = to[i];
+    moves[i].bounds = bounds_of(plan.given().limits.axes[i]);
   }
-  return axes;
+  append_moves(std::span(moves).first(n), Sync::time, axes);
+  return trajectories(std::move(axes));
 }
 
 }  // namespace jounce

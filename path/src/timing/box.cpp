@@ -5,28 +5,12 @@
 #include <cmath>
 #include <string>
 
-#include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/pieces.hpp"
-#include "path/src/timing/stretch.hpp"
-
-// On an arc an axis is  r = m sin(k q + p) + h q + const  (k the angle per q, m > 0):
-//
-//   r'   = m k cos + h,   r'' = -m k^2 sin,   r''' = -m k^3 cos,
-//
-// so with M = m k the acceleration r' a + r'' v^2 and the jerk r' j + 3 r'' v a + r''' v^3 are at most
-//
-//   (1)  M sqrt(a^2 + (k v^2)^2) + |h| a                              <= A
-//   (2)  M sqrt((j + k^2 v^3)^2 + (3 k v a)^2) + |h| j                <= J
-//
-// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). For given v (1) gives a,
-// for given v and a (2) gives j. A slower arc leaves more for its ramps: of some velocities and accelerations that pair
-// is taken with which the motion over the arc between the velocities of its ends, and what its neighbors lose by
-// them, take the least time. Between two rests this is the fastest constant box, to the search's last step of 0.15 %.
 
 namespace jounce {
 namespace {
@@ -34,70 +18,6 @@ namespace {
 double or_none(const std::optional<double>& limit) {
   return limit.value_or(PathSettings::none);
 }
-
-/// The greatest x >= 0 with M sqrt((x + c)^2 + b^2) + h x <= L; negative if there is none. M, h >= 0.
-double greatest_rate(double M, double h, double c, double b, double L) {
-  if (L == PathSettings::none) return L;
-  const double l = L + h * c;  // for y = x + c: M sqrt(y^2 + b^2) <= l - h y
-  const double rest = l * l - M * M * b * b;
-  if (rest < 0) return -1;
-  const double spread = h * h * l * l + (M * M - h * h) * rest;
-  const double divisor = h * l + std::sqrt(std::max(spread, 0.0));
-  if (!(divisor > 0)) return M == 0 && h == 0 ? PathSettings::none : -1;
-  return rest / divisor - c;
-}
-
-struct ArcAxis {
-  double M, h;
-};
-
-/// a of (1) and j of (2) for the tightest axis; a given a larger than what (1) allows is reduced.
-struct ArcRates {
-  const Rates& rates;
-  std::array<ArcAxis, max_axes> axis{};
-  double k = 0;
-  std::size_t n = 0;
-
-  [[nodiscard]] double acceleration(double v) const {
-    const double b = k * v * v;
-    double a = rates.path.total_acceleration == PathSettings::none
-                   ? PathSettings::none
-                   : greatest_rate(1, 0, 0, b, rates.path.total_acceleration);
-    for (std::size_t i = 0; i < n; ++i)
-      a = std::min(a, greatest_rate(axis[i].M, axis[i].h, 0, b, rates.acceleration[i]));
-    return a;
-  }
-  [[nodiscard]] double jerk(double v, double a) const {
-    double j = PathSettings::none;
-    for (std::size_t i = 0; i < n; ++i)
-      j = std::min(
-          j, greatest_rate(axis[i].M, axis[i].h, k * k * v * v * v, 3 * k * v * a, rates.jerk[i]));
-    return j;
-  }
-  /// The acceleration at which (2) leaves no jerk.
-  [[nodiscard]] double acceleration_of_jerk(double v) const {
-    double a = PathSettings::none;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double most = rates.jerk[i] / axis[i].M;
-      if (!(most < PathSettings::none)) continue;
-      const double normal = k * k * v * v * v;
-      a = std::min(a, std::sqrt(std::max((most - normal) * (most + normal), 0.0)) / (3 * k * v));
-    }
-    return a;
-  }
-  /// The greatest constant velocity, by axis velocities, (1) and (2) with a = j = 0.
-  [[nodiscard]] double velocity() const {
-    double v =
-        std::sqrt(std::min(rates.path.normal_acceleration, rates.path.total_acceleration) / k);
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto [M, h] = axis[i];
-      v = std::min(v, rates.velocity[i] / (M + h));
-      if (M > 0) v = std::min(v, std::sqrt(rates.acceleration[i] / (M * k)));
-      if (M > 0) v = std::min(v, std::cbrt(rates.jerk[i] / (M * k * k)));
-    }
-    return v;
-  }
-};
 
 }  // namespace
 
@@ -133,18 +53,15 @@ Rates reserved(const Rates& rates) {
   return r;
 }
 
-namespace {
-
-/// The box of path limits and settings alone.
 Box path_box(const Rates& rates, const PathSettings& settings) {
   const PathLimits& p = rates.path;
-  const double a = std::min({p.acceleration, settings.acceleration, p.total_acceleration});
-  double d = std::min({p.deceleration, settings.deceleration, p.total_acceleration});
+  double a = std::min(p.acceleration, settings.acceleration);
+  double d = std::min(p.deceleration, settings.deceleration);
   if (d == PathSettings::none) d = a;
+  a = std::min(a, p.total_acceleration);
+  d = std::min(d, p.total_acceleration);
   return {std::min(p.velocity, settings.velocity), a, d, std::min(p.jerk, settings.jerk)};
 }
-
-}  // namespace
 
 Box line_box(const Rates& rates, const PathSettings& settings, const double* direction) {
   Box box = path_box(rates, settings);
@@ -159,74 +76,6 @@ Box line_box(const Rates& rates, const PathSettings& settings, const double* dir
   box.acceleration = std::min(box.acceleration, a);
   box.deceleration = std::min(box.deceleration, a);
   return box;
-}
-
-Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
-            double entry, double exit) {
-  const ArcNumbers arc(numbers, rates.axes);
-  ArcRates limits{rates};
-  limits.n = rates.axes;
-  limits.k = arc.sweep() / length;
-  for (std::size_t i = 0; i < rates.axes; ++i)
-    limits.axis[i] = {std::hypot(arc.cosine(i), arc.sine(i)) * limits.k,
-                      std::abs(arc.drift(i)) / length};
-  Box best = path_box(rates, settings);
-  const Box path = best;
-  const double slow_a = std::min(limits.acceleration(0), path.acceleration);  // a slow motion's
-  const double slow_j = std::min(limits.jerk(0, 0), path.jerk);
-  const double most = std::min(path.velocity, limits.velocity());
-  const double beyond = std::min(path.velocity, 2 * most);  // velocity of the neighbors
-  if (!(slow_a > 0) || !(slow_j > 0) || !std::isfinite(slow_a) || !std::isfinite(most)) return best;
-  double fastest = most;
-  const double share = (entry == 0) + (exit == 0);
-  if (share > 0)
-    fastest = std::min(fastest,
-                       entry_velocity(length / share, 0, Ramp{slow_a, slow_j}).value_or(fastest));
-  const auto lost = [&](double v) {  // on a neighbor, where the motion is only at v here
-    return ramp_time(beyond - v, slow_a, slow_j) -
-           ramp_distance(v, beyond, slow_a, slow_j) / beyond;
-  };
-  double shortest = PathSettings::none;
-  double best_v = 0;
-  double best_a = 0;
-  const auto consider = [&](double v, double gentle) {
-    const double greatest =
-        gentle * std::min(limits.acceleration(v), limits.acceleration_of_jerk(v));
-    const double a = std::min(greatest, path.acceleration);
-    const double d = std::min(greatest, path.deceleration);
-    if (!(a > 0) || !(v <= fastest)) return;
-    const double j = std::min(limits.jerk(v, std::max(a, d)), path.jerk);
-    if (!(j > 0)) return;
-    const double v0 = std::min(v, entry);
-    const double v1 = std::min(v, exit);
-    const double cruise = length - ramp_distance(v0, v, a, j) - ramp_distance(v1, v, d, j);
-    double time = 0;
-    if (cruise >= 0) {
-      time = ramp_time(v - v0, a, j) + ramp_time(v - v1, d, j) + cruise / v +
-             (v0 > 0 ? lost(v0) : 0) + (v1 > 0 ? lost(v1) : 0) +
-             (share < 2 ? 0.01 * ramp_time(v, std::min(a, d), j) : 0);  // other ramps
-    } else if (share == 2) {                                            // v is not reached
-      const double least = std::min(a, d);
-      time = 2 * ramp_time(entry_velocity(length / 2, 0, Ramp{least, j}).value_or(v), least, j);
-    } else {
-      return;  // a slower box reaches its velocity
-    }
-    if (!(time < shortest * (1 - 1e-9))) return;  // more than rounding
-    shortest = time;
-    best_v = v;
-    best_a = gentle;
-    best = {v, a, d, j};
-  };
-  for (const double v :
-       {1.0, 0.99, 0.97, 0.94, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001})
-    for (const double gentle : {0.99, 0.9, 0.75, 0.6, 0.45, 0.3, 0.15})
-      consider(v * fastest, gentle);
-  for (const double step : {0.1, 0.05, 0.025, 0.0125, 0.006, 0.003, 0.0015})
-    for (int round = 0; round < 2; ++round)
-      for (const double v : {1 - step, 1.0, 1 + step})
-        for (const double gentle : {1 - step, 1.0, 1 + step})
-          consider(best_v * v, std::min(1.0, best_a * gentle));
-  return best;
 }
 
 Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes) {
@@ -277,12 +126,16 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
 double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
                      double jerk) {
   double v = PathSettings::none;
-  double bend = 0;
+  double slopes = 0, bends = 0, both = 0;  // sums of |r'|^2, |r''|^2, |r'| |r''| over the path axes
   for (std::size_t i = 0; i < rates.axes; ++i) {
     const double r1 = bounds.first[i];
     const double r2 = bounds.second[i];
     const double r3 = bounds.third[i];
-    if (i < rates.path_axes) bend += r2 * r2;
+    if (i < rates.path_axes) {
+      slopes += r1 * r1;
+      bends += r2 * r2;
+      both += r1 * r2;
+    }
     if (r1 > 0) v = std::min(v, rates.velocity[i] / r1);
     const double a = rates.acceleration[i] - r1 * acceleration;
     if (a < 0) return -1;
@@ -294,16 +147,22 @@ double velocity_with(const Rates& rates, const Derivatives& bounds, double accel
     const auto used = [&](double x) { return (r3 * x * x + slope) * x; };
     if (used(v) <= j || (r3 == 0 && slope == 0)) continue;
     double x = std::min({v, std::cbrt(j / r3), j / slope});
-    for (int step = 0; step < 8; ++step) x -= (used(x) - j) / (3 * r3 * x * x + slope);
+    for (int step = 0; step < 8; ++step) {
+      const double less = (used(x) - j) / (3 * r3 * x * x + slope);
+      if (!(less > 1e-16 * x)) break;
+      x -= less;
+    }
     v = x * (1 - 1e-15);
   }
+  if (!(bends > 0)) return v;
+  v = std::min(v, std::sqrt(rates.path.normal_acceleration / std::sqrt(bends)));
   const double total = rates.path.total_acceleration;
-  const double left = total < PathSettings::none
-                          ? std::sqrt(std::max(total * total - acceleration * acceleration, 0.0))
-                          : total;
-  if (bend > 0)
-    v = std::min(v, std::sqrt(std::min(rates.path.normal_acceleration, left) / std::sqrt(bend)));
-  return v;
+  if (total == PathSettings::none) return v;
+  // The sum of (r' a + r'' v^2)^2 is at most total^2: a quadratic in v^2.
+  const double left = total * total - slopes * acceleration * acceleration;
+  if (left < 0) return -1;
+  const double half = both * acceleration;
+  return std::min(v, std::sqrt(left / (half + std::sqrt(half * half + bends * left))));
 }
 
 Box curve_box(const Rates& rates, const PathSettings& settings, const Derivatives& bounds,
@@ -324,6 +183,9 @@ Box curve_box(const Rates& rates, const PathSettings& settings, const Derivative
       const double a = gentle * most;
       const double d = std::min(a, path.deceleration);
       const double j = calm * jerk;
+      // No velocity takes less time.
+      const double least = std::max(length / path.velocity, 2 * std::sqrt(length / a)) + a / j;
+      if (least >= shortest) continue;
       const double v = std::min(path.velocity, velocity_with(rates, bounds, a, j));
       if (!(v > 0) || !std::isfinite(a)) continue;
       const double time = length / v + v / a + a / j;

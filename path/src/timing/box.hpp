@@ -27,8 +27,9 @@ Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axe
 constexpr double fit_share = 1e-6;
 Rates reserved(const Rates& rates);
 
-/// Any law with q' <= velocity, -deceleration <= q'' <= acceleration and |q'''| <= jerk keeps all limits on
-/// the piece. On a corner the law is at constant velocity.
+/// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <= velocity keeps all
+/// limits on the piece. Every ramp that ends at most at the velocity without acceleration is such a law. On a corner the
+/// law is at constant velocity.
 struct Box {
   double velocity = PathSettings::none;
   double acceleration = PathSettings::none;
@@ -40,10 +41,31 @@ struct Box {
 /// A line with this direction.
 Box line_box(const Rates& rates, const PathSettings& settings, const double* direction);
 
+/// The box of path limits and settings alone.
+Box path_box(const Rates& rates, const PathSettings& settings);
+
 /// An arc or a helix; `length` is how far the law goes on it, `entry` and `exit` are the greatest velocities at its ends,
-/// 0 for a rest. A compromise of velocity and acceleration, see box.cpp.
+/// 0 for a rest. A compromise of velocity and acceleration, see arc_box.cpp.
 Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
             double entry, double exit);
+
+/// Boxes for successive parts of an arc: slow ones with much acceleration at its ends, a fast one in the middle.
+struct ArcZones {
+  struct Zone {
+    double length = 0;
+    Box box;
+  };
+  std::array<Zone, 9> zone{};
+  std::size_t count = 0;
+
+  void add(const Zone& next) { zone[count++] = next; }
+  void add(double length, const Box& box) { add({length, box}); }
+  [[nodiscard]] const Zone& last() const { return zone[count - 1]; }
+};
+
+/// The parts of an arc of `whole` length of which the law goes over `length`: one, or stairs where they are faster.
+ArcZones arc_zones(const Rates& rates, const PathSettings& settings, const double* numbers,
+                   double whole, double length, double entry, double exit);
 
 /// Bounds of the derivatives of each axis by q over a piece: |r'|, |r''|, |r'''|.
 struct Derivatives {

@@ -90,16 +90,19 @@ std::size_t TimingLaw::stretch_at(double t) const {
   return static_cast<std::size_t>(it - stretches_.begin()) - 1;
 }
 
-Motion motion_in(const LawStretch& stretch, double t) {
-  std::array<LawPhase, 7> phase;
-  const std::size_t count = phases(stretch, phase);
-  if (count == 0) return {};
+Motion motion_of(std::span<const LawPhase> phases, double t) {
+  if (phases.empty()) return {};
   std::size_t i = 0;
-  while (i + 1 < count && t >= phase[i].duration) t -= phase[i++].duration;
-  const LawPhase& p = phase[i];
+  while (i + 1 < phases.size() && t >= phases[i].duration) t -= phases[i++].duration;
+  const LawPhase& p = phases[i];
   t = std::clamp(t, 0.0, p.duration);
   return {p.position + t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6)),
           p.velocity + t * (p.acceleration + t * p.jerk / 2), p.acceleration + t * p.jerk, p.jerk};
+}
+
+Motion motion_in(const LawStretch& stretch, double t) {
+  std::array<LawPhase, 7> phase;
+  return motion_of(std::span(phase).first(phases(stretch, phase)), t);
 }
 
 Motion TimingLaw::at(double t) const {

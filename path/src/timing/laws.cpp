@@ -26,6 +26,7 @@ class WindowLaw {
     for (const Unit& unit : units)
       for (std::uint32_t k = 0; k < unit.pieces; ++k) {
         const std::size_t piece = unit.piece + k;
+        if (piece < first_ + bounds_.size()) continue;  // a part of an arc
         const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
         length_ += path.pieces()[piece].length;
         bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
@@ -135,60 +136,84 @@ bool is_curved(const Path& path, std::span<const Unit> units) {
 }
 
 /// The faster law of a run.
-std::vector<LawStretch> fastest(const Path& path, std::span<const Unit> run, const Rates& rates,
+std::vector<LawStretch> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
                                 const Program& program) {
-  std::vector<Unit> moving(run.begin(), run.end());
-  moving.front().entry = none;
-  std::vector<LawStretch> law = stations(moving);
-  if (!is_curved(path, run)) return law;
-  std::vector<LawStretch> window = WindowLaw(path, moving, rates, program).run();
+  run.front().entry = none;
+  if (!is_curved(path, run)) return stations(std::move(run));
+  std::vector<LawStretch> law = stations(run);
+  std::vector<LawStretch> window = WindowLaw(path, run, rates, program).run();
   return end_time(window) < end_time(law) ? window : law;
 }
 
-}  // namespace
-
-Laws fastest_law(const Rounded& rounded, const Rates& rates, const Program& program,
-                 const Route& route) {
+/// Collects the laws of runs and the rests between them.
+struct Collected {
   Laws laws;
   double time = 0;
-  double start = 0;
-  const auto rest = [&](std::uint32_t joint, double dwell, std::uint32_t piece) {
+  double start = 0;  ///< q
+  bool times_only = false;
+
+  void add(LawStretch s) {
+    s.time += time;
+    s.start += start;
+    if (!times_only) laws.stretches.push_back(s);
+  }
+
+  void rest(std::uint32_t joint, double dwell, std::uint32_t piece) {
     laws.rests.push_back({joint, time});
     if (!(dwell > 0)) return;
     LawStretch s;
-    s.time = time;
-    s.start = start;
     s.duration = dwell;
     s.piece = piece;
-    laws.stretches.push_back(s);
+    add(s);
     time += dwell;
-  };
-  const std::vector<Unit>& units = rounded.units;
-  laws.stretches.reserve(units.size());
+  }
+
+  void run(std::vector<LawStretch> law, const PathPiece& last) {
+    const double duration = end_time(law);
+    if (laws.stretches.empty() && time == 0 && !times_only)
+      laws.stretches = std::move(law);
+    else
+      for (const LawStretch& s : law) add(s);
+    moved(duration, last);
+  }
+
+  /// The place of a rest is that of the path, the time the sum.
+  void moved(double duration, const PathPiece& last) {
+    time += duration;
+    start = last.start + last.length;
+  }
+};
+
+}  // namespace
+
+Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, const Route& route,
+                 bool times_only) {
+  std::vector<Unit> units = std::move(rounded.units);
+  const Path& path = rounded.path ? *rounded.path : route.path;
+  Collected made;
+  made.times_only = times_only;
   for (std::size_t i = 0; i < units.size();) {
     std::size_t last = i + 1;
     while (last < units.size() && units[last].entry > 0) ++last;
     const std::span<const Unit> run(units.data() + i, last - i);
-    rest(run.front().joint, run.front().dwell, run.front().piece);
-    const std::uint32_t piece = run.back().piece + run.back().pieces - 1;
-    const auto add = [&](LawStretch s) {
-      s.time += time;
-      s.start += start;
-      laws.stretches.push_back(s);
-    };
-    if (run.size() == 1 && !is_curved(rounded.path, run)) {
-      add(stretch_of(run.front(), 0, 0));
+    made.rest(run.front().joint, run.front().dwell, run.front().piece);
+    const PathPiece& end = path.pieces()[run.back().piece + run.back().pieces - 1];
+    if (run.size() == 1 && !is_curved(path, run)) {
+      const LawStretch s = stretch_of(run.front(), 0, 0);
+      made.add(s);
+      made.moved(s.duration, end);
+    } else if (run.size() == units.size()) {
+      made.run(fastest(path, std::move(units), rates, program), end);
+      break;
     } else {
-      for (const LawStretch& s : fastest(rounded.path, run, rates, program)) add(s);
+      made.run(fastest(path, {run.begin(), run.end()}, rates, program), end);
     }
-    time = laws.stretches.back().time + laws.stretches.back().duration;
-    start = rounded.path.pieces()[piece].start + rounded.path.pieces()[piece].length;
     i = last;
   }
-  rest(static_cast<std::uint32_t>(route.joints.size() - 1), route.joints.back().dwell,
-       static_cast<std::uint32_t>(rounded.path.pieces().size() - 1));
-  laws.rests.back().time = time;
-  return laws;
+  made.rest(static_cast<std::uint32_t>(route.joints.size() - 1), route.joints.back().dwell,
+            static_cast<std::uint32_t>(path.pieces().size() - 1));
+  made.laws.rests.back().time = made.time;
+  return std::move(made.laws);
 }
 
 }  // namespace jounce

@@ -16,8 +16,8 @@ struct Laws {
   std::vector<Rest> rests;  ///< the start, each stop, and the end
 };
 
-/// From rest to rest the faster one of stations and window; dwells between.
-Laws fastest_law(const Rounded& rounded, const Rates& rates, const Program& program,
-                 const Route& route);
+/// From rest to rest the faster one of stations and window; dwells between. `times_only`: the rests alone.
+Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, const Route& route,
+                 bool times_only = false);
 
 }  // namespace jounce

@@ -28,15 +28,32 @@ namespace {
 Ramp up(const Box& box) {
   return {box.acceleration, box.jerk};
 }
-Ramp down(const Box& box) {
-  return {box.deceleration, box.jerk};
+
+/// F, rounded down so that the ramp fits; F is accurate to 1e-14.
+double reached(double length, double v, const Ramp& ramp) {
+  return std::max(v, entry_velocity(length, v, ramp).value_or(v) * (1 - 2e-14));
 }
 
-/// The greatest velocity of a law from v0 to v1 over L.
+/// The ramps from v0 to a peak and from there to v1.
+struct Ramps {
+  double time = 0, length = 0;
+};
+Ramps ramps_of(const Box& box, double v0, double peak, double v1) {
+  const double up = ramp_time(peak - v0, box.acceleration, box.jerk);
+  const double down = ramp_time(peak - v1, box.deceleration, box.jerk);
+  return {up + down, 0.5 * ((v0 + peak) * up + (peak + v1) * down)};
+}
+
+/// The greatest velocity of a law from v0 to v1 over L that does not reach the velocity of the box.
 double peak_of(const Box& box, double length, double v0, double v1) {
   const double least = std::max(v0, v1);
-  if (box.constant) return least;
-  if (box.acceleration == box.deceleration)
+  const bool alike = box.acceleration == box.deceleration;
+  if (alike && least == 0) {  // L = p^2 / a + p a / j, or (p / j)^(1/2) 2 p where a is not reached
+    const double edge = box.acceleration / box.jerk;
+    const double p = 2 * length / (edge + std::sqrt(edge * edge + 4 * length / box.acceleration));
+    return p >= box.acceleration * edge ? p : std::cbrt(box.jerk * length * length / 4);
+  }
+  if (alike)
     return std::max(
         least,
         peak_velocity(length, {v0, v1, std::max(box.velocity, least)}, up(box)).value_or(least));
@@ -50,64 +67,63 @@ double peak_of(const Box& box, double length, double v0, double v1) {
 }  // namespace
 
 LawStretch stretch_of(const Unit& unit, double v0, double v1) {
+  const Box& box = unit.box;
   LawStretch s;
   s.length = unit.length;
   s.v0 = v0;
   s.v1 = v1;
-  s.acceleration = unit.box.acceleration;
-  s.deceleration = unit.box.deceleration;
-  s.jerk = unit.box.jerk;
-  const double least = std::max(v0, v1);
-  s.peak = peak_of(unit.box, unit.length, v0, v1);
+  s.acceleration = box.acceleration;
+  s.deceleration = box.deceleration;
+  s.jerk = box.jerk;
   s.piece = unit.piece;
   s.pieces = unit.pieces;
-  const auto ramps = [&] {
-    return ramp_distance(v0, s.peak, s.acceleration, s.jerk) +
-           ramp_distance(s.peak, v1, s.deceleration, s.jerk);
-  };
-  // A ramp over a few units in the last place of the velocity is longer or shorter by a large share: the peak is
-  // rounded down until the ramps fit, and the cruise takes up the rest.
+  const double least = std::max(v0, v1);
+  s.peak = least;
+  if (box.constant) {
+    s.duration = s.length / s.peak;
+    return s;
+  }
+  Ramps ramps;
+  if (box.velocity > least && box.velocity < PathSettings::none) {
+    s.peak = box.velocity;
+    ramps = ramps_of(box, v0, s.peak, v1);
+  }
+  if (box.velocity == PathSettings::none || ramps.length > s.length)
+    s.peak = peak_of(box, s.length, v0, v1);
   // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
   if (s.peak - least <= 1e-10 * s.peak) s.peak = least;
-  double way = ramps();
-  for (double back = 2e-16; way > s.length && s.peak > least; back *= 2) {
+  // A ramp over a few units in the last place of the velocity is longer or shorter by a large share: the peak is
+  // rounded down until the ramps fit, and the cruise takes up the rest.
+  ramps = ramps_of(box, v0, s.peak, v1);
+  for (double back = 2e-16; ramps.length > s.length && s.peak > least; back *= 2) {
     s.peak = std::max(least, s.peak * (1 - back));
-    way = ramps();
+    ramps = ramps_of(box, v0, s.peak, v1);
   }
-  const double cruise = s.length - way;
-  s.duration = ramp_time(s.peak - v0, s.acceleration, s.jerk) +
-               ramp_time(s.peak - v1, s.deceleration, s.jerk) +
-               (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
+  const double cruise = s.length - ramps.length;
+  s.duration = ramps.time + (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
   return s;
 }
 
 namespace {
 
-/// F, rounded down so that the ramp fits; F is accurate to 1e-14.
-double reached(double length, double v, const Ramp& ramp) {
-  return std::max(v, entry_velocity(length, v, ramp).value_or(v) * (1 - 2e-14));
+/// The velocity that a ramp from v reaches over a unit, at most `cap`: mostly that.
+double reached_within(const Unit& unit, double v, double cap, double acceleration) {
+  if (!(cap > v) || unit.box.constant) return std::min(v, cap);
+  if (ramp_distance(v, cap, acceleration, unit.box.jerk) <= unit.length * (1 - 1e-14)) return cap;
+  return std::min(cap, reached(unit.length, v, {acceleration, unit.box.jerk}));
 }
 
 /// v of (1) at each unit's start and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
   std::vector<double> v(n + 1);
-  v[n] = 0;
   for (std::size_t k = n; k-- > 1;) {
-    const Unit& unit = units[k];
-    double cap = std::min(unit.entry, unit.box.velocity);
-    cap = std::min(cap, units[k - 1].box.velocity);
-    v[k] = unit.box.constant ? std::min(cap, v[k + 1])
-           : v[k + 1] >= cap ? cap
-                             : std::min(cap, reached(unit.length, v[k + 1], down(unit.box)));
+    const double cap = std::min({units[k].entry, units[k].box.velocity, units[k - 1].box.velocity});
+    v[k] = reached_within(units[k], v[k + 1], cap, units[k].box.deceleration);
   }
-  v[0] = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (v[k + 1] <= v[k]) continue;
-    const Unit& unit = units[k];
-    v[k + 1] =
-        unit.box.constant ? v[k] : std::min(v[k + 1], reached(unit.length, v[k], up(unit.box)));
-  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (v[k + 1] > v[k])
+      v[k + 1] = reached_within(units[k], v[k], v[k + 1], units[k].box.acceleration);
   return v;
 }
 
@@ -131,7 +147,8 @@ bool alike(const Box& a, const Box& b) {
 Box across_joint(const Unit& unit) {
   Box box = unit.box;
   if (unit.pieces > 1) return box;
-  for (double* limit : {&box.acceleration, &box.deceleration, &box.jerk}) *limit *= 1 - fit_share / 10;
+  for (double* limit : {&box.acceleration, &box.deceleration, &box.jerk})
+    *limit *= 1 - fit_share / 10;
   return box;
 }
 
@@ -139,57 +156,58 @@ Unit joined(const Unit& a, const Unit& b) {
   Unit unit = a;
   unit.length += b.length;
   unit.box = both(across_joint(a), across_joint(b));
-  unit.pieces += b.pieces;
+  unit.pieces = b.piece + b.pieces - a.piece;
   return unit;
 }
 
-/// Units whose boxes agree, and between which nothing bounds the velocity, are one.
-std::vector<Unit> without_needless(const std::vector<Unit>& units) {
-  std::vector<Unit> out;
-  out.reserve(units.size());
-  for (const Unit& unit : units) {
-    if (!out.empty() && unit.entry >= unit.box.velocity && unit.entry > 0 &&
-        alike(out.back().box, unit.box))
-      out.back() = joined(out.back(), unit);
-    else
-      out.push_back(unit);
+/// Units whose boxes agree, and between which nothing bounds the velocity, become one.
+void join_alike(std::vector<Unit>& units) {
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < units.size(); ++k) {
+    const Unit& unit = units[k];
+    if (unit.entry >= unit.box.velocity && unit.entry > 0 && alike(units[last].box, unit.box))
+      units[last] = joined(units[last], unit);
+    else if (++last != k)
+      units[last] = unit;
   }
-  return out;
+  units.resize(last + 1);
 }
 
-/// The same for units whose boxes differ, where one ramp over both is faster; empty if there are none.
-std::vector<Unit> with_longer_ramps(const std::vector<Unit>& units, const std::vector<double>& v) {
-  std::vector<Unit> out;
-  std::vector<double> from;  // velocity at the start of each
-  bool changed = false;
+/// The same for units whose boxes differ, where one ramp over both is faster; false if there are none. v: velocities at
+/// their ends.
+bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
+  std::size_t count = 0;  // units[i] begins at v[i]
   for (std::size_t k = 0; k < units.size(); ++k) {
     Unit unit = units[k];
     double start = v[k];
     const double end = v[k + 1];
-    while (!out.empty() && !unit.box.constant && !out.back().box.constant && start > 0 &&
+    while (count > 0 && !unit.box.constant && !units[count - 1].box.constant && start > 0 &&
            unit.entry >= unit.box.velocity &&
-           start < std::min(unit.box.velocity, out.back().box.velocity) * (1 - 1e-9)) {
-      const Unit longer = joined(out.back(), unit);
-      if (std::max(from.back(), end) > longer.box.velocity) break;
-      const double direct = ramp_distance(
-          from.back(), end, end > from.back() ? longer.box.acceleration : longer.box.deceleration,
-          longer.box.jerk);
+           start < std::min(unit.box.velocity, units[count - 1].box.velocity) * (1 - 1e-9)) {
+      const Unit& before = units[count - 1];
+      const double from = v[count - 1];
+      const Unit longer = joined(before, unit);
+      if (std::max(from, end) > longer.box.velocity) break;
+      const double direct =
+          ramp_distance(from, end, end > from ? longer.box.acceleration : longer.box.deceleration,
+                        longer.box.jerk);
       if (direct > longer.length) break;
-      if (stretch_of(longer, from.back(), end).duration >
-          stretch_of(out.back(), from.back(), start).duration +
-              stretch_of(unit, start, end).duration)
+      if (stretch_of(longer, from, end).duration >
+          stretch_of(before, from, start).duration + stretch_of(unit, start, end).duration)
         break;
       unit = longer;
-      start = from.back();
-      out.pop_back();
-      from.pop_back();
-      changed = true;
+      start = from;
+      --count;
     }
-    out.push_back(unit);
-    from.push_back(start);
+    if (count != k) units[count] = unit;
+    v[count] = start;
+    ++count;
   }
-  if (!changed) out.clear();
-  return out;
+  const bool changed = count < units.size();
+  v[count] = v[units.size()];
+  units.resize(count);
+  v.resize(count + 1);
+  return changed;
 }
 
 std::vector<LawStretch> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
@@ -215,12 +233,10 @@ double end_of(const std::vector<LawStretch>& law) {
 }  // namespace
 
 std::vector<LawStretch> stations(std::vector<Unit> units) {
-  units = without_needless(units);
+  join_alike(units);
   std::vector<double> v = velocities(units);
   std::vector<LawStretch> best = timed(units, v);
-  for (int round = 0; round < 3; ++round) {
-    units = with_longer_ramps(units, v);
-    if (units.empty()) break;
+  for (int round = 0; round < 3 && join_ramps(units, v); ++round) {
     v = velocities(units);
     std::vector<LawStretch> next = timed(units, v);
     if (end_of(next) >= end_of(best)) break;

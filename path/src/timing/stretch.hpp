@@ -10,6 +10,9 @@ namespace jounce {
 double ramp_time(double dv, double acceleration, double jerk);
 double ramp_distance(double v0, double v1, double acceleration, double jerk);
 
+/// Position and its derivatives t after the start of some phases in a row.
+Motion motion_of(std::span<const LawPhase> phases, double t);
+
 /// Position within a stretch, and its derivatives, t after its start.
 Motion motion_in(const LawStretch& stretch, double t);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "jounce/profiles/detail/numeric.hpp"
 
@@ -35,38 +34,52 @@ struct Interval {
 /// The lower envelope of the caps, each wider by (1) on both sides: velocities between ascending places.
 std::vector<Interval> envelope(std::span<const CappedLength> caps, double acceleration,
                                double window) {
-  struct Event {
-    double at;
-    double velocity;
-    bool begins;
-  };
-  std::vector<Event> events;
-  events.reserve(2 * caps.size());
+  std::vector<Interval> wide;
+  wide.reserve(caps.size());
   double at = 0;
   double whole = 0;
   for (const CappedLength& c : caps) whole += c.length;
   for (const CappedLength& c : caps) {
     const double d = c.velocity * window / 2 + acceleration * window * window / 24;
-    events.push_back({std::max(0.0, at - d), c.velocity, true});
+    wide.push_back({std::max(0.0, at - d), std::min(whole, at + c.length + d), c.velocity});
     at += c.length;
-    events.push_back({std::min(whole, at + d), c.velocity, false});
   }
-  std::sort(events.begin(), events.end(),
-            [](const Event& a, const Event& b) { return a.at < b.at; });
-  std::multiset<double> active;
+  const auto begins = [](const Interval& a, const Interval& b) { return a.from < b.from; };
+  if (!std::is_sorted(wide.begin(), wide.end(), begins))
+    std::sort(wide.begin(), wide.end(), begins);
+  // The slowest of those that have begun is on top; one that has ended stays until it gets there.
+  const auto faster = [](const Interval* a, const Interval* b) {
+    return a->velocity > b->velocity;
+  };
+  std::vector<const Interval*> heap;
   std::vector<Interval> out;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const Event& e = events[i];
-    if (e.begins)
-      active.insert(e.velocity);
-    else
-      active.erase(active.find(e.velocity));
-    const double next = i + 1 < events.size() ? events[i + 1].at : whole;
-    if (!(next > e.at) || active.empty()) continue;
-    if (!out.empty() && out.back().velocity == *active.begin())
+  out.reserve(wide.size());
+  double q = 0;
+  for (std::size_t i = 0; i < wide.size() || !heap.empty();) {
+    for (; i < wide.size() && wide[i].from <= q; ++i) {
+      heap.push_back(&wide[i]);
+      std::push_heap(heap.begin(), heap.end(), faster);
+    }
+    while (!heap.empty() && heap.front()->to <= q) {
+      std::pop_heap(heap.begin(), heap.end(), faster);
+      heap.pop_back();
+    }
+    if (heap.empty()) {
+      if (i < wide.size()) q = wide[i].from;
+      continue;
+    }
+    const Interval& slowest = *heap.front();
+    // Until it ends or a slower one begins.
+    while (i < wide.size() && wide[i].from < slowest.to && wide[i].velocity >= slowest.velocity) {
+      heap.push_back(&wide[i++]);
+      std::push_heap(heap.begin(), heap.end(), faster);
+    }
+    const double next = i < wide.size() ? std::min(wide[i].from, slowest.to) : slowest.to;
+    if (!out.empty() && out.back().velocity == slowest.velocity)
       out.back().to = next;
     else
-      out.push_back({e.at, next, *active.begin()});
+      out.push_back({q, next, slowest.velocity});
+    q = next;
   }
   return out;
 }

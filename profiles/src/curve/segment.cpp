@@ -114,7 +114,7 @@ Segment reversed(const Segment& f) {
 }
 
 Segment part(const Segment& f, double s0, double s1) {
-  assert(0 <= s0 && s0 < s1 && s1 <= 1);
+  assert(s0 < s1);
   Segment g = f;
   const double width = s1 - s0;
   g.length = f.length * width;

@@ -40,26 +40,34 @@ Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion,
   return worst;
 }
 
-Finding missed(const PositionCompare& compare, std::size_t fired, const Trajectory& motion) {
-  const bool broken = fired < compare.points.size();
-  return {
-      .rule = "compare/missed",
-      .axis = {},
-      .quantity = "points",
-      .where = motion.end(),
-      .value = static_cast<double>(fired),
-      .limit = static_cast<double>(compare.points.size()),
-      .margin =
-          broken ? static_cast<double>(fired) / static_cast<double>(compare.points.size()) - 1 : 0,
-      .broken = broken,
-      .segment = {},
-      .advice = broken ? point(fired) + " at " + number(compare.points[fired].position) +
-                             " is not passed after the one before, and blocks those after it"
-                       : "",
-      .unit = "1"};
+/// `next`: the place of the point that does not fire.
+Finding missed(std::size_t fired, std::size_t points, const std::string& next,
+               const Trajectory& motion) {
+  const bool broken = fired < points;
+  return {.rule = "compare/missed",
+          .axis = {},
+          .quantity = "points",
+          .where = motion.end(),
+          .value = static_cast<double>(fired),
+          .limit = static_cast<double>(points),
+          .margin = broken ? static_cast<double>(fired) / static_cast<double>(points) - 1 : 0,
+          .broken = broken,
+          .segment = {},
+          .advice = broken ? point(fired) + " at " + next +
+                                 " is not passed after the one before, and blocks those after it"
+                           : "",
+          .unit = "1"};
 }
 
 }  // namespace
+
+Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y) {
+  const std::size_t fired = compared(compare, x, y).size();
+  std::string next;
+  if (fired < compare.points.size())
+    next = "(" + number(compare.points[fired].x) + ", " + number(compare.points[fired].y) + ")";
+  return {{missed(fired, compare.points.size(), next, x)}};
+}
 
 Report check(const PositionCompare& compare, const Trajectory& motion,
              const CompareDevice& device) {
@@ -67,7 +75,10 @@ Report check(const PositionCompare& compare, const Trajectory& motion,
   require_not_negative("latency", device.latency);
   const Compared all = compared(compare, motion);
   Report report;
-  report.findings.push_back(missed(compare, all.events.size(), motion));
+  const std::size_t fired = all.events.size();
+  report.findings.push_back(
+      missed(fired, compare.points.size(),
+             fired < compare.points.size() ? number(compare.points[fired].position) : "", motion));
   if (device.sampling_frequency > 0 && all.events.size() > 1)
     report.findings.push_back(speed(all.events, motion, device.sampling_frequency));
   for (std::size_t i = 1; i < all.events.size() && compare.pulse > 0; ++i) {

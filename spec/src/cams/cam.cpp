@@ -92,7 +92,7 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
   cam.start = read_knot(start, units);
   read_free(start, 0, units, optimize);
   start.finish();
-  for (TomlReader& segment : top.tables("segment")) {
+  top.for_each("segment", [&](TomlReader& segment) {
     CamSegment s;
     s.name = segment.optional_text("name").value_or("");
     s.form = read_form(segment);
@@ -104,7 +104,7 @@ CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
     cam.segments.push_back(std::move(s));
     read_free(segment, cam.segments.size(), units, optimize);
     segment.finish();
-  }
+  });
   return cam;
 }
 

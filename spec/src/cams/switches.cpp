@@ -74,10 +74,12 @@ AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
     }
     group->finish();
   }
-  for (TomlReader& reader : top.tables("switch"))
+  top.for_each("switch", [&](TomlReader& reader) {
     read.table.switches.push_back(read_switch(reader, unit));
-  for (TomlReader& reader : top.tables("track"))
+  });
+  top.for_each("track", [&](TomlReader& reader) {
     read.table.tracks.push_back(read_options(reader, unit));
+  });
   require_valid(read.table);
   return read;
 }

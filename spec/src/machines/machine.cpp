@@ -6,6 +6,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/spec/machine_spec.hpp"
+#include "jounce/spec/spec.hpp"
 
 #include "spec/src/toml/parts.hpp"
 
@@ -15,15 +16,6 @@ namespace {
 using spec_detail::TomlReader;
 
 const std::vector<std::string> sides{"setpoint", "actual"};
-
-bool is_machine(const Document& document) {
-  try {
-    const toml::table root = spec_detail::parse_toml(document);
-    return root["kind"].value<std::string>() == "machine";
-  } catch (const InputError&) {
-    return false;  // the reader of another kind reports the error
-  }
-}
 
 MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& folder) {
   MachineSpec::Axis axis{.spec = reader.text("spec"), .key = reader.path("spec")};
@@ -49,10 +41,13 @@ void read_body(TomlReader& top, MachineSpec& machine) {
   (void)top.optional_text("name");
   machine.watchdog = read_watchdog(top);
   const auto folder = std::filesystem::path(machine.document.name).parent_path();
-  for (TomlReader& reader : top.tables("axis")) machine.axes.push_back(read_one(reader, folder));
+  top.attempt([&] {
+    top.for_each("axis",
+                 [&](TomlReader& reader) { machine.axes.push_back(read_one(reader, folder)); });
+    if (machine.axes.empty())
+      top.fail("axis", "", "is missing: add [[axis]] with spec = \"FILE.toml\" for each axis");
+  });
   machine.masters = spec_detail::read_masters(top);
-  if (machine.axes.empty())
-    top.fail("axis", "", "is missing: add [[axis]] with spec = \"FILE.toml\" for each axis");
   top.finish();
 }
 
@@ -77,14 +72,12 @@ std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
 std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
   MachineSpec machine{
       .document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
-  if (!is_machine(machine.document)) return std::nullopt;
+  if (spec_kind(machine.document.text) != "machine") return std::nullopt;
   const toml::table root = spec_detail::parse_toml(machine.document);
-  TomlReader top(root, "", machine.document);
-  try {
-    read_body(top, machine);
-  } catch (const InputError& error) {
-    throw machine.document.located(error);
-  }
+  spec_detail::ErrorList errors;
+  TomlReader top(root, "", machine.document, &errors);
+  top.attempt([&] { read_body(top, machine); });
+  errors.throw_any();
   return machine;
 }
 

@@ -154,12 +154,12 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     if (!(axes.duration >= 0)) top.fail("duration", number(axes.duration), "must not be negative");
   }
   std::set<std::string> taken;
-  for (TomlReader& axis : top.tables("axis")) {
+  top.for_each("axis", [&](TomlReader& axis) {
     spec.axes.push_back(read_axis_part(axis, spec.units, taken));
     MotionFields fields(axis, spec.axes.back().units);
     axes.axes.push_back(read_axis_move(fields, through_points));
     axis.finish();
-  }
+  });
   if (axes.axes.empty()) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.shortest_times) {
     axes.points = read_positions(top, spec.axes);

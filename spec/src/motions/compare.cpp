@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareMode::greater,
                            CompareMode::fifo_time, CompareMode::linear, CompareMode::fifo_level};
-const std::vector<std::string> mode_names{"equal",     "less",   "greater",
-                                          "fifo_time", "linear", "fifo_level"};
+const std::vector<std::string> mode_names{"equal",  "less",       "greater", "fifo_time",
+                                          "linear", "fifo_level", "zone",    "zone_equal"};
 
 const std::vector<std::string> sources{"position", "actual"};
 
@@ -48,28 +48,76 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
   return points;
 }
 
+/// Modes "zone" and "zone_equal" of two axes: axes, band and [[compare.point]] with at and output.
+PlaneCompare read_zone(TomlReader& compare, const std::vector<AxisPart>& parts,
+                       std::array<std::string, 2>& axes) {
+  const std::vector<std::string> names = compare.texts("axes");
+  std::vector<std::string> units;
+  for (const std::string& name : names)
+    for (const AxisPart& part : parts)
+      if (part.name == name) units.push_back(part.units.position);
+  if (names.size() != 2 || units.size() != 2 || names[0] == names[1])
+    compare.fail("axes", "", "must name two different axes of the spec");
+  std::copy_n(names.begin(), 2, axes.begin());
+  PlaneCompare zone;
+  const std::vector<double> band = compare.numbers("band", units);
+  zone.x_band = band[0];
+  zone.y_band = band[1];
+  for (TomlReader& point : compare.tables("point")) {
+    const std::vector<double> at = point.numbers("at", units);
+    zone.points.push_back(
+        {at[0], at[1], static_cast<int>(point.optional_whole("output").value_or(1))});
+    point.finish();
+  }
+  if (zone.points.empty())
+    compare.fail("point", "", "is missing: give each point as [[compare.point]] with at");
+  if (!(zone.x_band > 0 && zone.y_band > 0))
+    compare.fail("band", "", "must be greater than 0 for both axes");
+  return zone;
+}
+
+double read_pulse(TomlReader& compare, const Spec& spec) {
+  const double pulse = compare.number("pulse", spec.time_unit);
+  if (!(pulse > 0)) compare.fail("pulse", number(pulse), "must be greater than 0");
+  return pulse;
+}
+
+/// The unit of the position that is compared.
+Units compared_units(TomlReader& compare, const Spec& spec, const std::string& axis) {
+  for (const AxisPart& part : spec.parts())
+    if (part.name == axis) return part.units;
+  const bool path = std::holds_alternative<PathSpec>(spec.subject);
+  if (!path || axis != "path")
+    compare.fail("axis", '"' + axis + '"',
+                 path ? "must be the name of an axis of this spec, or \"path\""
+                      : "must be the name of an axis of this spec");
+  return spec.units;
+}
+
 }  // namespace
 
 std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   auto compare = top.optional_table("compare");
   if (!compare) return std::nullopt;
   CompareSpec read;
+  const std::size_t mode = compare->choice("mode", mode_names);
+  if (mode >= modes.size()) {
+    PlaneCompare& zone = read.plane.emplace(read_zone(*compare, spec.parts(), read.plane_axes));
+    zone.equal = mode > modes.size();
+    zone.pulse = read_pulse(*compare, spec);
+    compare->finish();
+    return read;
+  }
   read.axis = compare->optional_text("axis").value_or("");
-  const std::vector<AxisPart> parts = spec.parts();
-  const auto part = std::find_if(parts.begin(), parts.end(),
-                                 [&](const AxisPart& each) { return each.name == read.axis; });
-  if (part == parts.end())
-    compare->fail("axis", '"' + read.axis + '"', "must be the name of an axis of this spec");
+  const Units units = compared_units(*compare, spec, read.axis);
   if (std::holds_alternative<AxisSpec>(spec.subject) &&
       compare->optional_choice("of", sources).value_or(0) == 1)
     read.of = SwitchesOf::actual;
   PositionCompare& c = read.compare;
-  c.mode = modes[compare->choice("mode", mode_names)];
-  c.points = read_points(*compare, part->units, c.mode);
-  if (c.mode == CompareMode::fifo_time || c.mode == CompareMode::linear) {
-    c.pulse = compare->number("pulse", spec.time_unit);
-    if (!(c.pulse > 0)) compare->fail("pulse", number(c.pulse), "must be greater than 0");
-  }
+  c.mode = modes[mode];
+  c.points = read_points(*compare, units, c.mode);
+  if (c.mode == CompareMode::fifo_time || c.mode == CompareMode::linear)
+    c.pulse = read_pulse(*compare, spec);
   if (auto device = compare->optional_table("device")) {
     const std::string frequency = rate_unit("", spec.time_unit, 1);
     for (const auto& [key, unit, value] :

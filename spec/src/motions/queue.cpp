@@ -74,8 +74,9 @@ QueueSpec read_queue(TomlReader& top, const Units& units) {
     read_over(fields, common);
     dynamics->finish();
   }
-  for (TomlReader& command : top.tables("command"))
+  top.for_each("command", [&](TomlReader& command) {
     queue.commands.push_back(read_command(command, units, common));
+  });
   return queue;
 }
 

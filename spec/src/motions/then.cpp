@@ -164,13 +164,13 @@ std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
   names.emplace_back("compensation");
   const std::vector<AxisPart> parts = spec.parts();
   std::vector<Operator> all;
-  for (TomlReader& then : top.tables("then")) {
+  top.for_each("then", [&](TomlReader& then) {
     MotionFields fields(then, spec.units);
     const std::size_t chosen = then.choice("operator", names);
     all.push_back(chosen < operators.size() ? operators[chosen].read(fields)
                                             : read_compensation(fields, parts));
     then.finish();
-  }
+  });
   return all;
 }
 

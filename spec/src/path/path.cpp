@@ -37,8 +37,9 @@ bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::
 PathAxes read_path_axes(TomlReader& top, Spec& spec) {
   PathAxes axes{.units = spec.units};
   std::set<std::string> taken;
-  for (TomlReader& axis : top.tables("axis"))
+  top.for_each("axis", [&](TomlReader& axis) {
     if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
+  });
   if (axes.size() == 0) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.size() > max_axes)
     top.fail("axis", std::to_string(axes.size()),
@@ -95,6 +96,31 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
                "average");
 }
 
+/// overlap of [path], instead of corners.
+std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axes) {
+  auto overlap = path.optional_table("overlap");
+  if (!overlap) return std::nullopt;
+  if (path.has("corner"))
+    path.fail("corner", "", "cannot be combined with overlap, which makes all corners");
+  OverlapOptions read;
+  if (const auto d = read_magnitude(*overlap, "deviation", axes.unit(0))) read.deviation = *d;
+  read.share = overlap->optional_number("share", "1").value_or(1);
+  if (!(read.share >= 0 && read.share <= 1))
+    overlap->fail("share", number(read.share), "must be 0 to 1");
+  overlap->finish();
+  return read;
+}
+
+/// [[override]]: the ranges are those of played().
+std::vector<FactorRequest> read_override(TomlReader& top, const PathAxes& axes) {
+  std::vector<FactorRequest> steps;
+  for (TomlReader& step : top.tables("override")) {
+    steps.push_back({step.number("time", axes.units.x), step.number("factor", "1")});
+    step.finish();
+  }
+  return steps;
+}
+
 }  // namespace
 
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
@@ -128,6 +154,7 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   PathSpec path;
   GcodeMachine& machine = path.machine;
   read_path_settings(table, axes, machine.settings);
+  path.overlap = read_overlap(table, axes);
   if (auto limits = table.optional_table("limits"))
     path.limits.path = read_path_limits(std::move(*limits), axes);
   path.tolerance = read_magnitude(table, "tolerance", axes.unit(0));
@@ -145,6 +172,9 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   path.program = Program(axes.size(), machine.start, axes.path_axes);
   path.source = top.document().name;
   read_program(top, axes, machine.settings, path);
+  path.override_steps = read_override(top, axes);
+  if (path.overlap && !path.override_steps.empty())
+    top.fail("override", "", "cannot be combined with an overlap: its path depends on the time");
   table.finish();
   return path;
 }

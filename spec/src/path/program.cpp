@@ -98,8 +98,9 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
     path.source = points->document;
     path.program = program_of(*points, axes, settings);
   } else {
-    for (TomlReader& command : top.tables("command"))
+    top.for_each("command", [&](TomlReader& command) {
       read_path_command(command, axes, settings, path.program);
+    });
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/spec/detail/toml_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
 
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
@@ -47,8 +49,22 @@ std::string shown(const toml::node& node) {
   return out.str();
 }
 
-TomlReader::TomlReader(const toml::table& table, std::string path, Document& document)
-    : table_(&table), path_(std::move(path)), document_(&document) {
+void ErrorList::add(const InputError& error) {
+  const bool known = std::any_of(all_.begin(), all_.end(), [&](const InputError& other) {
+    return other.key() == error.key() && other.line() == error.line() &&
+           other.column() == error.column();
+  });
+  if (!known && all_.size() < most) all_.push_back(error);
+}
+
+void ErrorList::throw_any() const {
+  if (all_.size() == 1) throw all_.front();
+  if (all_.size() > 1) throw InputErrors(all_);
+}
+
+TomlReader::TomlReader(const toml::table& table, std::string path, Document& document,
+                       ErrorList* errors)
+    : table_(&table), path_(std::move(path)), document_(&document), errors_(errors) {
   if (!path_.empty()) document.places.emplace(path_, place(table.source()));
 }
 
@@ -58,6 +74,22 @@ std::string TomlReader::path(std::string_view key) const {
 
 void TomlReader::fail(const char* key, const std::string& value, const std::string& rule) {
   throw document_->located(InputError(path(key), value, rule));
+}
+
+void TomlReader::report(const InputError& error) const {
+  if (errors_ == nullptr) throw error;
+  errors_->add(error);
+}
+
+/// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder returned.
+template <class Value, class Read>
+Value TomlReader::or_else(Value placeholder, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    report(error);
+    return placeholder;
+  }
 }
 
 const toml::node* TomlReader::find(const char* key) {
@@ -117,14 +149,16 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
 }
 
 double TomlReader::number(const char* key, const std::string& unit) {
-  const std::string measure = unit.empty() || unit == "1" ? "" : ", in " + unit;
-  return read_number(require(key, std::string(key) + " = NUMBER" + measure), path(key), unit);
+  return or_else(1.0, [&] {
+    const std::string measure = unit.empty() || unit == "1" ? "" : ", in " + unit;
+    return read_number(require(key, std::string(key) + " = NUMBER" + measure), path(key), unit);
+  });
 }
 
 std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  return read_number(*node, path(key), unit);
+  return or_else(1.0, [&] { return read_number(*node, path(key), unit); });
 }
 
 std::optional<std::string> TomlReader::optional_quantity(const char* key) {
@@ -139,29 +173,37 @@ std::optional<std::string> TomlReader::optional_quantity(const char* key) {
 std::optional<std::size_t> TomlReader::optional_count(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const auto value = node->value_exact<std::int64_t>();
-  if (!value || *value < 1) fail(key, shown(*node), "must be a whole number of at least 1");
-  return static_cast<std::size_t>(*value);
+  return or_else(std::size_t{1}, [&] {
+    const auto value = node->value_exact<std::int64_t>();
+    if (!value || *value < 1) fail(key, shown(*node), "must be a whole number of at least 1");
+    return static_cast<std::size_t>(*value);
+  });
 }
 
 std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const auto value = node->value_exact<std::int64_t>();
-  if (!value) fail(key, shown(*node), "must be a whole number");
-  return value;
+  return or_else(std::int64_t{1}, [&] {
+    const auto value = node->value_exact<std::int64_t>();
+    if (!value) fail(key, shown(*node), "must be a whole number");
+    return *value;
+  });
 }
 
 std::int64_t TomlReader::whole(const char* key) {
-  require(key, std::string(key) + " = WHOLE NUMBER");
-  return *optional_whole(key);
+  return or_else(std::int64_t{1}, [&] {
+    require(key, std::string(key) + " = WHOLE NUMBER");
+    return *optional_whole(key);
+  });
 }
 
 std::optional<bool> TomlReader::optional_flag(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_boolean()) fail(key, shown(*node), "must be true or false");
-  return node->value<bool>();
+  return or_else(false, [&] {
+    if (!node->is_boolean()) fail(key, shown(*node), "must be true or false");
+    return *node->value<bool>();
+  });
 }
 
 std::string TomlReader::text(const char* key) {
@@ -206,7 +248,7 @@ std::optional<TomlReader> TomlReader::optional_table(const char* key) {
   if (node == nullptr) return std::nullopt;
   if (!node->is_table())
     fail(key, shown(*node), std::string("must be a table: ") + key + " = { KEY = VALUE, ... }");
-  return TomlReader(*node->as_table(), path(key), *document_);
+  return TomlReader(*node->as_table(), path(key), *document_, errors_);
 }
 
 std::vector<TomlReader> TomlReader::tables(const char* key) {
@@ -224,7 +266,7 @@ std::vector<TomlReader> TomlReader::tables(const char* key) {
       throw InputError(name, shown(element), "must be a table: { KEY = VALUE, ... }")
           .at(document_->name, at.line, at.column);
     }
-    readers.emplace_back(*element.as_table(), name, *document_);
+    readers.emplace_back(*element.as_table(), name, *document_, errors_);
   }
   return readers;
 }
@@ -233,18 +275,20 @@ std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* k
                                                                    const std::string& unit) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() != 2)
-    fail(key, shown(*node), std::string("must be two numbers: ") + key + " = [lower, upper]");
-  return std::pair{read_number(*array->get(0), path(key), unit),
-                   read_number(*array->get(1), path(key), unit)};
+  return or_else(std::pair{0.0, 1.0}, [&] {
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != 2)
+      fail(key, shown(*node), std::string("must be two numbers: ") + key + " = [lower, upper]");
+    return std::pair{read_number(*array->get(0), path(key), unit),
+                     read_number(*array->get(1), path(key), unit)};
+  });
 }
 
 std::optional<std::pair<double, double>> TomlReader::optional_range(const char* key,
                                                                     const std::string& unit) {
   const toml::node* node = find(key);
   if (node == nullptr || node->is_array()) return optional_pair(key, unit);
-  const double value = read_number(*node, path(key), unit);
+  const double value = or_else(1.0, [&] { return read_number(*node, path(key), unit); });
   return std::pair{value, value};
 }
 
@@ -313,12 +357,14 @@ void TomlReader::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
-    if (const std::string hint = nearest(key.str(), known); !hint.empty())
-      throw unknown(key, node, hint);
+    if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
+      report(unknown(key, node, hint));
+      continue;
+    }
     const auto at = place(key.source());
-    throw InputError(path(key.str()), shown(node),
-                     "is not a key here; possible keys: " + join(known))
-        .at(document_->name, at.line, at.column);
+    report(
+        InputError(path(key.str()), shown(node), "is not a key here; possible keys: " + join(known))
+            .at(document_->name, at.line, at.column));
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array verdicts{"within", "broken", "impossible"};
 
-std::string with_unit(const std::string& name, const std::string& unit) {
+std::string column_title(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
@@ -36,8 +36,8 @@ std::string to_csv(const SweepSpec& spec, const SweepResult& result) {
   text += "# spec: " + printable(spec.base.document().name) + '\n';
   text += "# spec sha256: " + hex(sha256(spec.base.document().text)) + '\n';
   text += "# made by: " + made_by() + "\ncase,";
-  for (const SweepParameter& p : spec.parameters) text += cell(with_unit(p.key, p.unit)) + ',';
-  for (const KeyFigure& f : spec.given) text += cell(with_unit(f.name, f.unit)) + ',';
+  for (const SweepParameter& p : spec.parameters) text += cell(column_title(p.key, p.unit)) + ',';
+  for (const KeyFigure& f : spec.given) text += cell(column_title(f.name, f.unit)) + ',';
   text += "verdict,why\n";
   for (const SweepRow& row : result.rows) {
     text += std::to_string(row.number + 1) + ',';

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Programs as G-code, and their geometry as jobs for path_judge.py; feeds in mm/min, lengths in mm."""
+import math
 from decimal import Decimal
 
 FEED = 6000  # mm/min
@@ -43,9 +44,21 @@ def gcode(start, pieces, deviation):
     return "".join(f"N{i + 1} {row}\n" for i, row in enumerate(rows + ["M30"])), numbered
 
 
+def goes_straight(start, pieces, i):
+    """Two lines in one direction, to 1e-9: G61 is the exact path, which passes them (decision 0095)."""
+    if i + 1 == len(pieces) or "arc" in (pieces[i]["type"], pieces[i + 1]["type"]):
+        return False
+    at = pieces[i - 1]["to"] if i > 0 else start
+    ways = [[b - a for a, b in zip(p, q)] for p, q in ((at, pieces[i]["to"]), (pieces[i]["to"], pieces[i + 1]["to"]))]
+    sizes = [math.hypot(*way) for way in ways]
+    return min(sizes) > 0 and math.dist(*([x / size for x in way] for way, size in zip(ways, sizes))) < 1e-9
+
+
 def job(start, pieces, deviation, feed=FEED / 60):
     """The geometry and limits for path_judge.py; the curves of the axes are added by the test."""
-    corners = [{**p, "deviation": float(deviation), "stop": deviation == 0 or i + 1 == len(pieces)} for i, p in enumerate(pieces)]
+    corners = [{**p, "deviation": float(deviation),
+                "stop": i + 1 == len(pieces) or (deviation == 0 and not goes_straight(start, pieces, i))}
+               for i, p in enumerate(pieces)]
     names = "XYZUVW"[:len(start)]
     return {"jounce_path_job": 1, "axes": [{"name": n, **LIMITS} for n in names], "path": {"velocity": feed},
             "start": [float(c) for c in start], "pieces": corners}

@@ -9,23 +9,20 @@
 #include "jounce/axis/armed_motion.hpp"
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/command.hpp"
+#include "jounce/axis/group_state.hpp"
 #include "jounce/axis/homing.hpp"
 #include "jounce/axis/inputs.hpp"
-#include "jounce/axis/move_plan.hpp"
+#include "jounce/axis/live_player.hpp"
+#include "jounce/axis/move_goal.hpp"
+#include "jounce/axis/move_player.hpp"
 #include "jounce/axis/outputs.hpp"
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/path_player.hpp"
 #include "jounce/axis/superimposed_move.hpp"
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/waiting_moves.hpp"
 #include "jounce/command/state.hpp"
 
 namespace jounce {
-
-/// A group that was broken, and when.
-struct GroupBreak {
-  std::int64_t group = 0;  ///< 0: none yet
-  std::int64_t tick = -1;
-};
 
 /// An armed member of a group.
 struct GroupStart {
@@ -134,10 +131,10 @@ class MotionAxis {
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
 
-  enum class Base : std::uint8_t { rest, movement, move };
+  /// The player of the motion, below the superimposed move.
+  enum class Base : std::uint8_t { rest, path, live, move };
   /// table: the played movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
-  enum class Boundary : std::uint8_t { none, swap, finish };
 
   // axis.cpp: one tick
   void take(const Inputs& inputs);
@@ -145,6 +142,8 @@ class MotionAxis {
   void watch();
   void play();
   Cause advance(Setpoint& next);
+  Cause advance_live(Setpoint& next);
+  Cause advance_move(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
   [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
@@ -153,12 +152,13 @@ class MotionAxis {
   void hand_back(const Movement* movement);
   void drop(const Refusal& why);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
-  [[nodiscard]] bool on_path() const;
+  [[nodiscard]] bool on_path() const { return base_ == Base::path; }
+  [[nodiscard]] Movement* active() const;
   [[nodiscard]] MotionState last() const;
-  [[nodiscard]] Moment moment(double t) const;
-  [[nodiscard]] Moment coupled(Moment now) const;
-  [[nodiscard]] double seconds(std::int64_t ticks) const;
-  [[nodiscard]] double dt() const { return seconds(now_.skipped + 1); }
+  [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master}; }
+  [[nodiscard]] double dt() const { return seconds((now_.skipped + 1) * config_.period); }
+  [[nodiscard]] double requested_rate() const;
+  [[nodiscard]] PathRequest request() const;
 
   // axis_commands.cpp: commands
   void obey(const Command& command);
@@ -182,11 +182,11 @@ class MotionAxis {
   Rejection act(const command::Resume& /*off*/) { return hold(false); }
   Rejection act(const command::Override& what);
   Rejection act(const command::Finish& what);
-  Rejection act(const command::MoveAbsolute& what);
-  Rejection act(const command::MoveRelative& what);
+  Rejection act(const command::MoveAbsolute& what) { return move_or_buffer(what); }
+  Rejection act(const command::MoveRelative& what) { return move_or_buffer(what); }
   Rejection act(const command::MoveAdditive& what);
   Rejection act(const command::MoveSuperimposed& what);
-  Rejection act(const command::MoveVelocity& what);
+  Rejection act(const command::MoveVelocity& what) { return move_or_buffer(what); }
   Rejection act(const command::Halt& what) { return end_motion(Ending::halt, what.dynamics); }
   Rejection act(const command::Couple& what);
   Rejection act(const command::GearOut& /*out*/) { return decouple(); }
@@ -195,11 +195,10 @@ class MotionAxis {
   Rejection power(bool on);
   Rejection set_position(double position);
   Rejection end_motion(Ending ending, const StopDynamics& asked = {});
-  void break_group();
-  void join_group(std::int64_t group);
+  void break_groups();
   void stop_with_group();
-  [[nodiscard]] bool unplayed() const;
   Rejection hold(bool on);
+  Rejection replan();
 
   // axis_homing.cpp: the search for its home position
   void seek();
@@ -216,79 +215,44 @@ class MotionAxis {
   [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
   [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
   void begin_pending(const Moment& at);
+  void enter(const ArmedMotion& begun);
   [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
   [[nodiscard]] std::optional<MotionState> expected_end() const;
   [[nodiscard]] bool stands() const;
+  [[nodiscard]] State playing_state() const;
 
-  // axis_swap.cpp: from one path to the next
+  // axis_path.cpp: along a path, and from one path to the next
+  Cause advance_path(Setpoint& next);
+  bool replan_path();
   Rejection start_at_end();
   Rejection start_at_pass_end();
   [[nodiscard]] Rejection against_swap() const;
-  [[nodiscard]] bool ends_somewhere() const;
-  void seek_boundary();
   Cause swap_at_boundary();
-  void swap(double boundary, MotionState end);
-  [[nodiscard]] bool swaps_at_master() const;
-  [[nodiscard]] std::optional<double> passing(double to) const;
   void swap_at_master(double s);
-
-  // axis_path.cpp: the time of a path
-  Cause advance_path(Setpoint& next);
-  [[nodiscard]] bool starves() const;
-  void govern();
-  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times) const;
-  [[nodiscard]] double wanted_rate() const;
-  [[nodiscard]] double most_rate() const;
-  [[nodiscard]] double granted(double wanted) const;
-  [[nodiscard]] double granted_rate() const { return granted(wanted_rate()); }
-  bool change_rate(double rate);
-  [[nodiscard]] double slope_to(double rate, std::int64_t tick) const;
-  bool stop_on_path();
-  Rejection replan();
-  bool replan_path();
+  void swap(double boundary, MotionState end);
 
   // axis_moves.cpp: moves of its own
-  template <class Move>
-  Rejection move(const Move& what);
-  template <class Move>
-  Rejection move_or_buffer(const Move& what);
-  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAbsolute& what,
-                                               const MotionState& from, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveRelative& what,
-                                               const MotionState& from, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveAdditive& what,
-                                               const MotionState& from, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> goal_of(const command::MoveVelocity& what,
-                                               const MotionState& from, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
-                                               Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> distance_goal(double distance, double from,
-                                                     MoveDynamics dynamics, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> velocity_goal(double velocity, const MotionState& from,
-                                                     MoveDynamics dynamics, Goal& goal) const;
-  [[nodiscard]] std::optional<Refusal> forbidden(double target, double from) const;
-  [[nodiscard]] Peaks beneath() const;
+  Rejection move_or_buffer(const BufferedMove& what);
+  Rejection move(const BufferedMove& what);
+  Rejection take_over(const Goal& goal);
   Rejection superimpose(double distance, const MoveDynamics& dynamics);
   Rejection decouple();
+  [[nodiscard]] MoveRules move_rules() const;
+  [[nodiscard]] Peaks beneath() const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
+  bool plan_from(const TimedState& from, const Goal& goal, double factor, double ahead = 0);
   bool replan_move();
-  bool plan_from(const MotionState& from, std::int64_t tick, const Goal& goal, double factor);
   void brake(double deceleration);
   void leave(Goal::Kind kind);
-  bool stop_at_limit(Cause limit);
-  [[nodiscard]] double plan_time() const { return seconds(now_.tick - origin_) + ahead_; }
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
   Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
   Rejection buffer(const BufferedMove& move);
-  [[nodiscard]] std::optional<MotionState> end_of_waiting() const;
   [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
-  [[nodiscard]] bool passes() const {
-    return !next_.empty() && base_ == Base::move && goal_.through != 0;
-  }
+  [[nodiscard]] bool passes() const;
   Cause pass_target();
   Rejection take_back_next();
   void begin_next();
@@ -298,6 +262,7 @@ class MotionAxis {
   // axis_ends.cpp: the end of a motion
   void conclude();
   void rest();
+  [[nodiscard]] Cause reason_to_rest() const;
   void freeze();
   void cut_off();
   void fail(Cause cause);
@@ -307,42 +272,30 @@ class MotionAxis {
   AxisConfig unranged_;  // the same without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
-  std::int64_t emitted_ = 0;  // tick of the last output setpoint of a motion
   Inputs inputs_;
   Jet last_master_ = Inputs{}.master;  // last value of the live master
-  double renamed_ = 0;  // m: set_position changes of the master since the coupling began
   Supervision windows_;
 
-  Movement* active_ = nullptr;
   ArmedMotion armed_;
   std::int64_t group_ = 0;  // group of the motion
-  GroupBreak last_break_;
+  GroupState groups_;
 
   Base base_ = Base::rest;
-  Ending ending_ = Ending::none;
-  std::int64_t begun_ = 0;   // tick at which the motion began
-  std::int64_t origin_ = 0;  // tick of local time 0, of a live movement or of the move
-  bool joint_ = false;       // this tick joins one motion to another
-  PathClock clock_;          // clock of a path
-  PathClock shown_;          // the clock at the last output setpoint
-  std::int64_t from_ = 0;    // the first tick in which the clock may still be changed
-  double played_to_ = 0;     // path time of the tick before, s
-  Peaks peaks_;              // peaks of the path
-  Boundary boundary_ = Boundary::none;
-  double boundary_at_ = 0;  // path time, s
-  Goal goal_;               // goal of the move
-  Profile plan_;
-  double ahead_ = 0;              // s of the move that were over at its origin
+  PathPlayer path_;
+  LivePlayer live_;
+  MovePlayer move_;
+  SuperimposedMove above_;        // adds to the motion
   WaitingMoves next_;             // moves for the end of this motion
   std::optional<Command> later_;  // the command that waits for its tick
-  MotionState bare_;              // the last setpoint without the superimposed move
-  double factor_ = 1;             // override
-  bool held_ = false;
 
-  SuperimposedMove above_;  // adds to the motion
+  Ending ending_ = Ending::none;
+  double factor_ = 1;  // override
+  bool held_ = false;
+  std::int64_t begun_ = 0;  // tick at which the motion began
+  TimedState bare_;         // the last output setpoint, without the superimposed move
+  bool joint_ = false;      // this tick joins one motion to another
 
   std::optional<Homing> homing_;  // set until it is at rest, in success or failure
-  double home_position_ = 0;      // u: the future position of the home position
 
   bool has_master_ = false;  // since the start of a cam, until the next table without one
   Outputs outputs_;

@@ -40,6 +40,11 @@ struct AxisConfig {
   bool require_home = false;  ///< reject motions to absolute positions before homing
 };
 
+/// A duration in ns, in s. The duration of n ticks is seconds(n * period): nothing accumulates.
+inline double seconds(std::int64_t ns) noexcept {
+  return static_cast<double>(ns) / 1e9;
+}
+
 /// Returns the configuration with the defaults filled in. Throws InputError for a value out of
 /// range.
 AxisConfig resolved(AxisConfig config);

@@ -61,6 +61,7 @@ class Homing {
   [[nodiscard]] double velocity() const noexcept { return velocity_; }  ///< u/s, signed
   [[nodiscard]] bool done() const noexcept { return phase_ == Phase::done; }
   [[nodiscard]] double home() const noexcept { return home_; }  ///< u; valid after the edge
+  [[nodiscard]] double offset() const noexcept { return spec_.offset; }  ///< u: position of home
   /// The fault that ended the search: home_timeout, home_not_found, index_not_found, both_switches,
   /// positive_switch, negative_switch; none: it continues.
   [[nodiscard]] Cause cause() const noexcept { return cause_; }

@@ -20,6 +20,10 @@ struct Setpoint {
   Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
 };
 
+inline MotionState state_of(const Setpoint& setpoint) noexcept {
+  return {setpoint.slave[0], setpoint.slave[1], setpoint.slave[2]};
+}
+
 /// One instant of the cycle; input of a movement.
 struct Moment {
   double t = 0;     ///< s: the movement's own time, see Course

@@ -17,6 +17,17 @@ inline BufferMode buffer_of(const BufferedMove& move) {
   return std::visit([](const auto& each) { return each.buffer; }, move);
 }
 
+/// Its target, its distance or its velocity.
+inline double value_of(const BufferedMove& move) {
+  return std::visit(
+      [](const auto& each) {
+        if constexpr (requires { each.position; }) return each.position;
+        if constexpr (requires { each.distance; }) return each.distance;
+        if constexpr (requires { each.velocity; }) return each.velocity;
+      },
+      move);
+}
+
 /// Moves that each wait for the end of the previous one: the motion buffer of an axis (PLCopen part
 /// 1, 2.4.2 asks for one place; motion controllers have several). A value of fixed size.
 ///

@@ -43,4 +43,25 @@ std::vector<std::string> losses(const Input& input, const CamFormat* format, con
 /// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
 std::string error_text(const Converted& made, const Labels& labels);
 
+/// The form in which a table is written.
+struct TableForm {
+  std::string name =
+      "csv";  ///< "csv", "json", "points" (segments with types, CSV), or the name of the format
+  const CamFormat* format = nullptr;  ///< format of a controller
+};
+
+/// The form of this name, or, if it is empty, by the end of the path; CSV if nothing else.
+TableForm table_form(const std::string& name, const std::string& path);
+
+/// The text of a file in this form. Throws InputError like exchange_text() and points_text().
+std::string form_text(const TableForm& form, const TableFile& file);
+
+/// The answer of `jounce convert`: input, form, knots, error and the losses, one a line.
+std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
+                            const std::vector<std::string>& losses);
+
+/// The same as a JSON object; `path` is the name of the file.
+std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
+                            const std::vector<std::string>& losses);
+
 }  // namespace jounce

@@ -30,6 +30,7 @@ struct Input {
   std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
   std::vector<std::string> unread = {};   ///< other content of its file
   std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
+  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
 };
 
 /// Calls `act` with the input's curve, or with its table if there is no other curve: the table
@@ -57,6 +58,9 @@ Report check_all(const Input& input, int continuity = 1, const EngageState& at =
 /// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
 void add_not_limited(Report& report, const Input& input);
 
+/// Adds the warning `warning/no_limits` to a report that compares the motion with no limit of the machine.
+void add_no_limits(Report& report);
+
 /// Greatest permitted error of the table, in the unit of the position: the requested tolerance; for
 /// a requested number of intervals, a millionth of the stroke; for a requested number of knots, the
 /// actual error. None if there is no curve besides the table.
@@ -71,6 +75,11 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 /// is standard input. One input for each axis of a spec, or for each cam of a file. `decimal_comma` reads 0,5 as 0.5 in
 /// a controller's table. Throws InputError with file, line, key, value and rule.
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
+/// True if the text is a table of Jounce or of a controller.
+bool is_finished_table(const std::string& text);
+/// The same for the text of such a table.
+std::vector<Input> table_inputs(const std::string& text, const std::string& path,
+                                bool decimal_comma = false);
 
 /// A G-code program on a machine: `machine` is a path spec without commands, `path` the program. One input for each
 /// axis. Throws InputError, placed.

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/path/overlap.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/vibration/vibration.hpp"
 #include "jounce/pvt/lazy_curve.hpp"
@@ -34,6 +35,7 @@ struct Made {
   std::vector<SyncZone> zones =
       {};  ///< in which the slave is in sync, if its generator reports them
   std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
+  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
 };
 
 /// Spec -> generator -> operators -> curve -> table; one per axis, all over the same time. Throws

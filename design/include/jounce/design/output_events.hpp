@@ -11,9 +11,10 @@ namespace jounce {
 /// A change of one output along the motion of a spec.
 struct OutputEvent {
   double time = 0;
-  std::string output;  ///< "compare", "track 1"
+  std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
   bool on = false;
-  double position = 0;  ///< position at that time of the axis that the output stands on
+  double position =
+      0;  ///< position at that time of the axis that the output stands on, or length of the path
 };
 
 /// The outputs of a spec along its motion.
@@ -24,8 +25,9 @@ struct OutputEvents {
   Labels labels;                 ///< labels of the report
 };
 
-/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. `axes` are the inputs of one
-/// spec (inputs_of). Throws InputError for a table, and for a spec with neither.
+/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. Of a path without
+/// [compare]: where its lines begin, and the words of a G-code program that move nothing. `axes` are the inputs of
+/// one spec (inputs_of). Throws InputError for a table, and for a spec with neither.
 OutputEvents output_events(const std::vector<Input>& axes);
 
 /// A line for each edge, and the same as JSON.

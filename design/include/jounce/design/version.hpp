@@ -2,14 +2,24 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "jounce/design/input.hpp"
 #include "jounce/report/comparison.hpp"
 
 namespace jounce {
 
-/// An input as a version for compare(), with the segments of its spec as knots; `path` names it, as two versions of one
-/// cam have one name.
+/// An input as a version for compare(), with the segments of its spec as knots; `path` names it, as
+/// two versions of one cam have one name.
 Version version_of(const Input& input, const std::string& path);
+
+/// The axes of two files, in pairs: the only axis of each, or axes of the same name. Throws
+/// InputError (key "axis") if an axis has no partner; `before_path` and `after_path` name the
+/// files.
+std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
+                                                 std::vector<Input> after,
+                                                 const std::string& before_path,
+                                                 const std::string& after_path);
 
 }  // namespace jounce

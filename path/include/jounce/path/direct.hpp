@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jounce/path/plan.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/limits/limits.hpp"
@@ -25,5 +26,13 @@ enum class DirectMode : std::uint8_t {
 std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
+
+/// Buffer mode Aborting (PLCopen; BM_ABORT of HIMC): the motion of a plan up to t, left from its moving state for
+/// `to`. One Trajectory an axis over the whole motion; the axes come to rest at `to` together. Velocity and
+/// acceleration are continuous, so the way from the path to `to` is curved and depends on the limits: those of the
+/// plan's axes, which hold at every instant. Limits of the path do not apply behind t.
+///
+/// Throws InputError "t" outside [0, duration], and "to" where the axes cannot get there.
+std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to);
 
 }  // namespace jounce

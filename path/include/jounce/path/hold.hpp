@@ -22,4 +22,14 @@ Plan halted(const Plan& plan, double t);
 /// dwells. No station is passed faster than in the plan. Throws InputError "held" where that is the end already.
 Plan resumed(const Plan& plan, const Plan& held);
 
+/// The same from rest at q = `from`, for example behind a retreat. Throws InputError "from" outside [0, length),
+/// and in a corner.
+Plan resumed(const Plan& plan, double from);
+
+/// From the rest at the end of `held` back along the path to q = `to`: a retreat. The result has the same path in the
+/// other direction: its q counts from the end. Acceleration and deceleration are both the lower of the two of the
+/// plan. It rests where the plan rests. Throws InputError "to" outside [0, the held
+/// place), and in a corner: it is passed at constant velocity.
+Plan retreated(const Plan& plan, const Plan& held, double to);
+
 }  // namespace jounce

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "jounce/path/group_limits.hpp"
@@ -41,7 +43,7 @@ struct JointMark {
 struct CornerRecord {
   std::int32_t line = 0;  ///< line of the command that begins here
   double where = 0;       ///< q of the middle
-  double angle = 0;       ///< rad, 0: tangent
+  double angle = 0;       ///< rad, of the directions that meet here; 0: tangent
   Corner asked = Corner::stop;
   double value = 0;      ///< requested value
   bool stop = false;     ///< the plan rests here
@@ -51,9 +53,12 @@ struct CornerRecord {
   double curvature = 0;  ///< 1/u, the greatest
   double velocity = 0;   ///< u/s, along q, at the middle
   JointNote note = JointNote::none;
-  /// The note as a sentence, with its numbers; empty if all is as asked.
+  /// The note as a sentence without units; empty if all is as asked.
   std::string text;
 };
+
+/// The note of a corner as a sentence, with its numbers; lengths in `length_unit`. Empty if all is as asked.
+std::string explain(const CornerRecord& corner, std::string_view length_unit = "");
 
 /// A planned program: path and timing law.
 ///
@@ -90,7 +95,8 @@ class Plan {
 
   [[nodiscard]] const Given& given() const { return given_; }
 
-  /// Motion of every axis at t in [0, duration()], right-continuous; no allocation. out: one an axis.
+  /// Motion of every axis at t in [0, duration()], right-continuous; no allocation. out: one an axis. For many
+  /// instants see PlanCursor.
   void at(double t, std::span<Motion> out) const;
 
  private:
@@ -99,6 +105,26 @@ class Plan {
   std::vector<JointMark> joints_;
   double stop_duration_;
   Given given_;
+};
+
+/// Evaluates a plan at one instant after the other, as Plan::at. It keeps the phases of the last instant, so that an
+/// instant a little later needs no search and no square root. No allocation; the plan must outlive it.
+///
+///     PlanCursor cursor(motion);
+///     for (double t = 0; t < motion.duration(); t += 0.001) cursor.at(t, out);
+class PlanCursor {
+ public:
+  explicit PlanCursor(const Plan& plan) : plan_(&plan) {}
+  void at(double t, std::span<Motion> out);
+
+ private:
+  void seek(double t);
+  [[nodiscard]] bool is_in_piece(double q, std::size_t piece) const;
+
+  const Plan* plan_;
+  double from_ = 0, to_ = 0;  ///< s, the interval of the law that the phases cover; empty at first
+  std::size_t interval_ = 0, count_ = 0, piece_ = 0;
+  std::array<LawPhase, 7> phases_{};
 };
 
 /// Plans a whole program: geometry, corners, look-ahead over all commands. Pure.

@@ -107,6 +107,9 @@ struct PlaneCompare {
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y);
 
+/// "compare/missed", as above.
+Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y);
+
 /// HIWIN HIMC position trigger, in the words of HMPL (manual 12.1).
 namespace himc {
 

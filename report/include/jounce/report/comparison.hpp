@@ -34,6 +34,11 @@ struct Tolerance {
   std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
 };
 
+/// Greatest difference of a quantity (0 position to 3 jerk) that a tolerance permits, in the unit of the quantity:
+/// rounding if there is no tolerance; nothing if the quantity is not judged.
+std::optional<double> permitted(const Change& change, std::size_t order,
+                                const Tolerance& tolerance);
+
 /// A property in which two versions differ: "periodic", "unit of position",
 /// "limit geo_velocity". An empty text: not given.
 struct Remark {

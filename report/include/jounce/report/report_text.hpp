@@ -51,6 +51,9 @@ std::string one_line(const Report& report, const Labels& labels);
 /// True if it is the peak of a derivative that has no limit: see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
+/// True if a finding compares the motion with a limit of the machine: not with a joint, a table or another computation.
+bool has_limits(const Report& report);
+
 /// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" if no
 /// finding is_unlimited().
 std::string not_limited_text(const Report& report, const Labels& labels);

@@ -8,6 +8,8 @@
 
 #include "jounce/io/gcode.hpp"
 #include "jounce/path/group_limits.hpp"
+#include "jounce/path/overlap.hpp"
+#include "jounce/path/override.hpp"
 #include "jounce/path/program.hpp"
 
 namespace jounce {
@@ -19,6 +21,8 @@ struct PathSpec {
   std::string source;              ///< document that the lines of the commands count in
   std::vector<GcodeEvent> events;  ///< events of a G-code program
   GcodeMachine machine;            ///< for a G-code program from elsewhere
+  std::vector<FactorRequest> override_steps = {};  ///< [[override]]: the motion is played under it
+  std::optional<OverlapOptions> overlap = {};  ///< lines that overlap in time, instead of corners
   /// Greatest error of an axis where it is fitted; unit of the axis. Left out: 1e-9, more for large coordinates.
   std::optional<double> tolerance = {};
 };

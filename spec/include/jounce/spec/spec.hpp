@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -144,10 +145,12 @@ struct AxisPart {
 
 /// An output that is fired along the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};                 ///< axis of several
+  std::string axis = {};                 ///< axis of several; "path": the length along the path
   SwitchesOf of = SwitchesOf::position;  ///< for kind "axis": position, or actual
   PositionCompare compare;
-  CompareDevice device;  ///< in the spec's unit of time
+  CompareDevice device;                    ///< in the spec's unit of time
+  std::optional<PlaneCompare> plane = {};  ///< modes "zone" and "zone_equal": of two axes
+  std::array<std::string, 2> plane_axes = {};
 };
 
 /// A complete spec file: the motion, its axes and its limits.
@@ -204,10 +207,14 @@ struct Spec {
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
 /// rule: syntax, unknown keys (with the nearest known one), a missing key, a wrong type, unit or
-/// version, a number that is not finite, an unknown choice.
+/// version, a number that is not finite, an unknown choice. Throws InputErrors for several errors that do not depend on
+/// each other.
 Spec read_spec(const std::string& path);
 
 /// The same from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
+
+/// The kind that a spec names: "cam", "machine", "sweep", ...; empty if it is not TOML or names none.
+std::string spec_kind(const std::string& text);
 
 }  // namespace jounce

@@ -58,4 +58,9 @@ struct TuneOutcome {
 /// its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
+/// The numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]: every number of a `corner`,
+/// from a hundredth of it up to it, for the least duration. So no corner is larger than the spec permits. Throws
+/// InputError, placed in the document, if there is none, or more than 20.
+ParametersSpec corner_parameters(const Spec& spec);
+
 }  // namespace jounce

@@ -50,7 +50,7 @@ std::optional<Segment> integral(const Segment& f, double start_value);
 /// g(u) = f(length - u).
 Segment reversed(const Segment& f);
 
-/// The piece between s0 and s1, 0 <= s0 < s1 <= 1, as a segment of its own.
+/// The piece between s0 < s1 as a segment of its own; outside [0, 1] the formula goes on.
 Segment part(const Segment& f, double s0, double s1);
 
 /// g = factor * f + offset.

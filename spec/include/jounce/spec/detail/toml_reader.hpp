@@ -15,11 +15,31 @@
 
 namespace jounce::spec_detail {
 
+/// The errors of a document while it is read: a reader goes on after an error as far as the rest does not depend on it.
+class ErrorList {
+ public:
+  /// Adds the error, unless it is there already: the same key at the same place.
+  void add(const InputError& error);
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  /// Throws the last error again.
+  [[noreturn]] void throw_last() const { throw all_.back(); }
+  /// Throws the error if there is one, InputErrors if there are several.
+  void throw_any() const;
+
+ private:
+  static constexpr std::size_t most = 1000;  ///< later ones are dropped
+  std::vector<InputError> all_;
+};
+
 /// One table of a TOML document while it is read. Every getter records the key and its
 /// place; finish() rejects all keys that no getter read.
+///
+/// With an ErrorList, an error of a number, a count or a flag and an unknown key are added to it, and reading goes on:
+/// the getter returns a placeholder. Any other error is thrown, to the end of its part: see attempt().
 class TomlReader {
  public:
-  TomlReader(const toml::table& table, std::string path, Document& document);
+  TomlReader(const toml::table& table, std::string path, Document& document,
+             ErrorList* errors = nullptr);
   TomlReader(TomlReader&&) = default;  // moved only: a copy would forget what it has read
   TomlReader& operator=(TomlReader&&) = default;
 
@@ -49,6 +69,31 @@ class TomlReader {
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
   /// key = a, the same as [a, a], or key = [a, b].
   std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
+  /// Reads a part on which no other part depends. With an ErrorList an error of it is added, and false returned. An
+  /// error that is thrown after another one in the same part is dropped: a placeholder may have caused it.
+  template <class Read>
+  bool attempt(Read read) {
+    if (errors_ == nullptr) {
+      read();
+      return true;
+    }
+    const std::size_t before = errors_->size();
+    try {
+      read();
+      return true;
+    } catch (const InputError& error) {
+      if (errors_->size() == before) errors_->add(document_->located(error));
+      return false;
+    }
+  }
+  /// Calls read(reader) for each of tables(key). An error in one of them is thrown after the last: they are independent
+  /// of each other, and the rest depends on all.
+  template <class Read>
+  void for_each(const char* key, Read read) {
+    bool whole = true;
+    for (TomlReader& each : tables(key)) whole = each.attempt([&] { read(each); }) && whole;
+    if (!whole) errors_->throw_last();
+  }
   /// True if key holds tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// key = [a, b, ...]: one number for each unit; nothing if the key is missing.
@@ -78,10 +123,14 @@ class TomlReader {
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
                                    const std::string& meant) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);
+  void report(const InputError& error) const;
+  template <class Value, class Read>
+  Value or_else(Value placeholder, Read read);
 
   const toml::table* table_;
   std::string path_;
   Document* document_;
+  ErrorList* errors_;
   std::set<std::string> known_;
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace jounce {
+
+/// The groups of an axis that were broken (machine.hpp): those of its motion and of its armed
+/// movement at their last end by a stop, a halt, a fault or a refused start. 0: none.
+///
+///     GroupState groups;
+///     groups.join(42, tick);                   // a movement of this group is armed
+///     groups.break_motion(42, tick);           // a motion of this group ends early
+///     if (groups.broken()[0] == 42) ...        // until the axis arms a movement of the group again
+class GroupState {
+ public:
+  [[nodiscard]] const std::array<std::int64_t, 2>& broken() const noexcept { return broken_; }
+
+  void break_motion(std::int64_t group, std::int64_t tick) noexcept {
+    broken_[0] = group;
+    last_ = {group, tick};
+  }
+  /// `waiting`: its start was accepted.
+  void break_armed(std::int64_t group, bool waiting, std::int64_t tick) noexcept {
+    if (group == 0) return;
+    broken_[1] = group;
+    if (waiting) last_ = {group, tick};
+  }
+  /// An armed movement now belongs to this group. A break of this tick stays: the other axes have
+  /// not read it yet.
+  void join(std::int64_t group, std::int64_t tick) noexcept {
+    if (last_.group == group && last_.tick == tick) return;
+    std::replace(broken_.begin(), broken_.end(), group, std::int64_t{0});
+  }
+
+ private:
+  struct Break {
+    std::int64_t group = 0;
+    std::int64_t tick = -1;
+  };
+
+  std::array<std::int64_t, 2> broken_{};
+  Break last_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/movement.hpp"
+
+namespace jounce {
+
+/// Plays a movement that follows a live master. The movement keeps the time and the coordinate of
+/// the master in which it began; the player converts them.
+///
+///     LivePlayer player(config.period);
+///     player.begin(movement, tick);
+///     player.shift_master(5);                                        // set_position of the master
+///     const Setpoint next = player.at({.t = 0, .master = m}, tick);  // once a tick
+///
+/// It does not own the movement.
+class LivePlayer {
+ public:
+  explicit LivePlayer(std::int64_t period) noexcept : period_(period) {}
+
+  void begin(Movement& movement, std::int64_t tick) noexcept {
+    movement_ = &movement;
+    origin_ = tick;
+    shift_ = 0;
+  }
+  /// Ends the movement, or does nothing.
+  void end() noexcept { movement_ = nullptr; }
+  /// The coordinate of the master has changed by this, m. The movement does not move.
+  void shift_master(double by) noexcept { shift_ += by; }
+
+  [[nodiscard]] Movement* movement() const noexcept { return movement_; }
+  [[nodiscard]] Movement* operator->() const noexcept { return movement_; }
+
+  /// The setpoint at `now`, whose `t` counts from that tick.
+  Setpoint at(const Moment& now, std::int64_t tick) noexcept {
+    Setpoint next = movement_->at(to_movement(now, tick));
+    next.master += shift_;
+    return next;
+  }
+
+  /// The instant at which a pass ends, since the last one and up to `now`. Its `t` also counts from
+  /// that tick. nullopt: no pass ends.
+  [[nodiscard]] std::optional<Moment> pass_end(const Moment& now,
+                                               std::int64_t tick) const noexcept {
+    auto at = movement_->pass_end(to_movement(now, tick));
+    if (!at) return at;
+    at->t -= since(tick);
+    at->master[0] += shift_;
+    return at;
+  }
+
+ private:
+  [[nodiscard]] double since(std::int64_t tick) const noexcept {
+    return seconds((tick - origin_) * period_);
+  }
+  [[nodiscard]] Moment to_movement(Moment now, std::int64_t tick) const noexcept {
+    now.t += since(tick);
+    now.master[0] -= shift_;
+    return now;
+  }
+
+  std::int64_t period_;
+  Movement* movement_ = nullptr;
+  std::int64_t origin_ = 0;  // tick of its time 0
+  double shift_ = 0;         // m, of the master's coordinate since then
+};
+
+}  // namespace jounce

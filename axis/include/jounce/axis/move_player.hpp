@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/move_plan.hpp"
+#include "jounce/axis/movement.hpp"
+#include "jounce/profiles/moves/profile.hpp"
+
+namespace jounce {
+
+/// A setpoint, and the tick of its output.
+struct TimedState {
+  MotionState state;
+  std::int64_t tick = 0;
+};
+
+/// Plays a move that the axis plans itself. Its goal and its plan always belong together: a move
+/// that cannot be planned leaves both as they are.
+///
+///     MovePlayer player(config.period);
+///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move
+///     const Jet next = player.at(tick);                           // u, u/s, u/s^2, u/s^3
+///     if (player.is_over(tick)) ...                               // it continues at its velocity
+///
+/// A value type of fixed size; nothing allocates or throws.
+class MovePlayer {
+ public:
+  explicit MovePlayer(std::int64_t period) noexcept : period_(period) {}
+
+  /// Plans the move to the goal at `factor` times its velocity, and begins it. `ahead`: s of it that
+  /// are over in that tick. False: there is no such move.
+  bool begin(const TimedState& from, const Goal& goal, double factor, const AxisConfig& config,
+             double ahead = 0) noexcept;
+  /// Comes to rest with the dynamics of the goal, which stays the goal of a later begin().
+  bool pause(const TimedState& from, const Goal& goal, const AxisConfig& config) noexcept;
+
+  [[nodiscard]] const Goal& goal() const noexcept { return goal_; }
+  [[nodiscard]] const Profile& plan() const noexcept { return plan_; }
+  /// True if it passes its target at a velocity.
+  [[nodiscard]] bool passes() const noexcept { return goal_.through != 0; }
+
+  [[nodiscard]] Jet at(std::int64_t tick) const noexcept;
+  /// s since its end; < 0: its end is later.
+  [[nodiscard]] double beyond(std::int64_t tick) const noexcept;
+  [[nodiscard]] bool is_over(std::int64_t tick) const noexcept { return beyond(tick) >= 0; }
+
+  /// The greatest magnitudes of the move and of any replanned one, for factors up to this one or 1.
+  [[nodiscard]] Peaks peaks_up_to(double factor) const noexcept;
+
+ private:
+  bool adopt(const std::optional<Profile>& profile, const TimedState& from, const Goal& goal,
+             double ahead) noexcept;
+  [[nodiscard]] double time(std::int64_t tick) const noexcept;
+
+  std::int64_t period_;
+  Goal goal_;
+  Profile plan_;
+  std::int64_t origin_ = 0;  // tick of the start
+  double ahead_ = 0;         // s of the move that were over then
+};
+
+}  // namespace jounce

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+/// All errors of one document. As an InputError it is the first of them in the order of reading, for callers that
+/// report one.
+class InputErrors : public InputError {
+ public:
+  /// At least one, in the order of reading.
+  explicit InputErrors(std::vector<InputError> all);
+
+  /// In the order of the document.
+  [[nodiscard]] const std::vector<InputError>& all() const { return all_; }
+
+ private:
+  std::vector<InputError> all_;
+};
+
+/// The errors of an InputErrors; of any other error the error itself.
+std::vector<InputError> all_errors(const InputError& error);
+
+}  // namespace jounce

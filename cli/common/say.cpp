@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/common/say.hpp"
+
+#include <cstdio>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include "jounce/base/printable.hpp"
+
+namespace jounce::cli {
+
+void say(const std::string& notice) {
+  pollfd out{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&out, 1, 0) != 1 || (out.revents & POLLOUT) == 0) return;
+  std::fputs((printable(notice) + "\n").c_str(), stderr);  // unlike fmt::print() it does not throw
+}
+
+}  // namespace jounce::cli

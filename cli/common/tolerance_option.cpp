@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/common/tolerance_option.hpp"
+
+#include <algorithm>
+
+#include "jounce/base/csv.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::cli {
+namespace {
+
+void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& labels) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
+  const auto name = std::find(names.begin(), names.end(), key);
+  if (equals == std::string::npos) tolerance.share = csv_number(text);
+  if (equals == std::string::npos ? !tolerance.share : name == names.end())
+    throw InputError("--tolerance", text,
+                     std::string("must be a share, or KEY=VALUE with one of ") + names[0] + ", " +
+                         names[1] + ", " + names[2] + ", " + names[3]);
+  try {
+    double value = tolerance.share.value_or(0);
+    if (name != names.end()) {
+      value = quantity(text.substr(equals + 1), labels.unit_of(key));
+      tolerance.of[static_cast<std::size_t>(name - names.begin())] = value;
+    }
+    require_not_negative("", value);
+  } catch (const InputError& error) {
+    throw InputError("--tolerance", text, error.rule());
+  }
+}
+
+}  // namespace
+
+Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labels) {
+  Tolerance tolerance;
+  for (const std::string& text : texts) set_tolerance(tolerance, text, labels);
+  return tolerance;
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows into a queue of the executor: one long table, or two banks.
+#include <utility>
+
+#include "jounce/design/executor_tables.hpp"
+#include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/driver.hpp"
+
+#include "cli/common/input.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/machine/outcome.hpp"
+#include "cli/machine/streaming.hpp"
+
+namespace jounce::cli {
+namespace {
+
+/// True if an option applies to whole tables only.
+bool is_of_tables(const StreamArguments& options) {
+  return !options.swaps.empty() || !options.master.empty() || options.live ||
+         options.until != "start";
+}
+
+RowPlan row_plan_of(const StreamArguments& options) {
+  ExecutorTables tables = executor_tables(load(options.file, options.axis));
+  if (tables.slave.table.axis() != Domain::time)
+    throw InputError("--rolling", options.file, "must be a table over time");
+  RowPlan plan = row_plan(options.to, std::move(tables.slave), options.capacity, options.relative);
+  plan.resume = options.resume;
+  return plan;
+}
+
+BankPlan bank_plan_of(const StreamArguments& options) {
+  const TableFile first = bank_of(load(options.file, options.axis));
+  const TableFile second = bank_of(load(options.bank, options.axis));
+  if (!fit_in_one_queue(first, second))
+    throw InputError(
+        "--bank", options.bank,
+        "must be over the same variable (time or master) and in the same units as " + options.file);
+  return bank_plan(first, second, options.loops, options.relative);
+}
+
+}  // namespace
+
+int stream_rolling(const StreamArguments& options) {
+  if (is_of_tables(options)) {
+    throw InputError("--rolling", "",
+                     "cannot be combined with --swap, --master, --live and --until: it sends one "
+                     "table over time");
+  }
+  RowPlan plan = row_plan_of(options);
+  Link link(options.link);
+  RowOptions rolling;
+  rolling.key = link.key();
+  WatchedWork work("streaming to " + options.to);
+  rolling.cancelled = [&] { return work.interrupted(); };
+  rolling.progress = [&](const RowProgress& p) {
+    work.goes_on(p.sent == 0 ? 0 : static_cast<double>(p.played) / static_cast<double>(p.sent),
+                 fmt::format("{} rows played, {} ahead", p.played, p.acknowledged - p.played));
+  };
+  const RowOutcome outcome = stream_rows(link.transport(), std::move(plan), rolling);
+  const RowProgress& p = outcome.progress;
+  return report_outcome(
+      outcome, options.json,
+      fmt::format("{} of {} rows played at {}, {} underruns, {} messages sent again; {}", p.played,
+                  p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped"),
+      {{"rows", p.sent},
+       {"played", p.played},
+       {"underruns", p.underruns},
+       {"resent", p.resent},
+       {"finished", p.finished}},
+      {StreamError::refused, StreamError::underrun});
+}
+
+int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Until until,
+         const std::string& what, const std::string& end) {
+  Link link(options.link);
+  Client client(link.transport(), options.to, {.key = link.key()});
+  WatchedWork work("streaming to " + options.to);
+  const CallOutcome outcome = play_banks(
+      client, plan,
+      {.until = until,
+       .progress = [&](const wire::QueueAck& level) { work.goes_on(0, name(level.progress)); },
+       .cancelled = [&] { return work.interrupted(); }});
+  static_cast<void>(client.release());
+  return report_outcome(
+      outcome, options.json,
+      fmt::format("{} at {}: {}", what, options.to, work.interrupted() ? "stopped" : end),
+      Json::object(), {StreamError::refused});
+}
+
+int stream_banks(const StreamArguments& options) {
+  if (options.rolling || is_of_tables(options)) {
+    throw InputError("--bank", options.bank,
+                     "cannot be combined with --rolling, --swap, --master, --live and --until: it "
+                     "fills two banks of rows");
+  }
+  return play(bank_plan_of(options), options, BankOptions::Until::finished,
+              options.file + " and " + options.bank, "finished");
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole tables: to one axis, or to several of one machine, all or none.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/group.hpp"
+#include "jounce/stream/sender/operate.hpp"
+
+#include "cli/common/input.hpp"
+#include "cli/common/option_names.hpp"
+#include "cli/common/progress.hpp"
+#include "cli/machine/outcome.hpp"
+#include "cli/machine/streaming.hpp"
+
+namespace jounce::cli {
+namespace {
+
+PlayOptions play_options(const StreamArguments& options) {
+  if (options.live && !options.master.empty())
+    throw InputError("--master", options.master,
+                     "cannot be combined with --live: the axis has its own master");
+  PlayOptions play{.live = options.live,
+                   .at_next_cut = options.at_next_cut,
+                   .keep_velocity = options.keep_velocity};
+  if (!options.master.empty()) play.master = read_table(options.master);
+  return play;
+}
+
+StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
+                   const Input& input) {
+  const PlayOptions play = play_options(options);
+  StreamPlan plan = stream_plan(executor, input, play);
+  plan.await = !options.no_wait;
+  if (!options.start_at.empty()) {
+    plan.when = StartAt::master_position;
+    plan.position = quantity_of("--start-at", options.start_at, plan.tables.front().units.x);
+  }
+  for (const std::string& file : options.swaps) add_swap(plan, load(file, options.axis), play);
+  plan.goal = options.until == "download" ? StreamGoal::download
+              : options.until == "arm"    ? StreamGoal::arm
+                                          : StreamGoal::start;
+  return plan;
+}
+
+/// Patience, the key, and a Ctrl-C that stops what was armed.
+StreamOptions stream_options(const StreamArguments& options, const Link& link,
+                             const Interrupt& interrupt) {
+  StreamOptions stream;
+  stream.key = link.key();
+  stream.total = nanos(options.patience);
+  // Before the total time is over: "no answer" explains more than "time is up".
+  stream.sender.patience = std::min(stream.sender.patience, stream.total * 3 / 4);
+  stream.cancelled = [&] { return interrupt.asked(); };
+  return stream;
+}
+
+/// --at: a tick, or so long from now by the status of the executor; -1: the next one.
+std::int64_t tick_of(const StreamArguments& options, Link& link, const std::string& executor) {
+  if (options.at.empty()) return -1;
+  const bool from_now = options.at.front() == '+';
+  const auto number = number_in(from_now ? options.at.substr(1) : options.at);
+  const bool good =
+      number && *number >= 0 && *number <= 1e15 && (from_now || *number == std::floor(*number));
+  if (!good)
+    throw InputError("--at", options.at, "must be a tick, or + and seconds from now: 120000, +2.5");
+  if (!from_now) return static_cast<std::int64_t>(*number);
+  const auto status =
+      present_status(link.transport(), executor, std::chrono::seconds(2), link.key());
+  if (!status)
+    throw TransportError("no status of executor " + executor + " arrived: " + unheard_hint);
+  return status->tick + static_cast<std::int64_t>(std::llround(*number * 1e9)) / status->cycle_ns;
+}
+
+/// True for a follow spec with --live. One that waits for a position of its master needs --live.
+bool is_live_follow(const Input& input, const StreamArguments& options) {
+  if (const auto position = pass_position(input); position && !options.live)
+    throw InputError("follow.pass", number(*position),
+                     "is a position of a live master: stream it with --live");
+  return options.live && is_follow(input);
+}
+
+/// Its tables, passes and event are played by the executor's two banks.
+int stream_follow(const Input& input, const StreamArguments& options) {
+  const bool other = !options.start_at.empty() || options.at_next_cut || options.keep_velocity ||
+                     !options.swaps.empty() || options.until != "start" || !options.master.empty();
+  if (other)
+    throw InputError("FILE", options.file,
+                     "is a follow spec, which defines its own start and end: omit --start-at, "
+                     "--at-next-cut, --keep-velocity, --swap, --master and --until");
+  const BankPlan plan = follow_bank_plan(input, options.relative);
+  const bool waits = plan.queue.event == wire::QueueEvent::pass && options.no_wait;
+  return play(plan, options,
+              options.no_wait ? BankOptions::Until::accepted : BankOptions::Until::started,
+              input.name, waits ? "waits for its master" : "started");
+}
+
+/// The last state of a table that was sent.
+std::string done_text(const StreamOutcome& outcome, const StreamArguments& options) {
+  const bool may_wait = !options.start_at.empty() || options.at_next_cut || !options.swaps.empty();
+  if (outcome.swaps > 0) return fmt::format("started, {} swaps", outcome.swaps);
+  if (outcome.started)
+    return options.no_wait && may_wait ? "accepted, waits for its start" : "started";
+  return outcome.armed ? "armed" : "downloaded";
+}
+
+int report(const StreamOutcome& outcome, const StreamArguments& options) {
+  const StreamProgress& progress = outcome.progress;
+  return report_outcome(outcome, options.json,
+                        fmt::format("{} chunks arrived at {}, {} sent again; {}", progress.chunks,
+                                    options.to, progress.resent, done_text(outcome, options)),
+                        {{"downloaded", outcome.downloaded},
+                         {"armed", outcome.armed},
+                         {"started", outcome.started},
+                         {"swaps", outcome.swaps},
+                         {"chunks", progress.chunks},
+                         {"resent", progress.resent}},
+                        {StreamError::refused, StreamError::dropped});
+}
+
+std::vector<std::string> names_of(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    names.push_back(list.substr(from, comma - from));
+    from = comma + 1;
+  }
+  for (const std::string& name : names) require_name_on_bus("--to", name);
+  return names;
+}
+
+int report(const std::vector<std::string>& names, const std::vector<StreamOutcome>& outcomes,
+           const StreamArguments& options) {
+  Json document = Json::array();
+  int status = fine;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const StreamOutcome& outcome = outcomes[i];
+    status = std::max(status, status_of(outcome, {StreamError::refused, StreamError::dropped,
+                                                  StreamError::stopped}));
+    Json entry{{"axis", names[i]}};
+    entry.update(json_of(outcome));
+    entry.update({{"started", outcome.started}, {"stopped", outcome.stopped}});
+    document.push_back(std::move(entry));
+    if (options.json) continue;
+    if (outcome.ok())
+      fmt::print("{}: {}\n", names[i],
+                 outcome.stopped   ? "stopped"
+                 : options.no_wait ? "started"
+                                   : "finished");
+    else
+      fmt::print(stderr, "jounce: {}: {}\n", names[i], said_of(outcome.error, outcome.reason));
+  }
+  if (options.json) print_json(document);
+  return status;
+}
+
+}  // namespace
+
+int stream_table(const StreamArguments& options) {
+  const Input input = load(options.file, options.axis);
+  if (is_live_follow(input, options)) return stream_follow(input, options);
+  if (options.relative)
+    throw InputError("--relative", "",
+                     "applies to --rolling, --bank and live follow specs only: other tables begin "
+                     "at their first position");
+  StreamPlan plan = plan_of(options, options.to, input);
+  Link link(options.link);
+  plan.start_tick = tick_of(options, link, options.to);
+  const Interrupt interrupt;
+  StreamOptions stream = stream_options(options, link, interrupt);
+  Progress progress("streaming to " + options.to);
+  stream.progress = [&](const StreamProgress& p) {
+    progress.show(
+        p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),
+        name(p.stage));
+  };
+  return report(stream_tables(link.transport(), plan, stream), options);
+}
+
+int stream_group(const StreamArguments& options) {
+  const bool alone = options.rolling || !options.bank.empty() || !options.swaps.empty() ||
+                     !options.start_at.empty() || options.at_next_cut || options.relative ||
+                     options.until != "start";
+  if (alone)
+    throw InputError("--to", options.to,
+                     "names several axes: omit --rolling, --bank, --swap, --start-at, "
+                     "--at-next-cut, --relative and --until");
+  const std::vector<std::string> names = names_of(options.to);
+  std::vector<StreamPlan> plans;
+  const std::vector<Input> inputs = with_option_names({"to"}, [&] {
+    return inputs_for(names, load_axes(options.file, options.axis), options.file);
+  });
+  for (const Input& input : inputs) {
+    if (is_live_follow(input, options))
+      throw InputError("--to", options.to,
+                       "names several axes: stream a follow spec to one of them");
+    plans.push_back(plan_of(options, names[plans.size()], input));
+  }
+  Link link(options.link);
+  const Interrupt interrupt;
+  const StreamOptions stream = stream_options(options, link, interrupt);
+  const GroupOptions group{.sender = stream.sender,
+                           .tick = tick_of(options, link, names.front()),
+                           .watch = !options.no_wait};
+  return report(names, jounce::stream_group(link.transport(), std::move(plans), group, stream),
+                options);
+}
+
+}  // namespace jounce::cli

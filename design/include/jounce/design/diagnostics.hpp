@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jounce/design/input.hpp"
+#include "jounce/report/diagnostic.hpp"
+
+namespace jounce {
+
+/// The findings of an input with their places in its file: a finding of a segment at the table of that segment, any
+/// other at the key of its limit or at the section of its rule. A finding in a G-code program is at its line. A table
+/// has no places. `file` is the name of the file.
+std::vector<Diagnostic> diagnostics_of(const Report& report, const Input& input,
+                                       const std::string& file);
+/// The same for a spec that describes no motion.
+std::vector<Diagnostic> diagnostics_of(const Report& report, const Spec& spec,
+                                       const std::string& file);
+
+}  // namespace jounce

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/spec/spec.hpp"
+
+namespace jounce {
+
+/// The peak of a derivative of an axis in two versions of a spec.
+struct PeakChange {
+  std::string name;  ///< "geo_jerk"; of several axes "x jerk"
+  std::string unit;
+  std::optional<double> given;  ///< none: the given spec makes no curve
+  double optimized = 0;
+  std::optional<double> limit;
+};
+
+/// The peaks of every derivative of every axis of the optimized spec: the cost of an optimum.
+/// Without them, a lower peak acceleration hides a jerk that has no limit.
+std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
+
+/// A table for people, and the same as a JSON list with null for a missing number.
+std::string peaks_text(const std::vector<PeakChange>& peaks);
+std::string peaks_json(const std::vector<PeakChange>& peaks);
+
+}  // namespace jounce

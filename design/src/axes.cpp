@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/axes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+std::string shown_path(const std::string& path) {
+  return path == "-" ? "standard input" : path;
+}
+
+std::string names_of(const std::vector<Input>& inputs) {
+  std::string names;
+  for (const Input& input : inputs) names += (names.empty() ? "" : ", ") + input.axis;
+  return names;
+}
+
+}  // namespace
+
+std::vector<Input> axes_named(std::vector<Input> all, const std::string& axis,
+                              const std::string& path) {
+  if (axis.empty()) return all;
+  const std::string name = shown_path(path);
+  const auto is_meant = [&](const Input& input) { return input.axis == axis; };
+  if (const auto n = std::count_if(all.begin(), all.end(), is_meant); n > 1)
+    throw InputError(
+        "axis", axis,
+        "is the name of " + std::to_string(n) + " cams in " + name + ": rename one of them");
+  const auto named = std::find_if(all.begin(), all.end(), is_meant);
+  if (named == all.end())
+    throw InputError("axis", axis,
+                     all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"
+                                     : "must be one of " + names_of(all));
+  Input one = std::move(*named);
+  all.clear();
+  all.push_back(std::move(one));
+  return all;
+}
+
+Input only_axis(std::vector<Input> all, const std::string& path) {
+  if (all.size() > 1)
+    throw InputError(
+        "axis", "",
+        "is missing: " + shown_path(path) + " has several axes. Choose one of " + names_of(all));
+  return std::move(all.front());
+}
+
+}  // namespace jounce

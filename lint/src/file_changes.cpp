@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "jounce/base/parallel.hpp"
+#include "jounce/design/version.hpp"
+#include "jounce/lint/accepted.hpp"
+#include "jounce/lint/find_files.hpp"
+#include "jounce/lint/lint.hpp"
+#include "jounce/plot/input_figure.hpp"
+
+namespace jounce {
+namespace {
+
+namespace fs = std::filesystem;
+using What = FileChange::What;
+
+Diagnostic diagnostic(const char* rule, Level level, const std::string& file, std::string message) {
+  Diagnostic d;
+  d.rule = rule;
+  d.level = level;
+  d.place.file = file;
+  d.message = std::move(message);
+  return d;
+}
+
+/// The curve of a spec, or of its table beside another table.
+Version version(const Input& input, const std::string& name, bool as_table) {
+  Version made = version_of(input, name);
+  if (!as_table || !input.spec) return made;
+  made.curve = *LazyCurve(input.table.table);
+  made.knots.clear();
+  made.knot_names.clear();
+  return made;
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return rounded(value) + (unit.empty() ? "" : " " + unit);
+}
+
+/// A statement for each quantity beyond its tolerance, and for each other difference.
+void add_diagnostics(FileChange& change, const Comparison& c, const Tolerance& tolerance,
+                     const std::string& axis) {
+  const auto& names = c.labels.over_master ? OverMaster::names : OverTime::names;
+  for (std::size_t k = 0; k < c.changes.size(); ++k) {
+    if (!c.beyond[k]) continue;
+    const Extremum& largest = c.changes[k].largest;
+    const double allowed = permitted(c.changes[k], k, tolerance).value_or(0);
+    const std::string unit = c.labels.unit_of(names[k]);
+    const bool exact = allowed == c.changes[k].rounding;
+    Diagnostic d = diagnostic(
+        "baseline/changed", Level::broken, change.file,
+        fmt::format("{} differs from the accepted version by {} at {}; {}", names[k],
+                    with_unit(largest.value, unit), with_unit(largest.where, c.labels.units.x),
+                    exact ? "no difference is allowed" : with_unit(allowed, unit) + " is allowed"));
+    d.axis = axis;
+    d.quantity = names[k];
+    d.unit = unit;
+    d.value = largest.value;
+    d.limit = exact ? 0 : allowed;
+    if (!exact && allowed > 0) d.margin = (allowed - std::abs(largest.value)) / allowed;
+    d.where = largest.where;
+    d.where_unit = c.labels.units.x;
+    change.diagnostics.push_back(std::move(d));
+  }
+  for (const auto& [what, before, after] : c.remarks) {
+    Diagnostic d =
+        diagnostic("baseline/changed", Level::broken, change.file,
+                   fmt::format("{} differs from the accepted version: {} -> {}", what,
+                               before.empty() ? "none" : before, after.empty() ? "none" : after));
+    d.axis = axis;
+    d.quantity = what;
+    change.diagnostics.push_back(std::move(d));
+  }
+}
+
+/// "cams/feeder.toml x" as a name of a file without folders.
+std::string picture_name(const std::string& file, const std::string& axis, const char* which) {
+  std::string name = file + (axis.empty() ? "" : "-" + axis);
+  for (char& c : name)
+    if (c == '/' || c == '\\' || c == ' ') c = '-';
+  name.erase(0, name.find_first_not_of(".-"));
+  return name + "." + which + ".svg";
+}
+
+void draw(FileChange& change, Input before, const Input& after) {
+  before.name = change.before;
+  const std::pair<const char*, Figure> figures[]{{"before", figure_of(before)},
+                                                 {"after", figure_of(after, before)}};
+  for (const auto& [which, figure] : figures) {
+    change.pictures.push_back(picture_name(change.file, after.axis, which));
+    change.files.push_back({change.pictures.back(), svg(figure, {.width = 560})});
+  }
+}
+
+/// Compares the motions of two files, axis by axis.
+void compare_motions(FileChange& change, const std::string& accepted,
+                     const AcceptedOptions& options) {
+  const std::vector<Input> before = read_inputs(accepted);
+  const std::vector<Input> after = read_inputs(change.file);
+  for (const Input& now : after) {
+    const auto old = before.size() == 1 && after.size() == 1
+                         ? before.begin()
+                         : std::find_if(before.begin(), before.end(),
+                                        [&](const Input& each) { return each.axis == now.axis; });
+    if (old == before.end()) {
+      change.diagnostics.push_back(
+          diagnostic("baseline/changed", Level::broken, change.file,
+                     fmt::format("the axis {} is not in the accepted version", now.axis)));
+      continue;
+    }
+    const bool as_table = !old->spec || !now.spec;
+    const Tolerance tolerance = options.tolerance(now.labels);
+    Comparison c = compare(version(*old, change.before, as_table),
+                           version(now, change.file, as_table), tolerance);
+    add_diagnostics(change, c, tolerance, now.axis);
+    if (options.pictures && !c.equal()) draw(change, *old, now);
+    change.comparisons.push_back(std::move(c));
+    change.tolerances.push_back(tolerance);
+  }
+  for (const Input& old : before)
+    if (after.size() + before.size() > 2 &&
+        std::none_of(after.begin(), after.end(),
+                     [&](const Input& each) { return each.axis == old.axis; }))
+      change.diagnostics.push_back(
+          diagnostic("baseline/changed", Level::broken, change.file,
+                     fmt::format("the axis {} of the accepted version is missing", old.axis)));
+}
+
+/// Fills in the change of a file that has an accepted version.
+void compare_file(FileChange& change, const std::string& accepted, const AcceptedOptions& options) {
+  if (is_without_motion(change.file)) {
+    if (read_file(change.file) != read_file(accepted))
+      change.diagnostics.push_back(
+          diagnostic("baseline/changed", Level::warning, change.file,
+                     "the text differs from the accepted version; the file has no motion to "
+                     "compare"));
+  } else {
+    try {
+      compare_motions(change, accepted, options);
+    } catch (const InputError& error) {
+      if (error.document() == change.file) return;  // the check of the file reports it
+      Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());
+      if (const std::string& place = error.document(); place == accepted)
+        d.message = "the accepted version " + change.before + " cannot be compared: " +
+                    InputError(error.key(), error.value(), error.rule()).what();
+      change.diagnostics.push_back(std::move(d));
+    }
+  }
+  if (!change.diagnostics.empty() && change.what == What::same) change.what = What::changed;
+}
+
+/// The name that a file shows to people: that of its path in the repository.
+std::string shown(const AcceptedVersions& accepted, const fs::path& version) {
+  const std::string relative = version.lexically_relative(accepted.folder()).generic_string();
+  return accepted.is_revision() ? accepted.name() + ":" + relative : version.generic_string();
+}
+
+/// The accepted files that no file has: among the same folders and patterns as the files.
+std::vector<fs::path> unmatched(const AcceptedVersions& accepted,
+                                const std::vector<std::string>& names,
+                                const std::set<fs::path>& matched) {
+  std::vector<std::string> places;
+  for (const std::string& name : names)
+    if (!is_one_file(name))
+      places.push_back((accepted.folder() / accepted.relative(name)).string());
+  std::vector<fs::path> left;
+  for (const std::string& file : find_files(places))
+    if (!matched.contains(fs::path(file).lexically_normal())) left.emplace_back(file);
+  return left;
+}
+
+/// The `name` of a spec; "" for any other file.
+std::string spec_name(const std::string& path) {
+  try {
+    return read_spec(path).name;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+/// The accepted file that was renamed to this one, by its bytes or by the name in the spec. Removes it from `left`.
+std::optional<fs::path> take_renamed(std::vector<fs::path>& left, const std::string& file) {
+  std::string text;
+  try {
+    text = read_file(file);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  const std::string name = spec_name(file);
+  auto found = std::find_if(left.begin(), left.end(),
+                            [&](const fs::path& each) { return read_file(each.string()) == text; });
+  if (found == left.end() && !name.empty())
+    found = std::find_if(left.begin(), left.end(),
+                         [&](const fs::path& each) { return spec_name(each.string()) == name; });
+  if (found == left.end()) return std::nullopt;
+  fs::path taken = *found;
+  left.erase(found);
+  return taken;
+}
+
+}  // namespace
+
+std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
+                                     const std::vector<std::string>& files,
+                                     const std::vector<std::string>& names,
+                                     const AcceptedOptions& options) {
+  std::vector<FileChange> changes;
+  std::vector<std::optional<fs::path>> versions;
+  std::set<fs::path> matched;
+  for (const std::string& file : files) {
+    changes.push_back({What::same, file});
+    versions.push_back(accepted.version_of(file));
+    if (versions.back()) matched.insert(versions.back()->lexically_normal());
+  }
+  std::vector<fs::path> left = unmatched(accepted, names, matched);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    FileChange& change = changes[i];
+    if (!versions[i]) {
+      versions[i] = take_renamed(left, change.file);
+      change.what = versions[i] ? What::renamed : What::added;
+    }
+    if (versions[i]) change.before = shown(accepted, *versions[i]);
+    if (change.what == What::renamed)
+      change.diagnostics.push_back(diagnostic("baseline/renamed", Level::note, change.file,
+                                              "the accepted version is " + change.before));
+    if (change.what == What::added)
+      change.diagnostics.push_back(diagnostic("baseline/added", Level::note, change.file,
+                                              "the file has no accepted version"));
+  }
+  on_all_cores(changes.size(), [&](std::size_t i) {
+    if (versions[i]) compare_file(changes[i], versions[i]->string(), options);
+  });
+  for (const fs::path& gone : left) {
+    FileChange change{What::removed, "", shown(accepted, gone)};
+    change.diagnostics.push_back(
+        diagnostic("baseline/removed", Level::note, accepted.file_of(gone),
+                   "the file no longer exists; it is in " + accepted.name()));
+    changes.push_back(std::move(change));
+  }
+  return changes;
+}
+
+}  // namespace jounce

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/lint/lint.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/parallel.hpp"
+#include "jounce/design/diagnostics.hpp"
+#include "jounce/lint/find_files.hpp"
+#include "jounce/spec/axis_drive.hpp"
+#include "jounce/spec/machine_spec.hpp"
+#include "jounce/spec/spec.hpp"
+#include "jounce/stream/security/key.hpp"
+#include "jounce/study/sweep_spec.hpp"
+#include "jounce/validate/loop.hpp"
+
+namespace jounce {
+namespace {
+
+bool is_key_file(const std::string& path) {
+  return path.ends_with(".key") && is_jounce_file(path);
+}
+
+/// Reads the specs of the axes of a machine.
+void require_axes(const MachineSpec& machine) {
+  for (const MachineSpec::Axis& axis : machine.axes) {
+    const std::string key = axis.key + ".spec";
+    const auto located = [&](const InputError& error) {
+      return machine.document.naming(key, axis.spec, error);
+    };
+    try {
+      if (std::holds_alternative<AxisSpec>(read_spec(axis.spec).subject)) continue;
+    } catch (const InputError& error) {
+      throw located(error);
+    }
+    throw machine.document.located(InputError(key, axis.spec, "must be a spec of kind \"axis\""));
+  }
+}
+
+bool has_no_commands(const Spec& spec) {
+  const auto* path = std::get_if<PathSpec>(&spec.subject);
+  return path != nullptr && path->program.commands().empty();
+}
+
+/// Checks a spec that describes no motion; false if it describes one.
+bool lint_without_motion(const Spec& spec, FileResult& result) {
+  if (std::holds_alternative<AxisSpec>(spec.subject)) {
+    (void)axis_drive(spec);
+    return true;
+  }
+  if (!std::holds_alternative<DriveAlone>(spec.subject)) return has_no_commands(spec);
+  Report report;
+  if (spec.drive)
+    if (auto unstable = unstable_loop(spec.drive->drive))
+      report.findings.push_back(*std::move(unstable));
+  result.diagnostics = diagnostics_of(report, spec, result.file);
+  return true;
+}
+
+void examine_motions(std::vector<Input> inputs, const Examine& examine, FileResult& result) {
+  const std::vector<Report> reports = examine(inputs);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    auto part = diagnostics_of(reports[i], inputs[i], result.file);
+    std::move(part.begin(), part.end(), std::back_inserter(result.diagnostics));
+  }
+}
+
+void lint_into(FileResult& result, const Examine& examine, const std::string& machine) {
+  const std::string& path = result.file;
+  if (!machine.empty() && !is_jounce_file(path)) {
+    result.kind = "G-code";
+    return examine_motions(gcode_inputs(path, machine), examine, result);
+  }
+  if (is_key_file(path)) {
+    result.kind = "key";
+    (void)read_key(path);
+    return;
+  }
+  std::string text = read_file(path);
+  if (is_finished_table(text)) {
+    result.kind = "table";
+    return examine_motions(table_inputs(text, path), examine, result);
+  }
+  result.kind = spec_kind(text);
+  const std::string name = path == "-" ? "standard input" : path;
+  if (result.kind == "sweep") {
+    (void)read_sweep(path);
+  } else if (const auto axes = parse_machine(text, name)) {
+    require_axes(*axes);
+  } else {
+    const Spec spec = parse_spec(std::move(text), name);
+    if (!lint_without_motion(spec, result)) examine_motions(inputs_of(spec, path), examine, result);
+  }
+}
+
+}  // namespace
+
+FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine) {
+  FileResult result{path};
+  try {
+    lint_into(result, examine, machine);
+  } catch (const InputError& error) {
+    result.diagnostics = diagnostics_of(error, path);
+  }
+  sort(result.diagnostics);
+  return result;
+}
+
+std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
+                                   const std::string& machine,
+                                   const std::function<void(double)>& progress) {
+  std::vector<FileResult> results(paths.size());
+  on_all_cores(
+      paths.size(), [&](std::size_t i) { results[i] = lint_file(paths[i], examine, machine); },
+      progress);
+  return results;
+}
+
+bool is_without_motion(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;
+  if (is_key_file(path)) return true;
+  const std::string text = read_file(path);
+  if (is_finished_table(text)) return false;
+  const std::string kind = spec_kind(text);
+  if (kind == "path") {
+    try {
+      return has_no_commands(parse_spec(text, path));
+    } catch (const InputError&) {
+      return false;  // the reader of the motion reports the error
+    }
+  }
+  return kind == "axis" || kind == "machine" || kind == "drive" || kind == "sweep";
+}
+
+std::string repository_path(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path here = fs::current_path(none);
+  const fs::path full = fs::weakly_canonical(fs::absolute(path, none), none);
+  for (fs::path root = full.parent_path(); !root.empty(); root = root.parent_path()) {
+    if (fs::exists(root / ".git", none)) return full.lexically_relative(root).generic_string();
+    if (root == root.root_path()) break;
+  }
+  const fs::path relative = full.lexically_relative(fs::weakly_canonical(here, none));
+  return relative.empty() || *relative.begin() == ".." ? path : relative.generic_string();
+}
+
+}  // namespace jounce

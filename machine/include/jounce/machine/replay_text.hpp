@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+
+#include "jounce/executor/replay.hpp"
+#include "jounce/plot/figure.hpp"
+
+/// A record of an executor and its replay as text, JSON and figure.
+namespace jounce {
+
+/// The axis of this name in the record `file`, or its first one. Reads the whole file. Throws
+/// InputError (key "axis") for an unknown name, and like replay().
+RecordedAxis recorded_axis(const std::string& file, const std::string& name = "");
+
+/// Axes, cycles and masters of a record, and the first difference of its replay. `file` is its name.
+std::string replay_text(const Replay& replay, const std::string& file);
+
+/// The same as a JSON object.
+std::string replay_json(const Replay& replay);
+
+/// The last ticks of one axis of a record, at most `most`.
+class LastTicks {
+ public:
+  LastTicks(std::size_t axis, std::size_t most) : axis_(axis), most_(most) {}
+
+  void add(const RecordedCycle& cycle) {
+    if (cycle.axis != axis_) return;
+    kept_.push_back(cycle.tick);
+    if (kept_.size() > most_) kept_.pop_front();
+  }
+  [[nodiscard]] const std::deque<Tick>& kept() const { return kept_; }
+
+ private:
+  std::size_t axis_;
+  std::size_t most_;
+  std::deque<Tick> kept_;
+};
+
+/// Set and actual position, velocity, following error and torque over time, with a mark at each
+/// fault. Without the quantities that the drive does not report.
+Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis);
+
+}  // namespace jounce

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/command_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "jounce/base/csv.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/command/command_values.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+constexpr const char* value_word = "VALUE";
+constexpr const char* move_word = "move";
+
+/// A word with one of its commands. `inch` is move_relative with its distance as VALUE, unbuffered.
+struct Form {
+  std::string word;
+  const CommandInfo* command;
+
+  [[nodiscard]] bool inches() const { return word == "inch"; }
+  [[nodiscard]] bool takes(const Field& field) const {
+    return *field.option != 0 && !(inches() && field.range == FieldRange::buffer_mode);
+  }
+  [[nodiscard]] std::string option(const Field& field) const {
+    return inches() && &field == command->fields.begin() ? value_word : field.option;
+  }
+  /// The option that selects it among the forms of its word.
+  [[nodiscard]] std::string selector() const { return option(command->fields[0]); }
+};
+
+/// All forms, by their numbers on the wire.
+const std::vector<Form>& all_forms() {
+  static const std::vector<Form> forms = [] {
+    std::vector<Form> all;
+    for (int number = 0; const auto kind = kind_of_number(number); ++number) {
+      const CommandInfo& command = info(*kind);
+      if (*command.word != 0) all.push_back({command.word, &command});
+      if (*kind == CommandKind::move_superimposed)
+        all.push_back({"inch", &info(CommandKind::move_relative)});
+    }
+    return all;
+  }();
+  return forms;
+}
+
+std::vector<Form> forms_of(const std::string& word) {
+  std::vector<Form> forms;
+  std::copy_if(all_forms().begin(), all_forms().end(), std::back_inserter(forms),
+               [&](const Form& form) { return form.word == word; });
+  return forms;
+}
+
+template <class Name>
+std::string joined(const std::vector<std::string>& words, Name name) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + name(word);
+  return list;
+}
+
+std::string dashed(const std::string& option) {
+  return option == value_word ? option : "--" + option;
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// The options of a word, VALUE among them: first those that select the command.
+std::vector<std::string> taken_by(const std::string& word) {
+  std::vector<std::string> names;
+  const std::vector<Form> forms = forms_of(word);
+  for (const Form& form : forms)
+    if (form.command->fields.size() > 0) add_once(names, form.selector());
+  for (const Form& form : forms)
+    for (const Field& field : form.command->fields)
+      if (form.takes(field)) add_once(names, form.option(field));
+  return names;
+}
+
+std::string text_of(const CommandWords& words, const std::string& option) {
+  if (option == value_word) return words.value;
+  const auto found = words.options.find(option);
+  return found == words.options.end() ? "" : found->second;
+}
+
+bool flag_of(const CommandWords& words, const std::string& option) {
+  const auto found = words.flags.find(option);
+  return found != words.flags.end() && found->second;
+}
+
+/// The form that the words mean.
+Form form_of(const CommandWords& words) {
+  const std::vector<Form> forms = forms_of(words.what);
+  if (forms.size() == 1) return forms.front();
+  std::vector<std::string> selectors;
+  for (const Form& form : forms) selectors.push_back(form.selector());
+  const std::string list = joined(selectors, dashed);
+  const Form* chosen = nullptr;
+  for (const Form& form : forms) {
+    if (text_of(words, form.selector()).empty()) continue;
+    if (chosen != nullptr)
+      throw InputError(dashed(form.selector()), text_of(words, form.selector()),
+                       "cannot be combined with another of " + list);
+    chosen = &form;
+  }
+  if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
+  return *chosen;
+}
+
+// ---- values ------------------------------------------------------------------------------------
+
+std::string unit_of(Quantity quantity, const Units& units) {
+  switch (quantity) {
+    case Quantity::none:
+      break;
+    case Quantity::position:
+      return units.position;
+    case Quantity::velocity:
+      return rate_unit(units.position, "s", 1);
+    case Quantity::acceleration:
+      return rate_unit(units.position, "s", 2);
+    case Quantity::jerk:
+      return rate_unit(units.position, "s", 3);
+    case Quantity::master:
+      return units.x;
+    case Quantity::time:
+      return "s";
+  }
+  return "";
+}
+
+double number_of(const std::string& name, const std::string& text, const std::string& unit) {
+  if (text.empty())
+    throw InputError(name, "", "is missing: give a number" + (unit.empty() ? "" : ", in " + unit));
+  try {
+    return quantity(text, unit);
+  } catch (const InputError& error) {
+    throw InputError(name, text, error.rule());
+  }
+}
+
+double positive(const std::string& word, const Field& field, const std::string& name,
+                const std::string& text, const std::string& unit) {
+  const double value = number_of(name, text, unit);
+  if (value > 0) return value;
+  const bool is_limit = field.quantity != Quantity::time && field.quantity != Quantity::position;
+  throw InputError(name, text,
+                   std::string("must be greater than 0") +
+                       (!is_limit        ? ""
+                        : word == "home" ? "; leave it out to use [homing] of the axis's spec"
+                                         : "; leave it out to use the limit of the axis"));
+}
+
+/// "50%" or "0.5".
+double factor_of(const std::string& text) {
+  if (text.empty()) throw InputError(value_word, "", "is missing: give 0% to 200%");
+  const bool percent = !text.empty() && text.back() == '%';
+  const auto factor = csv_number(percent ? text.substr(0, text.size() - 1) : text);
+  if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))
+    throw InputError(value_word, text, "must be from 0% to 200%, or from 0 to 2");
+  return percent ? *factor / 100 : *factor;
+}
+
+/// "3:2" or "3".
+std::pair<double, double> ratio_of(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto numerator = csv_number(text.substr(0, colon));
+  const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
+  if (!numerator || !denominator)
+    throw InputError(value_word, text, "must be a ratio of whole numbers, such as 3:2");
+  return {*numerator, *denominator};
+}
+
+double direction_of(const std::string& text) {
+  return text == "positive" ? 1 : text == "negative" ? -1 : 0;
+}
+
+/// The method; 0: as the axis is configured.
+double method_of(const std::string& text) {
+  if (text.empty()) return 0;
+  const auto method = csv_number(text);
+  if (!method || *method != std::floor(*method) || *method < 1 || *method > 37)
+    throw InputError("--method", text, "must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)");
+  return *method;
+}
+
+/// --buffered, --blend: as a number on the wire.
+double buffer_mode_of(const CommandWords& words) {
+  const std::map<std::string, double> blends{{"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}};
+  const std::string blend = text_of(words, "blend");
+  const bool buffered = flag_of(words, "buffered");
+  if (!blend.empty() && buffered)
+    throw InputError("--blend", blend,
+                     "cannot be combined with --buffered: a move that blends is buffered");
+  return !blend.empty() ? blends.at(blend) : buffered ? 1 : 0;
+}
+
+void require_unbuffered(const CommandWords& words, const Form& form) {
+  const bool takes_it = std::any_of(
+      form.command->fields.begin(), form.command->fields.end(),
+      [&](const Field& f) { return f.range == FieldRange::buffer_mode && form.takes(f); });
+  if (buffer_mode_of(words) == 0 || takes_it) return;
+  throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend",
+                   form.word == move_word ? dashed(form.selector()) : form.word,
+                   "applies to move --to, move --by and jog only");
+}
+
+/// Rejects an option of the word that the form does not take: --direction of move --by.
+void require_applies(const CommandWords& words, const Form& form) {
+  const auto& fields = form.command->fields;
+  for (const auto& [option, text] : words.options) {
+    const auto is_it = [&](const Field& f) { return form.takes(f) && form.option(f) == option; };
+    if (text.empty() || std::any_of(fields.begin(), fields.end(), is_it)) continue;
+    throw InputError(dashed(option), text,
+                     "does not apply to " + form.word + " " + dashed(form.selector()));
+  }
+}
+
+/// The value of a field, from its option.
+double value_of(const CommandWords& words, const Form& form, const Field& field,
+                const Units& units) {
+  const std::string option = form.option(field);
+  const std::string name = dashed(option);
+  const std::string text = text_of(words, option);
+  const std::string unit = unit_of(field.quantity, units);
+  switch (field.range) {
+    case FieldRange::flag:
+      return flag_of(words, option) ? 1 : 0;
+    case FieldRange::direction:
+      return direction_of(text);
+    case FieldRange::factor:
+      return factor_of(text);
+    case FieldRange::buffer_mode:
+      return buffer_mode_of(words);
+    case FieldRange::whole:
+      return ratio_of(text).first;
+    case FieldRange::whole_nonzero:
+      return ratio_of(text).second;
+    case FieldRange::count:
+      return method_of(text);
+    case FieldRange::finite:
+      if (text.empty() && option != value_word)
+        throw InputError(name, "", "is missing: " + words.what + " needs it");
+      return number_of(name, text, unit);
+    case FieldRange::given:
+      return text.empty() ? as_configured : number_of(name, text, unit);
+    case FieldRange::positive:
+      break;
+  }
+  return text.empty() ? as_configured : positive(words.what, field, name, text, unit);
+}
+
+}  // namespace
+
+const std::vector<std::string>& command_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all;
+    for (const Form& form : all_forms()) add_once(all, form.word);
+    return all;
+  }();
+  return words;
+}
+
+std::vector<CommandOption> command_options() {
+  std::vector<std::string> words = command_words();
+  // Those of move come first: the other words share them.
+  std::stable_partition(words.begin(), words.end(),
+                        [](const std::string& word) { return word == move_word; });
+  std::vector<CommandOption> options;
+  const auto add = [&](const Form& form, const std::string& name) {
+    const bool known = std::any_of(options.begin(), options.end(),
+                                   [&](const CommandOption& one) { return one.name == name; });
+    if (name == value_word || known) return;
+    for (const Field& field : form.command->fields)
+      if (form.takes(field) && form.option(field) == name) {
+        options.push_back({name, field.help, field.range});
+        return;
+      }
+  };
+  for (const std::string& word : words)
+    for (const std::string& name : taken_by(word))
+      for (const Form& form : forms_of(word)) add(form, name);
+  return options;
+}
+
+void require_taken(const CommandWords& words) {
+  const std::vector<std::string> taken = taken_by(words.what);
+  const auto require = [&](const std::string& option, const std::string& text, bool given) {
+    if (!given || std::find(taken.begin(), taken.end(), option) != taken.end()) return;
+    if (option == value_word && words.what == move_word)
+      throw InputError(
+          dashed(option), text,
+          "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
+    throw InputError(dashed(option), text,
+                     "does not apply to " + words.what +
+                         (taken.empty() ? ", which has no value and no option"
+                                        : ", which has " + joined(taken, dashed)));
+  };
+  require(value_word, words.value, !words.value.empty());
+  for (const auto& [option, given] : words.flags)
+    if (option != "buffered") require(option, "", given);
+  for (const auto& [option, text] : words.options) require(option, text, !text.empty());
+}
+
+ClientCommand command_of(const CommandWords& words, const Units& units) {
+  const Form form = form_of(words);
+  require_unbuffered(words, form);
+  require_applies(words, form);
+  const CommandKind kind = form.command->kind;
+  CommandValues values = values_of(command_of(kind));
+  for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
+    const Field& field = form.command->fields[i];
+    if (form.takes(field)) values[i] = value_of(words, form, field, units);
+  }
+  if (const std::string rule = contradiction(kind, values); !rule.empty())
+    throw InputError(words.what, words.value, rule);
+  return jounce::command_of(kind, values);
+}
+
+}  // namespace jounce

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "jounce/machine/dashboard.hpp"
+
+namespace jounce::machine_detail {
+
+/// The line of an axis in the list of all.
+dashboard::Row listed(const dashboard::Watched& axis, const dashboard::View& view, bool chosen);
+
+/// All rows of one axis.
+std::vector<dashboard::Row> details(const dashboard::Watched& axis, const dashboard::View& view);
+
+}  // namespace jounce::machine_detail

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/status_text.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/command/cause.hpp"
+
+#include "machine/src/operate/dashboard_text.hpp"
+
+namespace jounce {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string status_text(const std::string& axis, const wire::Status& s) {
+  return fmt::format(
+      "{:<12} {:<9} tick {:<10} master {:<12} position {:<12.6g} velocity {:<12.6g} late "
+      "{}{}{}{}{}",
+      axis, name(s.state), s.tick,
+      std::isnan(s.master_position) ? "none" : fmt::format("{:.6g}", s.master_position),
+      s.slave_position, s.slave_velocity, s.late_ticks, s.held ? "  held" : "",
+      s.homed ? "  homed" : "",
+      s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
+      s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
+}
+
+std::string status_json(const std::string& axis, const wire::Status& s) {
+  const Json line{{"name", axis},
+                  {"state", name(s.state)},
+                  {"tick", s.tick},
+                  {"master", s.master_position},
+                  {"position", s.slave_position},
+                  {"velocity", s.slave_velocity},
+                  {"late", s.late_ticks},
+                  {"error", s.last_error},
+                  {"actual", s.actual_position},
+                  {"following_error", s.following_error},
+                  {"override", s.override_},
+                  {"progress", name(s.progress)},
+                  {"held", s.held},
+                  {"homed", s.homed},
+                  {"unwritten", unwritten_files(s.unwritten)},
+                  {"queue_rows", s.queue_rows}};
+  return line.dump();
+}
+
+std::string status_text(const std::string& axis, const wire::MasterStatus& m) {
+  return fmt::format("{:<12} master    tick {:<10} {}", axis, m.tick, master_text(m, true));
+}
+
+std::string status_json(const std::string& axis, const wire::MasterStatus& m) {
+  const Json line{{"name", axis},           {"master_name", m.master}, {"unit", m.unit},
+                  {"tick", m.tick},         {"lost", m.lost},          {"position", m.position},
+                  {"velocity", m.velocity}, {"age", m.age_s},          {"taken", m.taken},
+                  {"refused", m.refused}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string unwritten_files(std::uint8_t files) {
+  std::string text;
+  for (const auto& [bit, word] : {std::pair{wire::log_unwritten, "log"},
+                                  {wire::record_unwritten, "record"},
+                                  {wire::black_box_unwritten, "black box"}})
+    if ((files & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+std::string master_text(const wire::MasterStatus& master, bool ascii) {
+  const std::string unit = machine_detail::harmless(master.unit, ascii);
+  const std::string age = std::isnan(master.age_s) ? std::string("never measured")
+                          : master.age_s == 0
+                              ? std::string("computed")
+                              : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
+  // Samples of a sender that the executor rejects; its terminal prints the reason.
+  const std::string refused =
+      master.refused > 0
+          ? fmt::format(", {} samples refused (old epoch, unit or repeated)", master.refused)
+          : "";
+  if (master.lost) return fmt::format("{} is lost, {}{}", master.master, age, refused);
+  return fmt::format("{} {}, {}, {}", master.master, machine_detail::valued(master.position, unit),
+                     machine_detail::valued(master.velocity, unit + "/s"), age);
+}
+
+}  // namespace jounce

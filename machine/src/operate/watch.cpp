@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/watch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+namespace jounce::dashboard {
+namespace {
+
+constexpr Nanos trace_period = std::chrono::milliseconds(100);
+constexpr int queue_capacity = 256;  // two statuses each of the most axes of a machine, and more
+
+}  // namespace
+
+void take(std::vector<Watched>& axes, const std::string& name, const wire::Status& status,
+          Nanos now) {
+  const auto place = std::lower_bound(axes.begin(), axes.end(), name,
+                                      [](const Watched& a, const auto& n) { return a.name < n; });
+  Watched& axis = place != axes.end() && place->name == name
+                      ? *place
+                      : *axes.insert(place, Watched{.name = name});
+  axis.status = status;
+  axis.received = now;
+  if (!axis.trace.empty() && now - axis.traced_at < trace_period) return;
+  axis.traced_at = now;
+  axis.trace.push_back(status.slave_position);
+  if (axis.trace.size() > Watched::traced) axis.trace.pop_front();
+}
+
+void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master) {
+  const auto axis =
+      std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });
+  if (axis == axes.end() || !axis->status) return;
+  // An executor that was started again may have other masters.
+  std::erase_if(axis->masters, [&](const auto& m) { return m.boot != master.boot; });
+  auto& all = axis->masters;
+  const auto place = std::lower_bound(all.begin(), all.end(), master.master,
+                                      [](const auto& m, const auto& n) { return m.master < n; });
+  if (place != all.end() && place->master == master.master)
+    *place = master;
+  else
+    all.insert(place, master);
+  if (all.size() > Watched::most_masters)
+    all.erase(std::min_element(all.begin(), all.end(),
+                               [](const auto& a, const auto& b) { return a.tick < b.tick; }));
+}
+
+Watch::Watch(Transport& link, WatchOptions options) : link_(link), options_(std::move(options)) {
+  std::vector<std::string> names = options_.names;
+  if (names.empty()) names.emplace_back("*");
+  for (const std::string& name : names)
+    for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+      link_.subscribe(wire::channel(name, lane), queue_capacity);
+  for (const std::string& name : options_.names) axes_.push_back({.name = name});
+}
+
+void Watch::run(
+    Nanos time, const std::function<void(const std::string& axis, const wire::Status&)>& on_status,
+    const std::function<void(const std::string& axis, const wire::MasterStatus&)>& on_master) {
+  const Nanos end = steady_now() + time;
+  for (Nanos left = time; left > Nanos{}; left = end - steady_now()) {
+    const auto message = next_message(link_, left, rejects_, options_.key);
+    if (!message || !is_wanted(message->executor)) continue;
+    const std::string& axis = message->executor;
+    if (const auto* status = std::get_if<wire::Status>(&message->body)) {
+      take(axes_, axis, *status, steady_now());
+      if (on_status) on_status(axis, *status);
+    } else if (const auto* master = std::get_if<wire::MasterStatus>(&message->body)) {
+      take(axes_, axis, *master);
+      if (on_master) on_master(axis, *master);
+    }
+  }
+}
+
+std::string Watch::silent(Nanos patience) const {
+  const Nanos now = steady_now();
+  Nanos last = begun_;
+  for (const Watched& axis : axes_) {
+    const Nanos received = std::max(begun_, axis.received);
+    if (!options_.names.empty() && now - received > patience) return axis.name;
+    last = std::max(last, received);
+  }
+  return now - last > patience ? "every executor" : "";
+}
+
+bool Watch::has_received() const {
+  return std::any_of(axes_.begin(), axes_.end(),
+                     [](const Watched& axis) { return axis.status.has_value(); });
+}
+
+bool Watch::is_wanted(const std::string& name) const {
+  const auto& names = options_.names;
+  return names.empty() || std::binary_search(names.begin(), names.end(), name);
+}
+
+}  // namespace jounce::dashboard

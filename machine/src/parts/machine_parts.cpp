@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/machine_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "jounce/axis/machine.hpp"
+#include "jounce/base/nearest.hpp"
+#include "jounce/design/make.hpp"
+#include "jounce/executor/dispatcher.hpp"
+#include "jounce/machine/axis_drive.hpp"
+#include "jounce/spec/axis_drive.hpp"
+
+#include "machine/src/parts/machine_masters.hpp"
+
+namespace jounce {
+namespace {
+
+/// An axis as its file has it, and its leader with the place of that key.
+struct Read {
+  Spec spec;
+  std::optional<FollowWhom> follow = {};
+  const Document* said_in = nullptr;
+  std::string key = {};
+};
+
+/// `unit`: s of the spec's time.
+HomingSpec homing_of(const AxisSpec::Homing& spec, double unit) {
+  return {.method = spec.method,
+          .search_velocity = spec.search_velocity / unit,
+          .index_velocity = spec.index_velocity / unit,
+          .acceleration = spec.acceleration / (unit * unit),
+          .offset = spec.offset,
+          .timeout = spec.timeout,
+          .distance = spec.distance};
+}
+
+AxisConfig config_of(const Spec& spec) {
+  const auto* axis = std::get_if<AxisSpec>(&spec.subject);
+  if (axis == nullptr)
+    throw spec.document.located(InputError(
+        "kind", "", "must be \"axis\" for `jounce run`: `jounce new axis` writes an example"));
+  const double unit = seconds_per_unit(spec);
+  AxisConfig config;
+  config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));
+  config.position = axis->position;
+  config.limits = spec.limits;
+  for (auto [limit, power] : {std::pair{&config.limits.velocity, 1},
+                              {&config.limits.acceleration, 2},
+                              {&config.limits.jerk, 3}})
+    for (int i = 0; *limit && i < power; ++i) **limit /= unit;
+  config.stop_acceleration = axis->stop_acceleration / (unit * unit);
+  config.stop_jerk = axis->stop_jerk / (unit * unit * unit);
+  config.abort_acceleration = axis->abort_acceleration / (unit * unit);
+  config.limit_acceleration = axis->limit_acceleration / (unit * unit);
+  config.modulo = axis->modulo;
+  config.following_error = axis->following_error;
+  config.following_time = axis->following_time;
+  config.in_position = axis->in_position;
+  config.in_position_time = axis->in_position_time;
+  if (axis->homing) config.homing = homing_of(*axis->homing, unit);
+  config.require_home = axis->require_home;
+  if (axis->longest_gap > 0) config.longest_gap = std::llround(axis->longest_gap / axis->cycle);
+  return config;
+}
+
+/// After how long a silence an owner has lost the axis.
+Nanos silence_of(const Spec& spec) {
+  const double seconds = std::get<AxisSpec>(spec.subject).session_timeout;
+  return Nanos(std::llround(seconds * 1e9));
+}
+
+std::function<void(const std::string&)> notice_of(const MachineOptions& options,
+                                                  const ExecutorOptions& axis, std::size_t axes) {
+  const std::string whose = axes == 1 ? "" : axis.receiver.executor + ": ";
+  return [whose, notify = options.notify](const std::string& notice) { notify(whose + notice); };
+}
+
+ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
+  ExecutorOptions executor;
+  executor.axis = config_of(spec);
+  if (spec.name.empty())
+    throw InputError("name", "", "is missing: add name = \"NAME\", for streams and commands");
+  if (!wire::is_executor_name(spec.name))
+    throw InputError("name", spec.name,
+                     "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
+  executor.switches = spec.switches;
+  if (spec.compare) {
+    executor.compare = {spec.compare->of, spec.compare->compare};
+    executor.compare.list->pulse *= seconds_per_unit(spec);
+  }
+  executor.units = {spec.master_unit, spec.units.position};
+  executor.receiver.executor = spec.name;
+  executor.receiver.session_timeout = silence_of(spec);
+  executor.adopt_start = options.adopt_start;
+  executor.stop_when_silent = !options.finish_when_silent;
+  executor.enable = options.enable;
+  executor.build_apart = 2000;  // knots: about a millisecond
+  if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);
+  (void)resolved(executor.axis);
+  if (const auto drive = axis_drive(spec)) executor.drive = make_drive(*drive, executor.axis);
+  return executor;
+}
+
+std::optional<FollowWhom> follow_of(const Spec& spec) {
+  const auto* axis = std::get_if<AxisSpec>(&spec.subject);
+  return axis == nullptr ? std::nullopt : axis->follow;
+}
+
+/// A leader by name: its unit, and how an axis follows it.
+struct Leader {
+  std::string name;
+  std::string unit;
+  Follow follow = {};
+};
+
+std::string meant(const std::string& name, const std::vector<Leader>& leaders, const char* else_) {
+  std::vector<std::string> names;
+  for (const Leader& leader : leaders) names.push_back(leader.name);
+  const std::string near = nearest(name, names);
+  return near.empty() ? else_ : ": did you mean " + near + "?";
+}
+
+Follow resolved(const Read& axis, const std::vector<Leader>& axes,
+                const std::vector<Leader>& masters) {
+  if (!axis.follow) return {};
+  const FollowWhom& whom = *axis.follow;
+  const bool of_master = !whom.master.empty();
+  const std::string& name = of_master ? whom.master : whom.axis;
+  const std::vector<Leader>& leaders = of_master ? masters : axes;
+  const auto refuse = [&](const std::string& rule) {
+    throw axis.said_in->located(
+        InputError(axis.key + (of_master ? "follow.master" : "follow.axis"), name, rule));
+  };
+  const auto leader = std::find_if(leaders.begin(), leaders.end(),
+                                   [&](const Leader& one) { return one.name == name; });
+  if (leader == leaders.end() && of_master)
+    refuse("is not a master of this machine" +
+           meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
+  if (leader == leaders.end())
+    refuse("is not an axis of this machine" +
+           meant(name, leaders, ": give its spec to `jounce run` too"));
+  if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
+    refuse("has the unit " + leader->unit + ", but units.master of this axis is " +
+           axis.spec.master_unit + ": use the same unit");
+  Follow follow = leader->follow;
+  if (whom.actual) follow.what = Follow::What::actual;
+  return follow;
+}
+
+/// A file that the machine's spec names.
+Spec read_named(const MachineSpec::Axis& axis, const Document& document) {
+  try {
+    return read_spec(axis.spec);
+  } catch (const InputError& error) {
+    throw document.naming(axis.key + ".spec", axis.spec, error);
+  }
+}
+
+std::vector<Read> read_axes(const MachineOptions& options,
+                            const std::optional<MachineSpec>& machine) {
+  std::vector<Read> read;
+  if (machine) {
+    for (const MachineSpec::Axis& axis : machine->axes) {
+      Read one{.spec = read_named(axis, machine->document),
+               .follow = axis.follow,
+               .key = axis.key + "."};
+      if (one.follow) one.said_in = &machine->document;
+      read.push_back(std::move(one));
+    }
+  } else {
+    for (const std::string& file : options.files) read.push_back({.spec = read_spec(file)});
+  }
+  for (Read& one : read) {
+    if (one.said_in != nullptr) continue;
+    one.follow = follow_of(one.spec);
+    one.said_in = &one.spec.document;
+    one.key.clear();
+  }
+  return read;
+}
+
+/// Masters that play a table are axes, too.
+std::size_t virtual_axes(const std::optional<MachineSpec>& machine) {
+  if (!machine) return 0;
+  const auto& masters = machine->masters;
+  return static_cast<std::size_t>(
+      std::count_if(masters.begin(), masters.end(), [](const MachineMasterSpec& one) {
+        return std::holds_alternative<MachineMasterSpec::FromTable>(one.what);
+      }));
+}
+
+}  // namespace
+
+std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
+  if (axes == 1) return log;
+  std::filesystem::path path(log);
+  const std::string extension = path.extension().string();
+  return path.replace_extension("." + axis + extension).string();
+}
+
+MachineParts machine_parts(const MachineOptions& options) {
+  std::optional<MachineSpec> machine;
+  if (options.files.size() == 1) machine = read_machine(options.files.front());
+  const std::vector<Read> read = read_axes(options, machine);
+  MachineParts parts;
+  std::vector<Leader> axes;
+  for (const Read& one : read) {
+    try {
+      parts.axes.push_back(executor_of(options, one.spec, read.size() + virtual_axes(machine)));
+    } catch (const InputError& error) {
+      // The executor names its own fields, which the spec has in [axis].
+      const std::string key = "axis." + error.key();
+      throw one.spec.document.located(one.spec.document.places.contains(key)
+                                          ? InputError(key, error.value(), error.rule())
+                                          : error);
+    }
+    for (const Leader& other : axes)
+      if (other.name == one.spec.name)
+        throw one.spec.document.located(
+            InputError("name", other.name, "is also the name of another axis: rename one of them"));
+    axes.push_back({one.spec.name,
+                    one.spec.units.position,
+                    {.what = Follow::What::setpoint, .index = axes.size()}});
+  }
+  std::vector<Leader> masters;
+  if (machine) parts.watchdog = machine->watchdog;
+  if (machine)
+    for (const MachineMasterSpec& spec : machine->masters)
+      masters.push_back(
+          {spec.name, spec.unit,
+           machine_detail::add_machine_master(spec, machine->document, options, parts)});
+  for (std::size_t i = 0; i < read.size(); ++i)
+    parts.axes[i].follow = resolved(read[i], axes, masters);
+  if (options.notify)
+    for (auto& axis : parts.axes) axis.notify = notice_of(options, axis, parts.axes.size());
+  (void)Machine(machine_of(parts.axes),
+                parts.masters.size());  // throws if the axes do not fit together
+  return parts;
+}
+
+}  // namespace jounce

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "jounce/design/executor_tables.hpp"
+#include "jounce/gear/follow_banks.hpp"
+#include "jounce/machine/play_plan.hpp"
+#include "jounce/spec/sync_spec.hpp"
+
+namespace jounce {
+namespace {
+
+/// Travel of the first table, then of the second one `loops` times. Each pass begins at the end of
+/// the previous one.
+Travel whole_travel(const Table& first, const Table& second, std::int32_t loops) {
+  Travel all = jounce::travel_of(first);
+  const Travel each = jounce::travel_of(second);
+  const double last = all.net + (loops - 1) * each.net;  // start of the last pass
+  all.lowest = std::min(all.lowest, std::min(all.net, last) + each.lowest);
+  all.highest = std::max(all.highest, std::max(all.net, last) + each.highest);
+  all.net = last + each.net;
+  return all;
+}
+
+/// Rows of the larger bank; a bank has two rows at least.
+std::uint32_t capacity_for(std::size_t first, std::size_t second) {
+  return static_cast<std::uint32_t>(std::max({first, second, std::size_t{2}}));
+}
+
+const FollowPart* follow_part(const Input& input) {
+  const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
+  return sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
+}
+
+std::vector<wire::Row> on_wire(const std::vector<SegmentRow>& rows) {
+  std::vector<wire::Row> sent;
+  sent.reserve(rows.size());
+  for (const SegmentRow& row : rows) sent.push_back(jounce::on_wire(row));
+  return sent;
+}
+
+/// The tables of a follow spec; of a plan the table that `design` makes of it.
+FollowBanks tables_of(const FollowPart& part, const Input& input) {
+  constexpr std::size_t most = std::size_t{1} << 20U;  // an executor's bank
+  if (const auto* const spec = std::get_if<FollowSpec>(&part.slave))
+    return follow_banks(*spec, most);
+  const bool periodic = std::get<FollowPlan>(part.slave).periodic;
+  FollowBanks banks{.first = rows_of(input.table.table), .loops = periodic ? 0 : 1};
+  for (SegmentRow& row : banks.first) row.last = false;
+  return banks;
+}
+
+}  // namespace
+
+bool is_follow(const Input& input) {
+  return follow_part(input) != nullptr;
+}
+
+std::optional<double> pass_position(const Input& input) {
+  const FollowPart* const part = follow_part(input);
+  if (part == nullptr || part->start.event != FollowEvent::pass) return std::nullopt;
+  return part->start.position;
+}
+
+BankPlan follow_bank_plan(const Input& input, bool relative) {
+  const FollowPart& part = *follow_part(input);
+  const FollowBanks tables = tables_of(part, input);
+  BankPlan banks{.queue = {.axis = Domain::master,
+                           .units = input.table.units,
+                           .mode = wire::QueueMode::static_,
+                           .capacity = capacity_for(tables.first.size(), tables.second.size()),
+                           .loops = static_cast<std::int32_t>(tables.loops),
+                           .relative = relative},
+                 .first = on_wire(tables.first),
+                 .second = on_wire(tables.second)};
+  if (part.start.event == FollowEvent::pass) {
+    banks.queue.event = wire::QueueEvent::pass;
+    banks.queue.event_position = part.start.position;
+    banks.queue.event_direction = static_cast<std::int8_t>(part.start.direction);
+  }
+  return banks;
+}
+
+TableFile bank_of(const Input& input) {
+  if (input.table.table.axis() == Domain::master) return input.table;
+  return executor_tables(input).slave;
+}
+
+bool fit_in_one_queue(const TableFile& first, const TableFile& second) {
+  return first.table.axis() == second.table.axis() && first.units.x == second.units.x &&
+         first.units.position == second.units.position;
+}
+
+BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t loops,
+                   bool relative) {
+  const Travel travel = whole_travel(first.table, second.table, loops);
+  return {.queue = {.axis = first.table.axis(),
+                    .units = first.units,
+                    .mode = wire::QueueMode::static_,
+                    .capacity = capacity_for(first.table.size(), second.table.size()),
+                    .loops = loops,
+                    .relative = relative,
+                    .origin = relative ? 0 : first.table.columns().p[0],
+                    .lowest = travel.lowest,
+                    .highest = travel.highest},
+          .first = source_of(first.table)(first.table.size()),
+          .second = source_of(second.table)(second.table.size())};
+}
+
+RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative) {
+  const Travel travel = travel_of(table.table);
+  return {.executor = executor,
+          .queue = {.units = table.units,
+                    .capacity = ahead,
+                    .prefill = ahead,
+                    .relative = relative,
+                    .origin = relative ? 0 : table.table.columns().p[0],
+                    .lowest = travel.lowest,
+                    .highest = travel.highest},
+          .rows = source_of(std::move(table.table))};
+}
+
+}  // namespace jounce

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/replay_text.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/printable.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+RecordedAxis recorded_axis(const std::string& file, const std::string& wanted) {
+  std::ifstream in(file, std::ios::binary);
+  const Replay names = replay(in, file);
+  for (const RecordedAxis& axis : names.axes)
+    if (wanted.empty() || axis.name == wanted) return axis;
+  throw InputError("axis", wanted, "is not an axis of the record").at(file);
+}
+
+namespace {
+
+/// The name of the axis, or the master, that came out otherwise.
+const std::string& whose(const Replay& r) {
+  const Replay::Difference& d = *r.difference;
+  return d.of_master ? r.masters[d.axis].name : r.axes[d.axis].name;
+}
+
+}  // namespace
+
+std::string replay_text(const Replay& r, const std::string& file) {
+  std::string text = fmt::format("{}: {} {}, {} cycles, ticks {} to {}\n", printable(file),
+                                 r.axes.size(), r.axes.size() == 1 ? "axis" : "axes", r.cycles,
+                                 r.first_tick.value_or(0), r.last_tick);
+  for (const Replay::Master& master : r.masters)
+    text +=
+        fmt::format("master {}: {} cycles, lost in {}\n", master.name, master.cycles, master.lost);
+  if (r.difference) {
+    const Replay::Difference& d = *r.difference;
+    text += fmt::format("differs: {} {}, tick {}: {} is {} in the record, {} replayed\n",
+                        d.of_master ? "master" : "axis", whose(r), d.tick, d.what.field,
+                        number(d.what.recorded), number(d.what.replayed));
+  } else if (r.compared > 0) {
+    text += fmt::format("replayed: {} cycles, identical to the last bit\n", r.compared);
+  }
+  if (!r.shorter.empty()) text += fmt::format("not replayed to its end: {}\n", r.shorter);
+  return text;
+}
+
+std::string replay_json(const Replay& r) {
+  using Json = nlohmann::ordered_json;
+  Json axes = Json::array();
+  for (const RecordedAxis& axis : r.axes) axes.push_back(axis.name);
+  Json document{{"axes", axes},     {"cycles", r.cycles},   {"compared", r.compared},
+                {"same", r.same()}, {"shorter", r.shorter}, {"last_tick", r.last_tick}};
+  for (const Replay::Master& master : r.masters)
+    document["masters"].push_back(
+        {{"name", master.name}, {"cycles", master.cycles}, {"lost", master.lost}});
+  if (r.difference)
+    document["difference"] = {{r.difference->of_master ? "master" : "axis", whose(r)},
+                              {"tick", r.difference->tick},
+                              {"field", r.difference->what.field},
+                              {"recorded", r.difference->what.recorded},
+                              {"replayed", r.difference->what.replayed}};
+  return document.dump();
+}
+
+Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
+  const std::string u = axis.units.position.empty() ? "u" : axis.units.position;
+  Series set{.label = "set"};
+  Series actual{.label = "actual"};
+  Series velocity{.label = "velocity"};
+  Series error{.label = "following error"};
+  Series torque{.label = "torque"};
+  set.style = Style::under;
+  Figure figure{.title = axis.name, .x_label = "time [s]"};
+  for (const Tick& tick : ticks) {
+    for (Series* s : {&set, &actual, &velocity, &error, &torque}) s->x.push_back(tick.time);
+    set.y.push_back(tick.position);
+    actual.y.push_back(tick.actual_position);
+    velocity.y.push_back(tick.velocity);
+    error.y.push_back(tick.following_error);
+    torque.y.push_back(tick.torque);
+  }
+  for (std::size_t i = 1; i < ticks.size(); ++i)
+    if (ticks[i].fault != Cause::none && ticks[i - 1].fault == Cause::none) {
+      figure.knots.push_back(ticks[i].time);
+      figure.title +=
+          std::string(": ") + name(ticks[i].fault) + " at tick " + std::to_string(ticks[i].tick);
+    }
+  const auto is_measured = [](const Series& s) {
+    return std::any_of(s.y.begin(), s.y.end(), [](double y) { return y == y; });
+  };
+  figure.panels = {{.y_label = "position [" + u + "]", .series = {set}},
+                   {.y_label = "velocity [" + u + "/s]", .series = {velocity}}};
+  if (is_measured(actual)) figure.panels[0].series.push_back(actual);
+  if (is_measured(error))
+    figure.panels.push_back({.y_label = "following error [" + u + "]", .series = {error}});
+  if (is_measured(torque))
+    figure.panels.push_back({.y_label = "torque [rated]", .series = {torque}});
+  return figure;
+}
+
+}  // namespace jounce

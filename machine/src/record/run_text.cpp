@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/run_text.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/printable.hpp"
+#include "jounce/command/cause.hpp"
+#include "jounce/machine/machine_parts.hpp"
+
+namespace jounce {
+namespace {
+
+std::string axis_text(const AxisSummary& axis, bool alone) {
+  const std::string whose = alone ? "" : axis.name + ": ";
+  std::string text = fmt::format("{}{} motions finished, {} stopped; at {:.9g}\n", whose,
+                                 axis.finished, axis.stopped, axis.position);
+  if (axis.fault != Cause::none)
+    text += fmt::format("{}fault: {}: {}\n", whose, name(axis.fault), meaning(axis.fault));
+  return text;
+}
+
+std::string within(const Histogram::Counts& counts) {
+  const double us = upper_bound(counts, 0.999);
+  return std::isinf(us) ? "more than 16384 us" : fmt::format("{} us", us);
+}
+
+}  // namespace
+
+std::string summary_text(const ExecutorSummary& summary) {
+  std::string text;
+  for (const AxisSummary& axis : summary.axes) text += axis_text(axis, summary.axes.size() == 1);
+  const CycleCounts& cycle = summary.cycle;
+  text += fmt::format(
+      "{} ticks, {} late, by at most {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
+      cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
+      within(summary.lateness), within(summary.computing));
+  if (!summary.realtime.empty()) text += summary.realtime + "\n";
+  return text;
+}
+
+std::string summary_json(const ExecutorSummary& summary) {
+  using Json = nlohmann::ordered_json;
+  Json axes = Json::array();
+  for (const AxisSummary& axis : summary.axes)
+    axes.push_back({{"name", axis.name},
+                    {"finished", axis.finished},
+                    {"stopped", axis.stopped},
+                    {"fault", name(axis.fault)},
+                    {"position", axis.position}});
+  const Json document{{"axes", axes},
+                      {"realtime", summary.realtime},
+                      {"ticks", summary.cycle.ticks},
+                      {"late", summary.cycle.late},
+                      {"skipped", summary.cycle.skipped},
+                      {"latest_ns", summary.cycle.latest_ns},
+                      {"computed_ns", summary.cycle.computed_ns},
+                      {"lateness_us", summary.lateness},
+                      {"computing_us", summary.computing},
+                      {"log_lost", summary.cycle.lost},
+                      {"record_lost", summary.record_lost}};
+  return document.dump();
+}
+
+std::vector<std::string> missing_parts(const ExecutorSummary& summary, const std::string& log) {
+  if (!summary.lost_name.empty())
+    return {"name_taken: another executor on this --url has the name " + summary.lost_name +
+            ": this executor stopped its axes and ended"};
+  std::vector<std::string> missing;
+  if (!log.empty() && summary.cycle.lost > 0)
+    missing.push_back(fmt::format("{} ticks are missing from the log", summary.cycle.lost));
+  for (const AxisSummary& axis : summary.axes)
+    if (!log.empty() && axis.log_truncated)
+      missing.push_back(fmt::format("the log of {} is cut off: {}.truncated", axis.name,
+                                    printable(log_of(log, axis.name, summary.axes.size()))));
+  if (missing.empty() && !summary.record_trouble.empty())
+    missing.push_back("the record is incomplete: " + printable(summary.record_trouble));
+  else if (missing.empty() && summary.record_lost > 0)
+    missing.push_back(
+        fmt::format("the record is incomplete: {} cycles are missing", summary.record_lost));
+  return missing;
+}
+
+}  // namespace jounce

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/path/hold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/moves/move.hpp"
+
+#include "path/src/flow/partial_law.hpp"
+
+// A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
+// D(v, 0) <= L; otherwise D(v, v - x) > L for x >= 2 v / 3, below which D grows with x: one root. If the plan goes
+// from V to e over L and v <= V, then D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the
+// plan, and it rests where the plan rests, at the latest.
+
+namespace jounce {
+
+Plan halted(const Plan& plan, double t) {
+  if (!(t >= 0 && t <= plan.duration()))
+    throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
+  const auto stretches = plan.law().stretches();
+  std::size_t i = plan.law().stretch_at(t);
+  PartialLaw held;
+  for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
+  const LawStretch& here = stretches[i];
+  const double into = std::min(t - here.time, here.duration);
+  const auto made = [&] {
+    if (held.law.empty()) held.until(here, std::min(here.duration, 1e-9 * plan.duration()));
+    return Plan(plan.path(), TimingLaw(std::move(held.law)),
+                {plan.joints().begin(), plan.joints().end()}, plan.stop_duration(), plan.given());
+  };
+  if (here.pieces == 0) {  // in a dwell
+    if (into > 0) {
+      LawStretch rest = here;
+      rest.duration = into;
+      held.add(rest);
+    }
+    return made();
+  }
+  double v = here.v1;
+  const Motion now = motion_in(here, into);
+  if (!here.single_phase && !is_corner(here)) {
+    const MoveResult stopping = stop({now.position, now.velocity, now.acceleration},
+                                     within(Bounds::none, here.deceleration, here.jerk));
+    if (stopping && stopping.profile.end().position <= here.length) {
+      held.until(here, into);
+      Motion m = now;
+      for (std::size_t k = 0; k < stopping.profile.phases(); ++k) {
+        const auto [h, rate] = stopping.profile.phase(k);
+        const bool limited = std::isfinite(here.jerk);
+        m.jerk = limited ? rate : 0;
+        if (!limited) m.acceleration = rate;
+        held.phase(here, m.position, h, m);
+        m.position += h * (m.velocity + h * (m.acceleration / 2 + h * m.jerk / 6));
+        m.velocity += h * (m.acceleration + h * m.jerk / 2);
+        m.acceleration += h * m.jerk;
+      }
+      held.law.back().v1 = 0;  // but for rounding
+      return made();
+    }
+  }
+  held.add(here);
+  PartialLaw planned = held;  // to the plan's own next rest
+  for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
+    planned.add(stretches[k]);
+  for (++i; i < stretches.size() && v > 0; ++i) {
+    LawStretch s = stretches[i];
+    if (s.single_phase) {
+      v = s.v1;
+    } else {
+      s.v0 = s.peak = v;
+      if (!is_corner(s)) {
+        // At most the plan's own end, but for rounding.
+        const double end = s.v1 == 0 ? 0 : std::min(lowest_end(unit_of(s).box, s.length, v), s.v1);
+        if (end == 0) s.length = std::min(s.length, ramp_distance(v, 0, s.deceleration, s.jerk));
+        s.v1 = v = end;
+      } else {
+        s.v1 = v;
+      }
+      std::array<LawPhase, 7> phases_of;
+      const std::size_t count = phases(s, phases_of);
+      s.duration = 0;
+      for (std::size_t k = 0; k < count; ++k) s.duration += phases_of[k].duration;
+    }
+    held.add(s);
+    if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
+  }
+  if (planned.time() < held.time()) held = std::move(planned);
+  return made();
+}
+
+namespace {
+
+/// From rest at `from`; a dwell there has lasted `rested` s.
+Plan remaining(const Plan& plan, double from, double rested) {
+  const auto stretches = plan.law().stretches();
+  const double end = plan.path().length();
+  std::vector<LawStretch> law;
+  std::vector<Unit> units;
+  double time = 0;
+  double start = from;
+  const auto flush = [&] {
+    if (units.empty()) return;
+    for (LawStretch s : stations(units)) {
+      s.time += time;
+      s.start += start;
+      law.push_back(s);
+    }
+    time = law.back().time + law.back().duration;
+    start = law.back().start + law.back().length;
+    units.clear();
+  };
+  for (const LawStretch& s : stretches) {
+    const double stretch_end = s.start + s.length;
+    if (stretch_end < from - 1e-14 * end) continue;
+    if (s.pieces > 0 && stretch_end <= from + 1e-14 * end) continue;
+    if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
+      flush();
+      LawStretch same = s;
+      same.time = time;
+      if (s.pieces == 0 && s.start == from) same.duration -= rested;
+      if (!(same.duration > 0)) continue;
+      time += same.duration;
+      start = stretch_end;
+      law.push_back(same);
+      continue;
+    }
+    Unit unit = unit_of(s);
+    unit.length = stretch_end - std::max(s.start, from);
+    if (units.empty()) unit.entry = PathSettings::none;
+    if (s.start < from)
+      while (unit.pieces > 1 && plan.path().pieces()[unit.piece + 1].start <= from) {
+        ++unit.piece;
+        --unit.pieces;
+      }
+    if (!units.empty() && s.v0 == 0) flush();
+    units.push_back(unit);
+  }
+  flush();
+  return {plan.path(),
+          TimingLaw(std::move(law)),
+          {plan.joints().begin(), plan.joints().end()},
+          plan.stop_duration(),
+          plan.given()};
+}
+
+}  // namespace
+
+Plan resumed(const Plan& plan, const Plan& held) {
+  const LawStretch& last = held.law().stretches().back();
+  const double from = last.start + last.length;
+  if (!(from < plan.path().length() * (1 - 1e-14)))
+    throw InputError("held", from, "is at the end of the path; nothing remains");
+  return remaining(plan, from, last.pieces == 0 ? last.duration : 0);
+}
+
+Plan resumed(const Plan& plan, double from) {
+  const double end = plan.path().length();
+  if (!(from >= 0 && from < end * (1 - 1e-14)))
+    throw InputError("from", from, "must be from 0 to less than " + number(end));
+  require_no_corner(plan, "from", from);
+  return remaining(plan, from, 0);
+}
+
+}  // namespace jounce

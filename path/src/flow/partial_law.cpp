@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "path/src/flow/partial_law.hpp"
+
+#include <algorithm>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+
+double lowest_end(const Box& box, double length, double v) {
+  const auto way = [&](double drop) {
+    return ramp_distance(v, v - drop, box.deceleration, box.jerk);
+  };
+  if (way(v) <= length * (1 + 1e-13)) return 0;  // but for rounding
+  double low = 0;
+  double high = 2 * v / 3;
+  if (way(high) <= length) return v - high;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (way(middle) <= length ? low : high) = middle;
+  }
+  return v - low;
+}
+
+void PartialLaw::phase(const LawStretch& whole, double at, double duration, const Motion& m) {
+  if (!(duration > 0)) return;
+  LawStretch s = whole;
+  s.single_phase = true;
+  s.start = whole.start + at;
+  s.duration = duration;
+  s.v0 = m.velocity;
+  s.acceleration = m.acceleration;
+  s.jerk = m.jerk;
+  s.length = duration * (m.velocity + duration * (m.acceleration / 2 + duration * m.jerk / 6));
+  s.v1 = s.peak = m.velocity + duration * (m.acceleration + duration * m.jerk / 2);
+  add(s);
+}
+
+void PartialLaw::until(const LawStretch& whole, double t) {
+  std::array<LawPhase, 7> phases_of;
+  const std::size_t count = phases(whole, phases_of);
+  double gone = 0;
+  for (std::size_t i = 0; i < count && gone < t; ++i) {
+    const LawPhase& p = phases_of[i];
+    phase(whole, p.position, std::min(p.duration, t - gone),
+          {0, p.velocity, p.acceleration, p.jerk});
+    gone += p.duration;
+  }
+}
+
+void PartialLaw::rest(const Path& path, double q, double duration) {
+  if (!(duration > 0)) return;
+  const auto pieces = path.pieces();
+  const auto next = std::upper_bound(pieces.begin() + 1, pieces.end(), q,
+                                     [](double x, const PathPiece& p) { return x < p.start; });
+  LawStretch s;
+  s.start = q;
+  s.duration = duration;
+  s.piece = static_cast<std::uint32_t>(next - pieces.begin() - 1);
+  add(s);
+}
+
+void require_no_corner(const Plan& plan, const char* key, double q) {
+  for (const PathPiece& p : plan.path().pieces())
+    if ((p.kind == PieceKind::turn || p.kind == PieceKind::blend) && q >= p.start &&
+        q < p.start + p.length)
+      throw InputError(key, q,
+                       "is in the corner from " + number(p.start) + " to " +
+                           number(p.start + p.length) + ", which is passed at constant velocity");
+}
+
+Unit unit_of(const LawStretch& s) {
+  Unit unit;
+  unit.length = s.length;
+  unit.box = {s.peak, s.acceleration, s.deceleration, s.jerk, is_corner(s)};
+  unit.entry = s.v0;
+  unit.piece = s.piece;
+  unit.pieces = s.pieces;
+  return unit;
+}
+
+PlannedUnits units_of(const Plan& plan) {
+  PlannedUnits all;
+  double dwell = 0;
+  for (const LawStretch& s : plan.law().stretches()) {
+    if (s.pieces == 0) {
+      dwell += s.duration;
+      continue;
+    }
+    Unit unit = unit_of(s);
+    unit.dwell = dwell;
+    if (dwell > 0) unit.entry = 0;
+    dwell = 0;
+    all.units.push_back(unit);
+    all.starts.push_back(s.start);
+  }
+  all.starts.push_back(plan.path().length());
+  all.last_dwell = dwell;
+  return all;
+}
+
+namespace {
+
+/// Plans the law of a path again by stations, with other feeds.
+class Replanned {
+ public:
+  Replanned(const Plan& plan, double factor)
+      : plan_(plan),
+        path_(plan.path()),
+        n_(path_.axes()),
+        rates_(rates_of(plan.given().limits, n_, plan.given().path_axes)),
+        curved_(reserved(rates_)),
+        settings_(plan.given().settings) {
+    for (PathSettings& s : settings_) {
+      s.velocity *= factor;
+      if (s.corner == Corner::velocity) s.value *= factor;
+    }
+    velocity_.assign(path_.pieces().size(), PathSettings::none);
+    find_rests();
+    for (std::size_t k = 0; k < path_.pieces().size(); ++k)
+      if (is_corner_piece(k)) velocity_[k] = corner_velocity(k);
+  }
+
+  [[nodiscard]] Plan run() const {
+    PartialLaw out;
+    std::vector<Unit> units;
+    double start = 0;
+    const auto flush = [&] {
+      if (units.empty()) return;
+      const double time = out.time();
+      double end = start;
+      for (LawStretch s : stations(units)) {
+        s.time += time;
+        s.start += start;
+        end = s.start + s.length;
+        out.law.push_back(s);
+      }
+      start = end;
+      units.clear();
+    };
+    const std::size_t count = path_.pieces().size();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (rests_[k]) {
+        flush();
+        start = path_.pieces()[k].start;
+        out.rest(path_, start, dwells_[k]);
+      }
+      units.push_back(unit(k));
+    }
+    flush();
+    out.rest(path_, path_.length(), dwells_[count]);
+    return {path_,
+            TimingLaw(std::move(out.law)),
+            {plan_.joints().begin(), plan_.joints().end()},
+            plan_.stop_duration(),
+            plan_.given()};
+  }
+
+ private:
+  [[nodiscard]] const PathPiece& piece(std::size_t k) const { return path_.pieces()[k]; }
+  [[nodiscard]] bool is_corner_piece(std::size_t k) const {
+    return piece(k).kind == PieceKind::turn || piece(k).kind == PieceKind::blend;
+  }
+
+  void find_rests() {
+    const auto pieces = path_.pieces();
+    rests_.assign(pieces.size() + 1, false);
+    dwells_.assign(pieces.size() + 1, 0.0);
+    rests_.front() = rests_.back() = true;
+    for (const LawStretch& s : plan_.law().stretches()) {
+      if (s.pieces > 0 && s.v0 != 0) continue;
+      const auto at =
+          std::lower_bound(pieces.begin(), pieces.end(), s.start - 1e-12 * path_.length(),
+                           [](const PathPiece& p, double q) { return p.start < q; });
+      const auto k = static_cast<std::size_t>(at - pieces.begin());
+      rests_[k] = true;
+      if (s.pieces == 0) dwells_[k] += s.duration;
+    }
+  }
+
+  /// The lower feed of both sides of the start of piece k.
+  [[nodiscard]] double feed_before(std::size_t k) const {
+    const double before = k > 0 ? settings_[piece(k - 1).settings].velocity : PathSettings::none;
+    return std::min({before, settings_[piece(k).settings].velocity, rates_.path.velocity});
+  }
+
+  [[nodiscard]] double corner_velocity(std::size_t k) const {
+    const PathSettings& asked = settings_[piece(k).settings];
+    double most = feed_before(k);
+    if (asked.corner == Corner::velocity) most = std::min(most, asked.value);
+    const Rates& rates = piece(k).kind == PieceKind::turn ? rates_ : curved_;
+    const Derivatives bounds = derivatives_of(path_, k, plan_.given().path_axes);
+    return std::min(most / bounds.speed, velocity_with(rates, bounds, 0, 0));
+  }
+
+  /// The greatest velocity at the start of piece k.
+  [[nodiscard]] double at_start(std::size_t k) const {
+    if (rests_[k]) return 0;
+    if (k > 0 && is_corner_piece(k - 1)) return velocity_[k - 1];
+    return k < velocity_.size() ? velocity_[k] : PathSettings::none;
+  }
+
+  [[nodiscard]] Unit unit(std::size_t k) const {
+    Unit unit;
+    unit.length = piece(k).length;
+    unit.piece = static_cast<std::uint32_t>(k);
+    unit.box = box(k);
+    const bool through = k > 0 && !is_corner_piece(k) && !is_corner_piece(k - 1);
+    unit.entry = rests_[k] ? 0 : through ? feed_before(k) : PathSettings::none;
+    return unit;
+  }
+
+  [[nodiscard]] Box box(std::size_t k) const {
+    const PathSettings& settings = settings_[piece(k).settings];
+    if (is_corner_piece(k)) {
+      Box b;
+      b.constant = true;
+      b.velocity = velocity_[k];
+      return b;
+    }
+    if (piece(k).kind == PieceKind::arc)
+      return arc_box(curved_, settings, path_.numbers(k), piece(k).length, at_start(k),
+                     at_start(k + 1));
+    if (piece(k).kind == PieceKind::curve)
+      return curve_box(curved_, settings, derivatives_of(path_, k, plan_.given().path_axes),
+                       20 * piece(k).length);
+    Point u{};
+    for (std::size_t i = 0; i < n_; ++i) u[i] = path_.numbers(k)[n_ + i] / piece(k).length;
+    Box b = line_box(rates_, settings, u.data());
+    if (steps_at(k) || steps_at(k + 1))
+      for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
+        *limit *= 1 - fit_share / 10;
+    return b;
+  }
+
+  /// Lines that are passed although their directions differ by rounding (decision 0090, 15).
+  [[nodiscard]] bool steps_at(std::size_t k) const {
+    if (rests_[k] || piece(k - 1).kind != PieceKind::line || piece(k).kind != PieceKind::line)
+      return false;
+    double square = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double before = path_.numbers(k - 1)[n_ + i] / piece(k - 1).length;
+      const double step = path_.numbers(k)[n_ + i] / piece(k).length - before;
+      square += step * step;
+    }
+    return square > 1e-28;
+  }
+
+  const Plan& plan_;
+  const Path& path_;
+  std::size_t n_;
+  Rates rates_;
+  Rates curved_;
+  std::vector<PathSettings> settings_;
+  std::vector<double> velocity_;  ///< of corners
+  std::vector<bool> rests_;       ///< at the start of each piece, and at the end
+  std::vector<double> dwells_;
+};
+
+}  // namespace
+
+Plan by_stations(const Plan& plan, double factor) {
+  const auto stretches = plan.law().stretches();
+  const bool window = std::any_of(stretches.begin(), stretches.end(),
+                                  [](const LawStretch& s) { return s.single_phase; });
+  if (factor == 1 && !window) return plan;
+  return Replanned(plan, factor).run();
+}
+
+}  // namespace jounce

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/path/along.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
+
+#include "path/src/corners/blend.hpp"
+#include "path/src/corners/turn.hpp"
+#include "path/src/geometry/pieces.hpp"
+#include "path/src/geometry/vector.hpp"
+#include "path/src/timing/box.hpp"
+#include "path/src/timing/stretch.hpp"
+
+// With v = q', a = q'' and the curvature k of a circle or helix, whose direction has length 1, the acceleration has the
+// components a along the path and k v^2 across it. On a phase of the law v is quadratic in time, so that
+// a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at constant v, where its acceleration is at most
+// v^2 |D| / ((1 - b) l), across the path in the middle. On other pieces |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
+//
+//   (1)  speed <= R v,   normal <= |s| v^2,   total^2 <= sum of (f_i |a| + s_i v^2)^2
+
+namespace jounce {
+namespace {
+
+/// What the law meets on a piece.
+struct PieceShape {
+  double speed = 1;
+  double curvature = 0;  ///< of the normal acceleration
+  bool exact = true;
+  Derivatives bounds;  ///< where not exact
+};
+
+PieceShape shape_of(const Plan& plan, std::size_t piece) {
+  const Path& path = plan.path();
+  const std::size_t m = plan.given().path_axes;
+  const PathPiece& p = path.pieces()[piece];
+  PieceShape shape;
+  if (p.kind == PieceKind::line) return shape;
+  if (p.kind == PieceKind::arc) {
+    std::array<Jet, max_axes> jets{};
+    path.jets(piece, 0, std::span(jets).first(path.axes()));
+    double square = 0;
+    for (std::size_t i = 0; i < m; ++i) square += jets[i][2] * jets[i][2];
+    shape.curvature = std::sqrt(square);
+    return shape;
+  }
+  if (p.kind == PieceKind::turn) {
+    const TurnNumbers turn(path.numbers(piece), path.axes());
+    double square = 0;
+    for (std::size_t i = 0; i < m; ++i)
+      square += profiles_detail::square(turn.after(i) - turn.before(i));
+    shape.curvature = std::sqrt(square) / ((1 - turn.share()) * p.length);
+    return shape;
+  }
+  shape.exact = false;
+  shape.bounds = derivatives_of(path, piece, m);
+  shape.speed = shape.bounds.speed;
+  if (p.kind == PieceKind::blend) {
+    std::vector<Segment> axes;
+    for (std::size_t i = 0; i < m; ++i) path.segments(piece, i, axes);
+    shape.speed = std::max(1.0, greatest_speed(axes, m));
+  }
+  for (std::size_t i = 0; i < m; ++i)
+    shape.curvature += profiles_detail::square(shape.bounds.second[i]);
+  shape.curvature = std::sqrt(shape.curvature);
+  return shape;
+}
+
+/// The worst use of a limit.
+struct Use {
+  const char* quantity;
+  double value = 0, limit = PathSettings::none, where = 0;
+  std::int32_t line = 0;
+
+  [[nodiscard]] double margin() const { return (limit - value) / limit; }
+  void consider(double v, double l, double t, std::int32_t from) {
+    if (l == PathSettings::none || (limit < PathSettings::none && !(v * limit > value * l))) return;
+    value = v;
+    limit = l;
+    where = t;
+    line = from;
+  }
+};
+
+using Uses = std::array<Use, 6>;
+constexpr Uses unused{{{"velocity"},
+                       {"acceleration"},
+                       {"deceleration"},
+                       {"jerk"},
+                       {"normal_acceleration"},
+                       {"total_acceleration"}}};
+
+class Along {
+ public:
+  explicit Along(const Plan& plan) : plan_(plan) {}
+
+  Report run() {
+    std::array<LawPhase, 7> phase;
+    for (const LawStretch& interval : plan_.law().stretches()) {
+      if (interval.pieces == 0) continue;
+      double t = interval.time;
+      std::size_t piece = interval.piece;
+      for (LawPhase p : std::span(phase).first(phases(interval, phase))) {
+        while (piece + 1 < interval.piece + interval.pieces) {
+          const double left = plan_.path().pieces()[piece + 1].start - interval.start - p.position;
+          const double h = time_over(p, left);
+          if (!(h < p.duration)) break;
+          consider(piece++, {h, p.position, p.velocity, p.acceleration, p.jerk}, t);
+          p.position += left;
+          p.velocity += h * (p.acceleration + h * p.jerk / 2);
+          p.acceleration += h * p.jerk;
+          p.duration -= h;
+          t += h;
+        }
+        consider(piece, p, t);
+        t += p.duration;
+      }
+    }
+    return report();
+  }
+
+ private:
+  enum { velocity, acceleration, deceleration, jerk, normal_acceleration, total_acceleration };
+
+  /// Time in which a phase covers a distance; its duration if it covers less.
+  static double time_over(const LawPhase& p, double distance) {
+    const auto covered = [&](double t) {
+      return t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6));
+    };
+    if (covered(p.duration) <= distance) return p.duration;
+    double low = 0;
+    double high = p.duration;
+    for (double t = high / 2; t > low && t < high; t = low + (high - low) / 2)
+      (covered(t) < distance ? low : high) = t;
+    return low;
+  }
+
+  /// One phase of the law on one piece, from t on.
+  void consider(std::size_t piece, const LawPhase& p, double t) {
+    if (!(p.duration > 0)) return;
+    if (piece != shaped_) shape_ = shape_of(plan_, shaped_ = piece);
+    const PathPiece& of = plan_.path().pieces()[piece];
+    const PathLimits& limits = plan_.given().limits.path;
+    PathSettings own = plan_.given().settings[of.settings];
+    if ((of.kind == PieceKind::turn || of.kind == PieceKind::blend) && piece > 0)
+      own.velocity = std::min(
+          own.velocity, plan_.given().settings[plan_.path().pieces()[piece - 1].settings].velocity);
+    const double h = p.duration;
+    // The fastest place: an end, or where a changes its sign.
+    const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
+    double fastest = v_at(0) >= v_at(h) ? 0 : h;
+    const double turns = p.jerk == 0 ? 0 : -p.acceleration / p.jerk;
+    if (turns > 0 && turns < h && v_at(turns) > v_at(fastest)) fastest = turns;
+    const double v = v_at(fastest);
+    const double end = p.acceleration + h * p.jerk;
+    const double up = std::max(p.acceleration, end);
+    const double down = -std::min(p.acceleration, end);
+    const auto add = [&](std::size_t k, double value, double limit, double command, double x) {
+      path_[k].consider(value, limit, t + x, of.line);
+      command_[k].consider(value, command, t + x, of.line);
+    };
+    add(velocity, v * shape_.speed, limits.velocity, own.velocity, fastest);
+    if (up > 0) add(acceleration, up, limits.acceleration, own.acceleration, up == end ? h : 0);
+    if (down > 0)
+      add(deceleration, down, limits.deceleration, own.deceleration, down == -end ? h : 0);
+    add(jerk, std::abs(p.jerk), limits.jerk, own.jerk, 0);
+    add(normal_acceleration, shape_.curvature * v * v, limits.normal_acceleration,
+        PathSettings::none, fastest);
+    if (limits.total_acceleration < PathSettings::none) {
+      const auto [value, x] = total(p, std::max(up, down), v, fastest);
+      add(total_acceleration, value, limits.total_acceleration, PathSettings::none, x);
+    }
+  }
+
+  /// The greatest total acceleration on a phase, and its time after the start.
+  [[nodiscard]] std::pair<double, double> total(const LawPhase& p, double a, double v,
+                                                double fastest) const {
+    if (!shape_.exact) {  // (1)
+      double square = 0;
+      for (std::size_t i = 0; i < plan_.given().path_axes; ++i)
+        square +=
+            profiles_detail::square(shape_.bounds.first[i] * a + shape_.bounds.second[i] * v * v);
+      return {std::sqrt(square), fastest};
+    }
+    const double h = p.duration;
+    const double speed[] = {p.velocity, p.acceleration * h, p.jerk * h * h / 2};
+    const double rate[] = {p.acceleration, p.jerk * h};
+    std::array<double, 5> across{};  // k v^2
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) across[i + k] += shape_.curvature * speed[i] * speed[k];
+    Segment square;
+    square.length = h;
+    square.degree = 8;
+    for (std::size_t i = 0; i < 5; ++i)
+      for (std::size_t k = 0; k < 5; ++k) square.c[i + k] += across[i] * across[k];
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t k = 0; k < 2; ++k) square.c[i + k] += rate[i] * rate[k];
+    const Extremum most = segment_range(square, 0, h, 0).max;
+    return {std::sqrt(std::max(most.value, 0.0)), most.where};
+  }
+
+  [[nodiscard]] Report report() const {
+    Report report;
+    for (const Uses* uses : {&path_, &command_})
+      for (const Use& use : *uses) {
+        if (use.limit == PathSettings::none) continue;
+        const bool broken = use.value > use.limit * (1 + 1e-12);
+        if (uses == &command_ && !broken) continue;
+        Finding f;
+        f.rule = Rule(RuleFamily::limit, use.quantity);
+        f.quantity = use.quantity;
+        f.where = use.where;
+        f.value = use.value;
+        f.limit = use.limit;
+        f.margin = use.margin();
+        f.broken = broken;
+        if (uses == &command_) f.advice = "the limit is that of line " + std::to_string(use.line);
+        report.findings.push_back(f);
+      }
+    sort(report);
+    return report;
+  }
+
+  const Plan& plan_;
+  std::size_t shaped_ = static_cast<std::size_t>(-1);
+  PieceShape shape_;
+  Uses path_ = unused, command_ = unused;
+};
+
+}  // namespace
+
+Report check_along(const Plan& plan) {
+  return Along(plan).run();
+}
+
+}  // namespace jounce

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "jounce/path/plan.hpp"
+
+#include "path/src/timing/stretch.hpp"
+
+namespace jounce {
+
+void Plan::at(double t, std::span<Motion> out) const {
+  PlanCursor(*this).at(t, out);
+}
+
+/// The interval of the law at t: mostly the next one.
+void PlanCursor::seek(double t) {
+  const TimingLaw& law = plan_->law();
+  const auto intervals = law.stretches();
+  const std::size_t next = interval_ + 1;
+  const bool follows = count_ > 0 && next < intervals.size() && t >= to_ &&
+                       (next + 1 == intervals.size() || t < intervals[next + 1].time);
+  interval_ = follows ? next : law.stretch_at(t);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  from_ = interval_ == 0 ? -none : intervals[interval_].time;
+  to_ = interval_ + 1 < intervals.size() ? intervals[interval_ + 1].time : none;
+  count_ = phases(intervals[interval_], phases_);
+  piece_ = intervals[interval_].piece;
+}
+
+/// True if no piece of the interval behind this one, or before it, begins nearer to q.
+bool PlanCursor::is_in_piece(double q, std::size_t piece) const {
+  const LawStretch& interval = plan_->law().stretches()[interval_];
+  const auto pieces = plan_->path().pieces();
+  return (piece == interval.piece || pieces[piece].start <= q) &&
+         (piece + 1 == interval.piece + interval.pieces || q < pieces[piece + 1].start);
+}
+
+void PlanCursor::at(double t, std::span<Motion> out) {
+  const Path& path = plan_->path();
+  assert(out.size() == path.axes());
+  if (!(t >= from_ && t < to_)) seek(t);
+  const LawStretch& interval = plan_->law().stretches()[interval_];
+  const Motion q = motion_of(std::span(phases_).first(count_), t - interval.time);
+  const auto pieces = path.pieces();
+  double u = q.position + (interval.start - pieces[interval.piece].start);
+  if (interval.pieces > 1) {
+    const double at = pieces[interval.piece].start + u;
+    if (!is_in_piece(at, piece_) &&
+        !(piece_ + 1 < interval.piece + interval.pieces && is_in_piece(at, ++piece_))) {
+      const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(interval.piece);
+      const auto behind =
+          std::upper_bound(first + 1, first + interval.pieces, at,
+                           [](double x, const PathPiece& p) { return x < p.start; });
+      piece_ = static_cast<std::size_t>(behind - pieces.begin()) - 1;
+    }
+    u = at - pieces[piece_].start;
+  }
+  std::array<Jet, max_axes> jet;
+  path.jets(piece_, std::clamp(u, 0.0, pieces[piece_].length), std::span(jet).first(out.size()));
+  const double v = q.velocity;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Jet& r = jet[i];
+    out[i] = {r[0], r[1] * v, r[1] * q.acceleration + r[2] * v * v,
+              r[1] * q.jerk + 3 * r[2] * v * q.acceleration + r[3] * v * v * v};
+  }
+}
+
+}  // namespace jounce

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "jounce/path/plan.hpp"
+
+#include "path/src/corners/blend.hpp"
+#include "path/src/corners/turn.hpp"
+#include "path/src/geometry/digits.hpp"
+#include "path/src/geometry/pieces.hpp"
+#include "path/src/geometry/vector.hpp"
+#include "path/src/timing/stretch.hpp"
+
+namespace jounce {
+namespace {
+
+bool is_corner(const PathPiece& piece) {
+  return piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
+}
+
+class Records {
+ public:
+  explicit Records(const Plan& plan)
+      : plan_(plan), path_(plan.path()), n_(path_.axes()), m_(plan.given().path_axes) {}
+
+  [[nodiscard]] CornerRecord record(const JointMark& mark) const {
+    const PathPiece& piece = path_.pieces()[mark.piece];
+    const PathSettings& settings = plan_.given().settings[piece.settings];
+    CornerRecord c;
+    c.line = mark.line;
+    c.stop = mark.rests;
+    c.note = mark.note;
+    c.asked = settings.corner;
+    c.value = settings.value;
+    const bool corner = is_corner(piece);
+    if (mark.note != JointNote::no_distance && (corner || mark.piece > 0)) {
+      c.angle = angle(mark.piece);
+      c.where = piece.start + (corner ? piece.length / 2 : 0);
+    }
+    if (corner) c.trim = piece.length / 2;
+    if (piece.kind == PieceKind::turn) of_turn(mark.piece, c);
+    if (piece.kind == PieceKind::blend) of_blend(mark.piece, c);
+    if (!c.stop && mark.note != JointNote::no_distance) c.velocity = velocity(c.where);
+    c.text = explain(c);
+    return c;
+  }
+
+ private:
+  /// Direction of a piece at u, which may be beyond its ends: the formula goes on.
+  [[nodiscard]] Point direction(std::size_t piece, double u) const {
+    std::array<Jet, max_axes> jets{};
+    path_.jets(piece, u, std::span(jets).first(n_));
+    Point w{};
+    for (std::size_t i = 0; i < n_; ++i) w[i] = jets[i][1];
+    return w;
+  }
+
+  /// Angle of the joint at a corner, or where a piece begins. A blend replaces its trim of both neighbors, which go on to
+  /// the joint; where a corner takes all of a neighbor, the direction at that end of the blend counts.
+  [[nodiscard]] double angle(std::size_t k) const {
+    const auto pieces = path_.pieces();
+    const double trim = pieces[k].length / 2;
+    Point u;
+    Point w;
+    if (!is_corner(pieces[k])) {
+      u = direction(k - 1, pieces[k - 1].length);
+      w = direction(k, 0);
+    } else {
+      const bool before = k > 0 && !is_corner(pieces[k - 1]);
+      const bool behind = k + 1 < pieces.size() && !is_corner(pieces[k + 1]);
+      u = before ? direction(k - 1, pieces[k - 1].length + trim) : direction(k, 0);
+      w = behind ? direction(k + 1, -trim) : direction(k, pieces[k].length);
+    }
+    return 2 * std::atan2(vec::distance(u, w, m_), vec::norm(vec::sum(u, w), m_));
+  }
+
+  void of_turn(std::size_t k, CornerRecord& c) const {
+    const PathPiece& piece = path_.pieces()[k];
+    const TurnNumbers turn(path_.numbers(k), n_);
+    Point change{};
+    for (std::size_t i = 0; i < n_; ++i) change[i] = turn.after(i) - turn.before(i);
+    double bend = vec::norm(change, m_);
+    if (!(bend > 1e-9)) bend = vec::norm(change, n_);
+    const double cosine = std::cos(c.angle / 2);
+    c.deviation = bend * piece.length * turn_offset(turn.share());
+    c.one_sided = c.deviation * cosine;
+    c.curvature = bend / ((1 - turn.share()) * piece.length * cosine * cosine);
+  }
+
+  void of_blend(std::size_t k, CornerRecord& c) const {
+    const double* data = path_.numbers(k);
+    const std::size_t count = polynomial_count(n_, static_cast<int>(data[0]));
+    c.deviation = data[count];
+    c.one_sided = data[count + 1];
+    std::array<Segment, max_axes> axes;
+    std::vector<Segment> one;
+    for (std::size_t i = 0; i < n_; ++i) {
+      one.clear();
+      path_.segments(k, i, one);
+      axes[i] = one.front();
+    }
+    c.curvature = greatest_curvature(std::span(axes).first(n_), m_);
+  }
+
+  /// Velocity of the law at a place.
+  [[nodiscard]] double velocity(double where) const {
+    const auto intervals = plan_.law().stretches();
+    const auto behind = std::upper_bound(intervals.begin(), intervals.end(), where,
+                                         [](double q, const LawStretch& s) { return q < s.start; });
+    const LawStretch& s = *(behind - 1);
+    if (s.v0 == s.peak && s.v1 == s.peak) return s.peak;
+    double low = 0;  // within a longer ramp: by halving time
+    double high = s.duration;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (motion_in(s, middle).position < where - s.start ? low : high) = middle;
+    }
+    return motion_in(s, low).velocity;
+  }
+
+  const Plan& plan_;
+  const Path& path_;
+  std::size_t n_, m_;
+};
+
+/// A requested value in words: "a deviation of 0.05 mm".
+std::string request(const CornerRecord& c, std::string_view unit) {
+  const std::string value = " of " + six_digits(c.value);
+  switch (c.asked) {
+    case Corner::stop:
+      break;
+    case Corner::deviation:
+      return "a deviation" + value + std::string(unit);
+    case Corner::distance:
+      return "a distance" + value + std::string(unit);
+    case Corner::curvature:
+      return "a curvature" + value;
+    case Corner::velocity:
+      return "a velocity" + value;
+    case Corner::average:
+      return "an average" + value + std::string(unit);
+  }
+  return "the request";
+}
+
+}  // namespace
+
+std::string explain(const CornerRecord& corner, std::string_view length_unit) {
+  const std::string unit = length_unit.empty() ? "" : " " + std::string(length_unit);
+  switch (corner.note) {
+    case JointNote::none:
+      return "";
+    case JointNote::turns_back:
+      return "The path turns back by " + six_digits(corner.angle * 180 / std::numbers::pi) +
+             " degrees: the plan stops here.";
+    case JointNote::short_sides:
+      return "The sides are too short for " + request(corner, unit) + ": a corner with a trim of " +
+             six_digits(corner.trim) + unit + " and a deviation of " +
+             six_digits(corner.deviation) + unit + " is used.";
+    case JointNote::slower:
+      return "Rounding within " + request(corner, unit) +
+             " takes longer than stopping: the plan stops here.";
+    case JointNote::steps:
+      return "The curvature steps here, and the acceleration with it; a corner mode rounds the "
+             "step.";
+    case JointNote::no_distance:
+      return "The command covers no distance: it is left out.";
+  }
+  return "";
+}
+
+std::vector<CornerRecord> Plan::corners() const {
+  std::vector<CornerRecord> out;
+  out.reserve(joints_.size());
+  const Records records(*this);
+  for (const JointMark& mark : joints_) out.push_back(records.record(mark));
+  return out;
+}
+
+}  // namespace jounce

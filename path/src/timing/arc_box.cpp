@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
+
+#include "path/src/geometry/pieces.hpp"
+#include "path/src/timing/box.hpp"
+#include "path/src/timing/stretch.hpp"
+
+// On an arc an axis is  r = m sin(k q + p) + h q + const  (k the angle per q, m > 0):
+//
+//   r' = m k cos + h,   r'' = -m k^2 sin,   r''' = -m k^3 cos,
+//
+// so with M = m k, a = |q''| and j = |q'''| its acceleration and its jerk are within their limits if
+//
+//   (1)  M sqrt(a^2 + (k v^2)^2) + |h| a                              <= A
+//   (2)  M sqrt((j + k^2 v^3)^2 + (3 k v a)^2) + |h| j                <= J
+//
+// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). A law of stations comes to its
+// greatest velocity V without acceleration, so that everywhere
+//
+//   (3)  v + a^2 / 2j <= V
+//
+// and it has less acceleration where it is faster. With y = a^2 / 2j of the greatest acceleration, at most V / 2, and A
+// and J less what the drift h needs,
+//
+//   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2         since (1) is convex in v where (3) binds
+//   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2          for v in [0, V]
+//
+// are enough; of a ramp over dv, y is at most dv / 2. (5) is greatest at V or at the smaller root of  k^2 v^4 - 8 j v + 6 j V,  which is beyond 3 V / 4, and its
+// greatest value is convex in j. Of some velocities and jerks that pair is taken with which the motion over the arc
+// between the velocities of its ends, and what its neighbors lose by them, take the least time.
+//
+// One box for the whole ramp has the acceleration that its fastest place leaves. Stairs have more: the ramp is divided at
+// some velocities, and each step has a box of its own.
+
+namespace jounce {
+namespace {
+
+/// The limits of an arc as limits of its law.
+class ArcRates {
+ public:
+  ArcRates(const Rates& rates, const ArcNumbers& arc, double length) : k_(arc.sweep() / length) {
+    std::array<double, max_axes> M{};
+    std::array<double, max_axes> h{};
+    most_acceleration_ = rates.path.total_acceleration;
+    for (std::size_t i = 0; i < rates.axes; ++i) {
+      M[i] = std::hypot(arc.cosine(i), arc.sine(i)) * k_;
+      h[i] = std::abs(arc.drift(i)) / length;
+      const double slope = M[i] + h[i];
+      if (!(slope > 0)) continue;
+      velocity_ = std::min(velocity_, rates.velocity[i] / slope);
+      most_acceleration_ = std::min(most_acceleration_, rates.acceleration[i] / slope);
+      most_jerk_ = std::min(most_jerk_, rates.jerk[i] / slope);
+    }
+    acceleration_ = rates.path.total_acceleration;
+    for (std::size_t i = 0; i < rates.axes; ++i) {
+      if (!(M[i] > 0)) continue;
+      const auto left = [&](double limit,
+                            double most) {  // at least by rounding what a drift of M leaves
+        return std::max((limit - h[i] * most) / M[i], limit / (M[i] + h[i]));
+      };
+      if (rates.acceleration[i] < PathSettings::none)
+        acceleration_ = std::min(acceleration_, left(rates.acceleration[i], most_acceleration_));
+      if (rates.jerk[i] < PathSettings::none)
+        jerk_ = std::min(jerk_, left(rates.jerk[i], most_jerk_));
+    }
+    velocity_ = std::min({velocity_,
+                          std::sqrt(std::min(acceleration_, rates.path.normal_acceleration) / k_),
+                          std::cbrt(jerk_ / (k_ * k_))});
+  }
+
+  /// The jerk of the curvature at V: of its size are the jerks with which (4) leaves an acceleration at every velocity.
+  [[nodiscard]] double natural_jerk(double V) const { return k_ * k_ * V * V * V; }
+  /// The greatest constant velocity.
+  [[nodiscard]] double velocity() const { return velocity_; }
+  /// The rates of a slow motion.
+  [[nodiscard]] double most_acceleration() const { return most_acceleration_; }
+  [[nodiscard]] double most_jerk() const { return most_jerk_; }
+
+  /// The greatest j of (5); not positive if there is none.
+  [[nodiscard]] double jerk(double V) const {
+    if (jerk_ == PathSettings::none) return most_jerk_;
+    const double normal = natural_jerk(V);
+    double j = std::min(jerk_ - normal, most_jerk_);
+    for (int step = 0; step < 30 && j > 0; ++step) {  // Newton, from above
+      const double v = place_of_most_jerk(V, j);
+      const double sum = j + k_ * k_ * v * v * v;
+      const double room = 18 * k_ * k_ * v * v * (V - v);
+      const double excess = sum * sum + room * j - jerk_ * jerk_;
+      if (excess <= 1e-12 * jerk_ * jerk_) break;
+      j -= excess / (2 * sum + room);
+    }
+    return j;
+  }
+
+  /// The greatest a of (4) that a ramp over dv to V may reach; not positive if there is none.
+  [[nodiscard]] double acceleration(double V, double dv, double j) const {
+    if (acceleration_ == PathSettings::none) return most_acceleration_;
+    const double square = acceleration_ * acceleration_;
+    if (j == PathSettings::none)
+      return std::min(most_acceleration_,
+                      std::sqrt(std::max(square - profiles_detail::square(k_ * V * V), 0.0)));
+    const auto excess = [&](double y) {
+      return 2 * j * y + profiles_detail::square(k_ * (V - y) * (V - y)) - square;
+    };
+    double y = dv / 2;
+    double over = excess(y);
+    for (int step = 0; step < 60 && over > 1e-12 * square; ++step) {  // Newton, from above: convex
+      const double v = V - y;
+      const double slope = 2 * j - 4 * k_ * k_ * v * v * v;
+      if (!(slope > 0) || !(over < slope * y)) return 0;
+      y -= over / slope;
+      over = excess(y);
+    }
+    return std::min(most_acceleration_, std::sqrt(2 * j * y));
+  }
+
+ private:
+  /// Where (5) is greatest.
+  [[nodiscard]] double place_of_most_jerk(double V, double j) const {
+    double v = 0.75 * V;
+    for (int step = 0; step < 20; ++step) {  // Newton, from below: convex
+      const double cube = k_ * k_ * v * v * v;
+      const double slope = 4 * cube - 8 * j;
+      if (!(slope < 0)) return V;
+      const double next = v - (cube * v - 8 * j * v + 6 * j * V) / slope;
+      if (!(next < V)) return V;
+      if (next - v <= 1e-8 * V) break;
+      v = next;
+    }
+    const double inside = j + k_ * k_ * v * v * v;
+    const double at_top = j + k_ * k_ * V * V * V;
+    const double room = 18 * k_ * k_ * v * v * (V - v) * j;
+    return inside * inside + room > at_top * at_top ? v : V;
+  }
+
+  double k_;
+  double velocity_ = PathSettings::none;
+  double acceleration_ = PathSettings::none, jerk_ = PathSettings::none;  ///< A / M, J / M
+  double most_acceleration_ = PathSettings::none, most_jerk_ = PathSettings::none;
+};
+
+/// An arc on which the law goes `length` between two velocities at most: 0 is a rest.
+struct ArcWay {
+  double length, entry, exit;
+};
+
+/// The search for the boxes of an arc.
+class ArcSearch {
+ public:
+  ArcSearch(const ArcRates& limits, const Box& path, const ArcWay& way)
+      : limits_(limits),
+        path_(path),
+        way_(way),
+        slow_a_(std::min(limits.most_acceleration(), path.acceleration)),
+        slow_j_(std::min(limits.most_jerk(), path.jerk)),
+        best_(path) {
+    const double most = std::min(path.velocity, limits.velocity());
+    possible_ = slow_a_ > 0 && slow_j_ > 0 && std::isfinite(slow_a_) && std::isfinite(most);
+    if (!possible_) return;
+    beyond_ = std::min(path.velocity, 2 * most);
+    fastest_ = most;
+    if (rests() > 0)
+      fastest_ = std::min(
+          most, entry_velocity(way.length / rests(), 0, Ramp{slow_a_, slow_j_}).value_or(most));
+  }
+
+  [[nodiscard]] bool possible() const { return possible_; }
+
+  /// The fastest box for the whole arc.
+  [[nodiscard]] Box box() {
+    if (!possible_) return path_;
+    for (const double share : {1.0, 0.99, 0.97, 0.94, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.2, 0.1, 0.05,
+                               0.02, 0.01, 0.001}) {
+      const double v = share * fastest_;
+      if (way_.length / v > shortest_) break;
+      for (const double j : jerks(v)) consider(v, j);
+    }
+    for (const double step : {0.1, 0.05, 0.025, 0.0125, 0.006, 0.003, 0.0015})
+      for (int round = 0; round < 2; ++round)
+        for (const double faster : {1 - step, 1.0, 1 + step}) {
+          const double v = std::min(fastest_, best_v_ * faster);
+          const double most = most_jerk(v);
+          for (const double more : {1 - step, 1.0, 1 + step})
+            consider(v, std::min(most, best_j_ * more));
+        }
+    return best_;
+  }
+
+  /// Stairs, where they are faster than the box.
+  [[nodiscard]] ArcZones zones() {
+    const Box whole = box();
+    ArcZones best;
+    best.add(way_.length, whole);
+    if (!possible_ || shortest_ <= 1.02 * least_time()) return best;
+    double best_top = 0;
+    for (const double top : {1.0, 0.93, 0.85})
+      if (climb(top * fastest_, {{0.7, 0.92, 1}, 3}, best)) best_top = top;
+    if (best_top == 0) return best;
+    for (const double top : {best_top, best_top * 0.97})
+      for (const Steps& steps : {Steps{{0.8, 1}, 2}, Steps{{0.6, 0.85, 0.96, 1}, 4}})
+        climb(top * fastest_, steps, best);
+    return best;
+  }
+
+ private:
+  /// Shares of the ramp at which its steps end.
+  struct Steps {
+    std::array<double, 4> share;
+    std::size_t count;
+  };
+  struct Stairs {
+    ArcZones zones;
+    double time = 0, length = 0;
+  };
+
+  /// Takes stairs up to v if they are faster than what was found before.
+  bool climb(double v, const Steps& steps, ArcZones& best) {
+    const Stairs up = stairs(way_.entry, v, steps);
+    const Stairs down = stairs(way_.exit, v, steps);
+    const double cruise = way_.length - up.length - down.length;
+    if (!(cruise > 1e-6 * way_.length) || up.zones.count + down.zones.count == 0) return false;
+    const double time = up.time + down.time + cruise / v + lost(std::min(way_.entry, v)) +
+                        lost(std::min(way_.exit, v));
+    if (!(time < shortest_ * (1 - 1e-6))) return false;
+    shortest_ = time;
+    best = {};
+    for (std::size_t k = 0; k < up.zones.count; ++k) best.add(up.zones.zone[k]);
+    best.add(cruise, (up.zones.count > 0 ? up : down).zones.last().box);
+    for (std::size_t k = down.zones.count; k-- > 0;) best.add(down.zones.zone[k]);
+    return true;
+  }
+
+  [[nodiscard]] int rests() const { return (way_.entry == 0) + (way_.exit == 0); }
+
+  [[nodiscard]] double most_jerk(double v) const { return std::min(limits_.jerk(v), path_.jerk); }
+
+  /// Jerks that are tried at v, the greatest first: shares of it, and multiples of the natural one below.
+  [[nodiscard]] std::array<double, 10> jerks(double v) const {
+    const double most = most_jerk(v);
+    std::array<double, 10> all{1, 0.85, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05, 0.03, 0.02};
+    for (double& j : all) j *= most;
+    const double natural = limits_.natural_jerk(v);
+    if (natural < 0.5 * most)
+      for (std::size_t i = 0; i < 6; ++i)
+        all[i + 4] = std::min(most, natural * std::array{3.0, 2.0, 1.6, 1.3, 1.0, 0.7}[i]);
+    return all;
+  }
+
+  /// Time lost on a neighbor, where the motion is only at v here.
+  [[nodiscard]] double lost(double v) const {
+    if (!(v > 0)) return 0;
+    return ramp_time(beyond_ - v, slow_a_, slow_j_) -
+           ramp_distance(v, beyond_, slow_a_, slow_j_) / beyond_;
+  }
+
+  /// Time with the accelerations and jerks of a slow motion.
+  [[nodiscard]] double least_time() const {
+    double time = way_.length / fastest_;
+    for (const double v : {std::min(way_.entry, fastest_), std::min(way_.exit, fastest_)})
+      time += lost(v) + ramp_time(fastest_ - v, slow_a_, slow_j_) -
+              ramp_distance(v, fastest_, slow_a_, slow_j_) / fastest_;
+    return time;
+  }
+
+  /// The box for ramps over dv to v with a jerk; no acceleration if there is none.
+  [[nodiscard]] Box with(double v, double dv, double j) const {
+    const double a = j > 0 ? limits_.acceleration(v, dv, j) : 0;
+    return {v, std::min(a, path_.acceleration), std::min(a, path_.deceleration), j};
+  }
+
+  void consider(double v, double jerk) {
+    if (!(v <= fastest_) || !(way_.length / v < shortest_)) return;
+    const Box box = with(v, v, jerk);
+    const auto [velocity, a, d, j, constant] = box;
+    if (!(a > 0)) return;
+    const double v0 = std::min(v, way_.entry);
+    const double v1 = std::min(v, way_.exit);
+    const double cruise = way_.length - ramp_distance(v0, v, a, j) - ramp_distance(v1, v, d, j);
+    double time = 0;
+    if (cruise >= 0) {
+      time = ramp_time(v - v0, a, j) + ramp_time(v - v1, d, j) + cruise / v + lost(v0) + lost(v1) +
+             (rests() < 2 ? 0.01 * ramp_time(v, std::min(a, d), j) : 0);  // other ramps
+    } else if (rests() == 2) {                                            // v is not reached
+      const double least = std::min(a, d);
+      time =
+          2 * ramp_time(entry_velocity(way_.length / 2, 0, Ramp{least, j}).value_or(v), least, j);
+    } else {
+      return;  // a slower box reaches its velocity
+    }
+    if (!(time < shortest_ * (1 - 1e-9))) return;  // more than rounding
+    shortest_ = time;
+    best_v_ = v;
+    best_j_ = jerk;
+    best_ = box;
+  }
+
+  /// The steps from one velocity up to v; none if there is no way.
+  [[nodiscard]] Stairs stairs(double from, double v, const Steps& steps) const {
+    Stairs result;
+    double low = from;
+    for (std::size_t k = 0; k < steps.count && low < v; ++k) {
+      const double high = from + steps.share[k] * (v - from);
+      Box best;
+      double least = PathSettings::none;
+      for (const double jerk : jerks(high)) {
+        const Box box = with(high, high - low, jerk);
+        const double a = std::min(box.acceleration, box.deceleration);
+        if (!(a > 0)) continue;
+        const double loss =
+            ramp_time(high - low, a, box.jerk) - ramp_distance(low, high, a, box.jerk) / v;
+        if (!(loss < least)) continue;
+        least = loss;
+        best = box;
+      }
+      if (least == PathSettings::none) {
+        result.length = PathSettings::none;
+        return result;
+      }
+      const double a = std::min(best.acceleration, best.deceleration);
+      const double length = ramp_distance(low, high, a, best.jerk) * (1 + 1e-12);
+      result.zones.add(length, best);
+      result.length += length;
+      result.time += ramp_time(high - low, a, best.jerk);
+      low = high;
+    }
+    return result;
+  }
+
+  const ArcRates& limits_;
+  Box path_;
+  ArcWay way_;
+  double slow_a_, slow_j_;
+  bool possible_ = false;
+  double fastest_ = 0, beyond_ = 0;
+  double shortest_ = PathSettings::none;
+  double best_v_ = 0, best_j_ = 0;
+  Box best_;
+};
+
+}  // namespace
+
+Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
+            double entry, double exit) {
+  const ArcRates limits(rates, ArcNumbers(numbers, rates.axes), length);
+  return ArcSearch(limits, path_box(rates, settings), {length, entry, exit}).box();
+}
+
+ArcZones arc_zones(const Rates& rates, const PathSettings& settings, const double* numbers,
+                   double whole, double length, double entry, double exit) {
+  const ArcRates limits(rates, ArcNumbers(numbers, rates.axes), whole);
+  return ArcSearch(limits, path_box(rates, settings), {length, entry, exit}).zones();
+}
+
+}  // namespace jounce

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/identification.hpp"
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/report/report_text.hpp"
+#include "jounce/spec/drive_file.hpp"
+
+namespace jounce {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string unit_of_quantity(const std::string& quantity, const std::string& unit) {
+  return quantity == "velocity" ? unit + "/s" : quantity == "torque" ? "N m" : unit;
+}
+
+/// The recorded values of a quantity, with its unit and its label in the picture.
+struct Quantity {
+  const std::vector<double>& recorded;
+  std::string unit;
+  bool deviation;  ///< drawn and reported as its distance from the command
+};
+
+Quantity quantity_named(const Recording& run, const std::string& name, const std::string& unit) {
+  const std::vector<double>& recorded = name == "position"   ? run.position
+                                        : name == "load"     ? run.load
+                                        : name == "velocity" ? run.velocity
+                                                             : run.torque;
+  return {recorded, unit_of_quantity(name, unit), name == "position" || name == "load"};
+}
+
+std::string interval(const FittedNumber& n) {
+  return fmt::format("{} to {}", rounded(n.low), rounded(n.high));
+}
+
+/// "1.2 %", half the interval over the value.
+std::string share(const FittedNumber& n) {
+  const double half = 50 * std::abs((n.high - n.low) / n.value);
+  return half < 1000 ? fmt::format("+-{:.2g} %", half) : "unknown";
+}
+
+}  // namespace
+
+std::string identification_text(const Identification& found, const std::string& unit) {
+  std::string text = fmt::format("{}: {}\n", name(found.status), found.reason);
+  if (found.numbers.empty()) return text;
+  text += fmt::format("  {:<28} {:>12} {:>12} {:>12}   95 % interval\n", "", "start", "fitted", "");
+  for (const FittedNumber& n : found.numbers)
+    text += fmt::format("  {:<28} {:>12} {:>12} {:>12}   {} {}\n", n.key, rounded(n.start),
+                        rounded(n.value), share(n), interval(n), n.unit);
+  for (const Explained& e : found.explained)
+    text +=
+        fmt::format("  residual of {:<16} {:>12} {:>12} {:>12}   {} rms\n", e.quantity,
+                    rounded(e.before), rounded(e.after), "", unit_of_quantity(e.quantity, unit));
+  for (const Entangled& e : found.entangled)
+    text += fmt::format("  - {} and {} are hardly distinguishable (correlation {:.4f})\n", e.first,
+                        e.second, e.correlation);
+  for (const std::string& note : found.notes) text += fmt::format("  - {}\n", note);
+  return text;
+}
+
+std::string identification_json(const Identification& found) {
+  Json numbers = Json::array(), entangled = Json::array(), explained = Json::array();
+  for (const FittedNumber& n : found.numbers)
+    numbers.push_back({{"key", n.key},
+                       {"unit", n.unit},
+                       {"start", n.start},
+                       {"value", n.value},
+                       {"low", n.low},
+                       {"high", n.high}});
+  for (const Entangled& e : found.entangled)
+    entangled.push_back({{"first", e.first}, {"second", e.second}, {"correlation", e.correlation}});
+  for (const Explained& e : found.explained)
+    explained.push_back({{"quantity", e.quantity},
+                         {"rms_before", e.before},
+                         {"rms_after", e.after},
+                         {"autocorrelation", e.autocorrelation}});
+  const Json document{{"status", name(found.status)}, {"usable", found.usable()},
+                      {"reason", found.reason},       {"numbers", numbers},
+                      {"entangled", entangled},       {"explained", explained},
+                      {"notes", found.notes},         {"iterations", found.iterations}};
+  return document.dump();
+}
+
+Figure identification_figure(const Identification& found, const Recording& run,
+                             const std::string& title, const std::string& unit) {
+  Figure figure{.title = title, .x_label = "time [s]"};
+  for (const Explained& e : found.explained) {
+    const Quantity q = quantity_named(run, e.quantity, unit);
+    std::vector<double> recorded = q.recorded, model = e.model, left = e.model;
+    for (std::size_t i = 0; i < recorded.size(); ++i) {
+      left[i] = recorded[i] - model[i];
+      if (q.deviation) recorded[i] -= run.command[i], model[i] -= run.command[i];
+    }
+    const std::string what = e.quantity + (q.deviation ? " - command" : "");
+    figure.panels.push_back({.y_label = fmt::format("{} [{}]", what, q.unit),
+                             .series = {{"recorded", run.time, recorded, Style::under},
+                                        {"fitted model", run.time, model}}});
+    figure.panels.push_back({.y_label = fmt::format("residual [{}]", q.unit),
+                             .series = {{"recorded - model", run.time, left, Style::dots}}});
+  }
+  return figure;
+}
+
+std::string fitted_drive_text(const Identification& found, DriveSpec drive, const Units& units,
+                              const std::string& remark) {
+  drive.drive = found.drive;
+  std::map<std::string, std::string> beside;
+  for (const FittedNumber& n : found.numbers)
+    beside[n.key] = "95 %: " + interval(n) + ", was " + rounded(n.start);
+  return drive_text(drive, units, remark, beside);
+}
+
+}  // namespace jounce

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "jounce/report/ci_formats.hpp"
+
+namespace jounce {
+namespace {
+
+std::string text_of(const FilePlace& place) {
+  std::string text = place.file;
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+  return text;
+}
+
+std::string counted(std::size_t n, const char* one, const char* several) {
+  return fmt::format("{} {}", n, n == 1 ? one : several);
+}
+
+}  // namespace
+
+std::string to_text(const RunResult& run, bool quiet) {
+  std::string text;
+  for (const FileResult& file : run.files)
+    for (const Diagnostic& d : file.diagnostics) {
+      if (d.level < (quiet ? Level::broken : Level::warning)) continue;
+      text += fmt::format("{}: {}: {}{} [{}]\n", text_of(d.place), severity(d.level),
+                          d.axis.empty() ? "" : d.axis + ": ", d.message, d.rule);
+      if (!d.advice.empty()) text += fmt::format("  -> {}\n", d.advice);
+    }
+  return text;
+}
+
+std::string summary_line(const RunResult& run) {
+  std::size_t good = 0;
+  std::size_t broken = 0;
+  std::size_t wrong = 0;
+  for (const FileResult& file : run.files) {
+    const Level worst = file.worst();
+    (worst == Level::error ? wrong : worst == Level::broken ? broken : good) += 1;
+  }
+  std::string text = counted(run.files.size(), "file", "files") + fmt::format(": {} good", good);
+  if (broken > 0)
+    text += fmt::format(", {} with {}", broken,
+                        counted(run.count(Level::broken), "broken rule", "broken rules"));
+  if (wrong > 0)
+    text +=
+        fmt::format(", {} wrong ({})", wrong, counted(run.count(Level::error), "error", "errors"));
+  if (const std::size_t n = run.count(Level::warning); n > 0)
+    text += "; " + counted(n, "warning", "warnings");
+  return text;
+}
+
+}  // namespace jounce

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/report/messages.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/nearest.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/report/rules.hpp"
+
+namespace jounce {
+namespace {
+
+/// All groups, in the order of their first message.
+std::vector<std::string> groups_of(const std::vector<Message>& all) {
+  std::vector<std::string> groups;
+  for (const Message& one : all)
+    if (std::find(groups.begin(), groups.end(), one.group) == groups.end())
+      groups.push_back(one.group);
+  return groups;
+}
+
+/// A text for a cell of a Markdown table.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.insert(at, 1, '\\');
+  return text;
+}
+
+/// The number and the name, if there are any.
+std::string title_of(const Message& one) {
+  return one.code + (one.code.empty() || one.name.empty() ? "" : " ") + one.name;
+}
+
+}  // namespace
+
+std::string messages_markdown(const std::vector<Message>& all) {
+  std::string text =
+      "# Messages\n\nAll numbers and names that an axis, an executor and the stream report. "
+      "`jounce explain NAME`\n"
+      "prints one of them, also the errors of controllers for cams ([their "
+      "table](../cam/errors.md)).\n"
+      "`jounce explain --markdown` prints this page.\n";
+  std::vector<Message> own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+               [](const Message& one) { return !one.is_foreign; });
+  for (const std::string& group : groups_of(own)) {
+    text += fmt::format(
+        "\n## {}\n\n| no. | name | what happened | what to do |\n|---|---|---|---|\n", group);
+    for (const Message& one : own)
+      if (one.group == group)
+        text += fmt::format("| {} | {} | {} | {} |\n", one.code,
+                            one.code.empty() ? "`" + one.name + "`" : one.name, cell(one.meaning),
+                            cell(one.remedy));
+  }
+  return text;
+}
+
+std::string messages_json(const std::vector<Message>& all) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::array();
+  for (const Message& one : all)
+    document.push_back({{"group", one.group},
+                        {"code", one.code},
+                        {"name", one.name},
+                        {"meaning", one.meaning},
+                        {"remedy", one.remedy}});
+  return document.dump();
+}
+
+std::string messages_text(const std::vector<Message>& all) {
+  std::string text;
+  for (const Message& one : all)
+    text += fmt::format("{} ({})\n  {}\n  {}: {}\n", title_of(one), one.group, one.meaning,
+                        one.is_foreign ? "In Jounce" : "What to do", one.remedy);
+  return text;
+}
+
+std::string messages_list(const std::vector<Message>& all) {
+  std::string text;
+  for (const std::string& group : groups_of(all)) {
+    text += fmt::format("{}:\n", group);
+    for (const Message& one : all)
+      if (one.group == group)
+        text += fmt::format("  {:>6} {:<20} {}\n", one.code, one.name, one.meaning);
+  }
+  return text;
+}
+
+std::vector<Message> messages_named(const std::vector<Message>& all, const std::string& code) {
+  std::vector<Message> found;
+  const RuleInfo* const rule = rule_info(code);
+  const std::string name = rule != nullptr ? rule->rule : code;
+  for (const Message& one : all)
+    if (one.code == code || one.name == name) found.push_back(one);
+  if (!found.empty()) return found;
+  std::vector<std::string> names;
+  for (const Message& one : all) names.push_back(one.name);
+  const std::string meant = nearest(code, names);
+  throw InputError(
+      "code", code,
+      "is not the number or name of a message: " +
+          (meant.empty() ? "`jounce explain` lists all" : "did you mean " + meant + "?"));
+}
+
+}  // namespace jounce

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "jounce/command/state.hpp"
+#include "jounce/stream/sender/client.hpp"
+
+/// Calls of an operator: one question or one command, without a streamer.
+namespace jounce {
+
+/// Subscribes to the statuses of an executor and returns the next one; nullopt: none arrives within the time.
+std::optional<wire::Status> present_status(Transport& link, const std::string& executor,
+                                           Nanos timeout, const std::optional<wire::Key>& key = {},
+                                           const Clock& clock = steady_now);
+
+/// The answer to operator_command() as the outcome of a call.
+CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor);
+
+/// Sends one command, with a session if it needs one, and waits for its answer. `at`: its tick in
+/// the executor, -1: the next one. Throws InputError for a value out of range, and TransportError.
+CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
+                         std::int64_t at = -1, const std::optional<wire::Key>& key = {});
+
+/// Waits until the axis is at rest: its state standstill, disabled or error_stop. nullopt: not
+/// within the time. The link must have subscribed to the status channel, with capacity 1.
+std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
+                                const std::optional<wire::Key>& key = {},
+                                const Clock& clock = steady_now);
+
+/// Waits until a homing that the axis has accepted is over, and keeps the session of the client
+/// meanwhile. If `cancelled` returns true, stops the axis once and waits for rest. The outcome is
+/// `refused`, with the cause of the fault or stop, if the axis is not homed then. The link must
+/// have subscribed as for await_rest().
+CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
+                       const std::function<bool()>& cancelled,
+                       const std::optional<wire::Key>& key = {}, const Clock& clock = steady_now);
+
+}  // namespace jounce

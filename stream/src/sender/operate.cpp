@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/sender/operate.hpp"
+
+#include <chrono>
+#include <utility>
+#include <variant>
+
+#include "jounce/command/cause.hpp"
+#include "jounce/command/command_table.hpp"
+
+namespace jounce {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+CallOutcome not_homed(std::int32_t cause) {
+  const auto why = static_cast<Cause>(cause);
+  return {StreamError::refused, wire::Refusal::axis, cause,
+          std::string("not homed: ") + name(why) + ": " + meaning(why)};
+}
+
+CallOutcome home_outcome(const wire::Status& status) {
+  if (status.homed) return {};
+  if (status.last_error != 0) return not_homed(status.last_error);
+  return not_homed(status.reason);
+}
+
+bool is_at_rest(State state) {
+  return state == State::standstill || state == State::disabled || state == State::error_stop;
+}
+
+std::optional<wire::Status> next_status_of(Transport& link, const std::string& executor,
+                                           Nanos timeout, const std::optional<wire::Key>& key,
+                                           const Clock& clock) {
+  auto message = next_status(link, executor, timeout, clock, key);
+  if (!message) return std::nullopt;
+  return std::get<wire::Status>(std::move(message->body));
+}
+
+}  // namespace
+
+std::optional<wire::Status> present_status(Transport& link, const std::string& executor,
+                                           Nanos timeout, const std::optional<wire::Key>& key,
+                                           const Clock& clock) {
+  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
+  return next_status_of(link, executor, timeout, key, clock);
+}
+
+CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
+  if (reply.outcome == wire::Outcome::accepted) return {};
+  if (reply.outcome == wire::Outcome::pending)
+    return {StreamError::command_timeout,
+            {},
+            0,
+            executor + " did not accept or reject the command in time"};
+  return {StreamError::refused, reply.refusal, reply.cause,
+          std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
+}
+
+CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
+                         std::int64_t at, const std::optional<wire::Key>& key) {
+  if (is_operators(kind_of(command)))
+    return outcome_of(operator_command(link, executor, wire::message_of(command, at), key),
+                      executor);
+  Client client(link, executor, {.key = key});
+  CallOutcome outcome = client.command(command, at);
+  static_cast<void>(client.release());
+  return outcome;
+}
+
+std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
+                                const std::optional<wire::Key>& key, const Clock& clock) {
+  for (const Nanos begin = clock(); clock() - begin < patience;) {
+    const auto status = next_status_of(link, executor, 100ms, key, clock);
+    if (status && is_at_rest(status->state)) return status->state;
+  }
+  return std::nullopt;
+}
+
+CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
+                       const std::function<bool()>& cancelled, const std::optional<wire::Key>& key,
+                       const Clock& clock) {
+  bool stopped = false;
+  for (;;) {
+    if (const auto status = next_status_of(link, executor, 50ms, key, clock)) {
+      const bool moves = status->slave_velocity != 0;  // it may still brake, also in a fault
+      const bool under_way = status->state == State::homing || moves;
+      if (!under_way) return home_outcome(*status);
+    }
+    if (cancelled() && !std::exchange(stopped, true))
+      if (const CallOutcome stop = client.stop(); !stop.ok()) return stop;
+    if (const CallOutcome alive = client.beat(); !alive.ok()) return alive;
+  }
+}
+
+}  // namespace jounce

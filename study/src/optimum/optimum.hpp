@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "jounce/optimize/outcome.hpp"
+#include "jounce/study/optimum.hpp"
+
+namespace jounce::study_detail {
+
+SpecOptimum optimum_of_knots(const Spec& spec, const OptimumProgress& keep_going);
+SpecOptimum optimum_of_shapes(const Spec& spec, const OptimumProgress& keep_going);
+SpecOptimum optimum_of_numbers(const Spec& spec, const OptimumProgress& keep_going);
+
+/// The callback of an optimizer that reports to `keep_going`. `step(progress)` is the current step in words.
+template <class Step>
+KeepGoing reported_to(const OptimumProgress& keep_going, Step step) {
+  if (!keep_going) return {};
+  return [&keep_going, step = std::move(step)](const OptimizeProgress& progress) {
+    return keep_going(progress.done, step(progress));
+  };
+}
+
+}  // namespace jounce::study_detail

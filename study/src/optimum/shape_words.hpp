@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "jounce/design/make.hpp"
+#include "jounce/report/report_text.hpp"
+#include "jounce/spec/spec.hpp"
+
+/// The outcome of free shapes in the words and units of its spec.
+namespace jounce::study_detail {
+
+/// Names of the numbers of an outcome.
+class ShapeWords {
+ public:
+  explicit ShapeWords(const Spec& spec)
+      : spec_(spec), cam_(std::get<CamSpec>(spec.subject)), labels_{spec.units, true, {}} {
+    for (std::size_t i = 0; i < cam_.segments.size(); ++i) labels_.segments.push_back(segment(i));
+  }
+
+  [[nodiscard]] const Labels& labels() const { return labels_; }
+  [[nodiscard]] const std::vector<ShapeFigureSpec>& figures() const {
+    return spec_.optimize.shape.figures;
+  }
+
+  /// The figure that is minimized now.
+  [[nodiscard]] std::string stage(const OptimizeProgress& progress) const {
+    return figures()[std::min(progress.stage, figures().size() - 1)].name;
+  }
+
+  /// Figures that are minimized; the others are ceilings.
+  [[nodiscard]] std::size_t minimized() const {
+    return figures().size() - spec_.optimize.shape.ceilings.size();
+  }
+
+  [[nodiscard]] std::string segment(std::size_t i) const {
+    const std::string& name = cam_.segments[i].name;
+    return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
+  }
+
+  [[nodiscard]] std::string segments(const CamRunOutcome& run) const {
+    std::string list;
+    for (const std::size_t i : run.segments) list += (list.empty() ? "" : ", ") + segment(i);
+    return list;
+  }
+
+  /// A run may go beyond the seam: its places are those of the cam.
+  [[nodiscard]] double place(double where) const {
+    const double start = cam_.start.master;
+    const double end = cam_.segments.back().end.master;
+    return where > end ? where - (end - start) : where;
+  }
+
+  [[nodiscard]] std::string at(double where, const CamRunOutcome& run) const {
+    const double here = place(where);
+    std::size_t i = run.segments.front();
+    for (const std::size_t each : run.segments)
+      if (here >= begin(each) && here <= cam_.segments[each].end.master) i = each;
+    return fmt::format("{} {} (segment {})", rounded(here), spec_.units.x, segment(i));
+  }
+
+  [[nodiscard]] double length(const CamRunOutcome& run) const {
+    double length = 0;
+    for (const std::size_t i : run.segments) length += cam_.segments[i].end.master - begin(i);
+    return length;
+  }
+
+ private:
+  [[nodiscard]] double begin(std::size_t i) const {
+    return i == 0 ? cam_.start.master : cam_.segments[i - 1].end.master;
+  }
+
+  const Spec& spec_;
+  const CamSpec& cam_;
+  Labels labels_;
+};
+
+/// A figure of a run in the numbers that are printed.
+struct PrintedFigure {
+  const ShapeFigureSpec& spec;
+  double given;
+  double reached;
+  std::optional<double> bound;
+  std::optional<double> could_save;  ///< share of `reached`
+};
+
+/// A figure that is alone has the bound of its splines where no better one is known.
+std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words);
+
+/// The limit that would stop a run next: the least margin of those not reached already; nullptr: none.
+const Finding* next_limit(const CamRunOutcome& run);
+
+}  // namespace jounce::study_detail

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/command_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+
+namespace jounce::command_words_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const Units mm{"deg", "mm"};
+
+TEST(CommandWords, AMoveHasItsValuesInTheUnitsOfTheAxis) {
+  const CommandWords words{.what = "move",
+                           .options = {{"to", "12cm"}, {"velocity", "0.2 m/s"}, {"blend", "next"}}};
+  require_taken(words);
+  const auto move = std::get<command::MoveAbsolute>(command_of(words, mm));
+  EXPECT_DOUBLE_EQ(move.position, 120);
+  EXPECT_DOUBLE_EQ(move.dynamics.velocity, 200);
+  EXPECT_EQ(move.buffer, BufferMode::blending_next);
+}
+
+TEST(CommandWords, TheFirstOptionSelectsTheCommand) {
+  EXPECT_EQ(kind_of(command_of({.what = "move", .options = {{"by", "5"}}}, mm)),
+            CommandKind::move_relative);
+  EXPECT_EQ(kind_of(command_of({.what = "inch", .value = "5"}, mm)), CommandKind::move_relative);
+  EXPECT_EQ(kind_of(command_of({.what = "enable"}, mm)), CommandKind::enable);
+  EXPECT_EQ(test::key_of([] {
+              command_of({.what = "move", .options = {{"to", "5"}, {"by", "5"}}}, mm);
+            }),
+            "--by");
+  EXPECT_THAT(test::rule_of([] { command_of({.what = "move"}, mm); }),
+              HasSubstr("needs one of --to, --by"));
+}
+
+TEST(CommandWords, AWrongValueIsNamed) {
+  EXPECT_EQ(test::key_of([] { command_of({.what = "override", .value = "300%"}, mm); }), "VALUE");
+  EXPECT_EQ(test::key_of([] {
+              command_of({.what = "move", .options = {{"to", "5kg"}}}, mm);
+            }),
+            "--to");
+  EXPECT_EQ(test::key_of([] { require_taken({.what = "enable", .value = "5"}); }), "VALUE");
+  EXPECT_EQ(test::rule_of([] {
+              require_taken({.what = "enable", .options = {{"to", "5"}}});
+            }),
+            "does not apply to enable, which has no value and no option");
+}
+
+TEST(CommandWords, EachOptionIsListedOnce) {
+  EXPECT_THAT(command_words(), Contains("gear-in"));
+  std::map<std::string, int> count;
+  for (const CommandOption& option : command_options()) ++count[option.name];
+  EXPECT_EQ(command_options().front().name, "to");
+  for (const auto& [name, times] : count) EXPECT_EQ(times, 1) << name;
+}
+
+}  // namespace
+}  // namespace jounce::command_words_test

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/play_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+
+namespace jounce::play_plan_test {
+namespace {
+
+const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
+
+/// Over time in ms: 0, 10, 4 mm.
+Input three_points() {
+  Columns columns{.x = {0, 1000, 2000}, .p = {5, 15, 9}, .v = {}, .a = {}};
+  const Table table(Domain::time, Interpolation::linear, Extrapolation::hold, std::move(columns));
+  return input_of({table, {"ms", "mm"}, {}}, "three.csv");
+}
+
+TEST(StreamPlan, ATableOverTimeIsInSeconds) {
+  StreamPlan plan = stream_plan("feeder", three_points(), {});
+  ASSERT_EQ(plan.tables.size(), 1U);
+  EXPECT_EQ(plan.executor, "feeder");
+  EXPECT_EQ(plan.tables[0].table.end(), 2);
+  EXPECT_EQ(plan.tables[0].units.x, "s");
+  EXPECT_EQ(plan.mode, wire::ArmMode::play);
+  add_swap(plan, three_points(), {});
+  ASSERT_EQ(plan.swaps.size(), 1U);
+  EXPECT_EQ(plan.swaps[0].slave, 1U) << "behind the first table";
+}
+
+TEST(StreamPlan, ACamBringsItsMasterOrFollowsALiveOne) {
+  const Input cam = read_inputs(examples + "pmc600-cam/cam.toml").front();
+  const StreamPlan own = stream_plan("feeder", cam, {});
+  EXPECT_EQ(own.mode, wire::ArmMode::follow_table);
+  ASSERT_EQ(own.tables.size(), 2U);
+  EXPECT_EQ(own.tables[1].table.axis(), Domain::time);
+  const StreamPlan live = stream_plan("feeder", cam, {.live = true, .keep_velocity = true});
+  EXPECT_EQ(live.mode, wire::ArmMode::follow_input);
+  EXPECT_EQ(live.tables.size(), 1U);
+  EXPECT_EQ(live.end, CamEnd::keep_velocity);
+  EXPECT_EQ(stream_plan("feeder", cam, {.live = true}).end, CamEnd::brake);
+}
+
+TEST(RowPlan, StatesItsRangeFromTheFirstKnot) {
+  const RowPlan plan = row_plan("feeder", bank_of(three_points()), 64, false);
+  EXPECT_EQ(plan.queue.origin, 5);
+  EXPECT_EQ(plan.queue.lowest, 0);
+  EXPECT_EQ(plan.queue.highest, 10);
+  EXPECT_EQ(plan.queue.prefill, 64U);
+  EXPECT_EQ(row_plan("feeder", bank_of(three_points()), 64, true).queue.origin, 0);
+}
+
+// The table rises by 10, and ends 4 above its start: pass k begins at 4 k.
+TEST(BankPlan, TheSecondBankAddsItsTravelInEachPass) {
+  const TableFile table = bank_of(three_points());
+  const BankPlan plan = bank_plan(table, table, 3, false);
+  EXPECT_EQ(plan.queue.loops, 3);
+  EXPECT_EQ(plan.queue.highest, 3 * 4 + 10);
+  EXPECT_EQ(plan.queue.lowest, 0);
+  EXPECT_EQ(plan.first.size(), plan.second.size());
+  EXPECT_TRUE(fit_in_one_queue(table, table));
+  TableFile inches = table;
+  inches.units.position = "in";
+  EXPECT_FALSE(fit_in_one_queue(table, inches));
+}
+
+TEST(FollowBankPlan, HoldsTheEventOfTheSpec) {
+  const Input follow = read_inputs(examples + "googol-follow/7-6.toml").front();
+  ASSERT_TRUE(is_follow(follow));
+  const BankPlan plan = follow_bank_plan(follow, true);
+  EXPECT_EQ(plan.queue.axis, Domain::master);
+  EXPECT_TRUE(plan.queue.relative);
+  EXPECT_FALSE(plan.first.empty());
+  EXPECT_EQ(pass_position(follow).has_value(), plan.queue.event == wire::QueueEvent::pass);
+  EXPECT_FALSE(is_follow(three_points()));
+  EXPECT_FALSE(pass_position(three_points()));
+}
+
+TEST(InputsFor, AreChosenByNameThenByPlace) {
+  Input x = three_points(), y = three_points();
+  x.axis = "x", y.axis = "y";
+  const auto names = [](const std::vector<Input>& inputs) {
+    std::vector<std::string> all;
+    for (const Input& input : inputs) all.push_back(input.axis);
+    return all;
+  };
+  EXPECT_THAT(names(inputs_for({"y", "x"}, {x, y}, "f")), testing::ElementsAre("y", "x"));
+  EXPECT_THAT(names(inputs_for({"a", "b"}, {x, y}, "f")), testing::ElementsAre("x", "y"));
+  EXPECT_THAT(names(inputs_for({"a", "b"}, {x}, "f")), testing::ElementsAre("x", "x"));
+  EXPECT_EQ(test::rule_of([&] {
+              inputs_for({"a", "b", "c"}, {x, y}, "f");
+            }),
+            "names 3 axes, but f has 2: name one executor for each axis");
+}
+
+}  // namespace
+}  // namespace jounce::play_plan_test

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/run_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace jounce::run_text_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+ExecutorSummary two_axes() {
+  ExecutorSummary summary;
+  summary.axes = {{.name = "feeder", .finished = 2, .position = 1.5},
+                  {.name = "knife", .stopped = 1, .fault = Cause::following_error}};
+  summary.cycle.ticks = 1000;
+  summary.lateness[3] = 1000;
+  return summary;
+}
+
+TEST(SummaryText, NamesEachAxisAndItsFault) {
+  const std::string text = summary_text(two_axes());
+  EXPECT_THAT(text, StartsWith("feeder: 2 motions finished, 0 stopped; at 1.5\n"));
+  EXPECT_THAT(text, HasSubstr("knife: fault: following_error: "));
+  EXPECT_THAT(text, HasSubstr("1000 ticks, 0 late, by at most 0.000 ms; 99.9 % woken within 8 us"));
+  ExecutorSummary alone = two_axes();
+  alone.axes.pop_back();
+  EXPECT_THAT(summary_text(alone), StartsWith("2 motions finished"));
+}
+
+TEST(SummaryText, IsWholeAsJson) {
+  const auto document = nlohmann::json::parse(summary_json(two_axes()));
+  EXPECT_EQ(document["axes"][1]["fault"], "following_error");
+  EXPECT_EQ(document["lateness_us"][3], 1000);
+}
+
+TEST(MissingParts, AreSentences) {
+  ExecutorSummary summary = two_axes();
+  EXPECT_THAT(missing_parts(summary, "run.csv"), IsEmpty());
+  summary.cycle.lost = 3;
+  summary.axes[1].log_truncated = true;
+  EXPECT_THAT(missing_parts(summary, "run.csv"),
+              ElementsAre("3 ticks are missing from the log",
+                          "the log of knife is cut off: run.knife.csv.truncated"));
+  EXPECT_THAT(missing_parts(summary, ""), IsEmpty()) << "without a log, no tick is missing";
+  summary.record_lost = 7;
+  EXPECT_THAT(missing_parts(summary, ""),
+              ElementsAre("the record is incomplete: 7 cycles are missing"));
+  summary.lost_name = "feeder";
+  EXPECT_THAT(missing_parts(summary, ""), ElementsAre(HasSubstr("has the name feeder")));
+}
+
+}  // namespace
+}  // namespace jounce::run_text_test

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/identification.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace jounce::identification_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Recording recording() {
+  return {.time = {0, 1, 2, 3},
+          .command = {0, 1, 2, 3},
+          .position = {0.5, 1, 2, 3},
+          .torque = {1, 2, 3, 4}};
+}
+
+Identification inertia() {
+  Identification found;
+  found.status = Identification::Status::converged;
+  found.reason = "done";
+  found.numbers = {{"motor.inertia", "kg m^2", 1, 2, 1.9, 2.1}};
+  found.explained = {{.quantity = "position", .before = 1, .after = 0.25, .model = {0, 1, 2, 3.5}},
+                     {.quantity = "torque", .before = 4, .after = 1, .model = {1, 2, 3, 3}}};
+  return found;
+}
+
+TEST(Identification, HasIntervalsAndResidualsWithTheirUnits) {
+  const std::string text = identification_text(inertia(), "mm");
+  EXPECT_THAT(text, StartsWith("converged: done\n"));
+  EXPECT_THAT(text, HasSubstr("+-5 %   1.9 to 2.1 kg m^2\n"));
+  EXPECT_THAT(text, HasSubstr("mm rms\n"));
+  EXPECT_THAT(text, HasSubstr("N m rms\n"));
+  const auto document = nlohmann::json::parse(identification_json(inertia()));
+  EXPECT_EQ(document["numbers"][0]["value"], 2);
+  EXPECT_EQ(document["explained"][1]["rms_after"], 1);
+}
+
+TEST(Identification, FigureShowsPositionsAsTheirDistanceFromTheCommand) {
+  const Figure figure = identification_figure(inertia(), recording(), "run", "mm");
+  ASSERT_EQ(figure.panels.size(), 4U);
+  EXPECT_EQ(figure.panels[0].y_label, "position - command [mm]");
+  EXPECT_THAT(figure.panels[0].series[0].y, testing::ElementsAre(0.5, 0, 0, 0));
+  EXPECT_THAT(figure.panels[1].series[0].y, testing::ElementsAre(0.5, 0, 0, -0.5))
+      << "recorded - model";
+  EXPECT_EQ(figure.panels[2].y_label, "torque [N m]");
+  EXPECT_THAT(figure.panels[3].series[0].y, testing::ElementsAre(0, 0, 0, 1));
+}
+
+}  // namespace
+}  // namespace jounce::identification_test
