@@ -39,7 +39,8 @@ std::string rule_of_unsupported(double g_number) {
   for (const Unsupported& each : unsupported)
     if (g_number >= each.first && g_number <= each.last)
       return std::string(each.meaning) + " is not supported: " + each.remedy;
-  return "is not supported: use G0 to G4, G17 to G21, G54 to G59, G61, G64, G90, G90.1, G91, G91.1";
+  return "is not supported: use G0 to G4, G17 to G21, G54 to G59, G61, G61.1, G64, G90, G90.1, "
+         "G91, G91.1";
 }
 
 std::string rule_of_unsupported(const std::string& letters) {
