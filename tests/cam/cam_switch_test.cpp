@@ -269,7 +269,7 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
   expect_refused(with({s}, {.on_compensation = NAN}), "track[1].on_compensation", "finite");
   expect_refused(with({s}, {.track = 2}), "track[1].track", "no switch");
   expect_refused(with({s}, {.track = 33}), "track[1].track", "1 to 32");
-  expect_refused({.switches = {s}, .tracks = {{}, {}}}, "track[2].track", "twice");
+  expect_refused({.switches = {s}, .tracks = {{}, {}}}, "track[2].track", "two sets of options");
   expect_refused({.switches = {s}, .period = 0}, "period", "greater than 0");
   s.track = 0;
   expect_refused({.switches = {s}}, "switch[1].track", "1 to 32");

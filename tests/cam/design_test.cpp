@@ -258,12 +258,12 @@ TEST(Design, NamesWhatContradictsItself) {
             "`dwell` has no acceleration: use a law from rest to rest");
 
   spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
-  EXPECT_EQ(complaint(spec).substr(0, 67),
+  EXPECT_EQ(complaint(spec).substr(0, 66),
             "segment[1].end.geo_acceleration = -0.001: must be beyond -0.012337")
       << "pi^2 / 4 of stroke / length^2";
 
   spec.segments = {{Law::double_harmonic, {100, 50, {}, -0.001}}};
-  EXPECT_EQ(complaint(spec).substr(0, 62),
+  EXPECT_EQ(complaint(spec).substr(0, 59),
             "segment[1].end.geo_acceleration = -0.001: must be -0.049348");
 
   spec.segments = {{Law::modified_sine, {100, 50}, "", {.inflection = 1.5}}};

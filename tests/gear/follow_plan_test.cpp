@@ -265,9 +265,9 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
   EXPECT_EQ(text({.points = {{0, 1}}}),
             "point[1].master = 0: must be greater than 0, the place of the start, of a point or of "
             "a zone");
-  EXPECT_EQ(text({.zones = {{5, 5, 1}}}), "zone[1].to = 5: must be greater than 5");
+  EXPECT_EQ(text({.zones = {{5, 5, 1}}}), "zone[1].to = 5: must be greater than from = 5");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {40, 60, 1}}}),
-            "zone[2].from = 40: must be at least 50, the end of the previous zone or point");
+            "zone[2].from = 40: must be at least 50, the end of the previous zone");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {50, 60, 2}}}),
             "zone[2].ratio = 2: must be 1, the ratio of the slave there: let it reach the new "
             "ratio before this zone");

@@ -91,7 +91,7 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
             "f.toml:5:9: follow.table[1].loops = 0: is endless: only the last table can be. Give "
             "the number of passes before the next table");
   EXPECT_EQ(error_of("[[zone]]\nfrom = 5\nto = 4\nratio = 1\n"),
-            "f.toml:6:6: zone[1].to = 4 deg: must be greater than 5");
+            "f.toml:6:6: zone[1].to = 4 deg: must be greater than from = 5");
   EXPECT_THAT(
       error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
                "ratio = 1\n"),

@@ -250,7 +250,8 @@ void Desk::couple(const CommandRequested& requested, const Request& request) {
 /// start then.
 void Desk::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
                 const Request& /*start*/) {
-  if (!options_.table) return decline(requested, "the axis has no table of its own: stream one");
+  if (!options_.table)
+    return decline(requested, "the axis has no table of its own: send one with `jounce stream`");
   const Request request{requested.session, requested.command, Kind::arm};
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,

@@ -13,7 +13,7 @@ struct Unsupported {
 };
 
 // The meanings of DIN 66025, RS-274 and LinuxCNC.
-constexpr std::array<Unsupported, 18> unsupported{{
+constexpr std::array<Unsupported, 17> unsupported{{
     {5, 5.3, "a spline", "have the CAM program write lines and arcs"},
     {10, 10, "the setting of an offset", "give the offset in [gcode], such as G54 = [...]"},
     {28, 30.9, "the return to a reference position", "write the position with G0"},
@@ -25,7 +25,6 @@ constexpr std::array<Unsupported, 18> unsupported{{
     {50, 51, "scaling", "have the CAM program write the scaled path"},
     {52, 52, "a shift of the coordinates", "use an offset G54 to G59 of [gcode]"},
     {53, 53, "motion in machine coordinates", "write the position in the offset that is active"},
-    {61.1, 61.1, "exact path mode", "use G61, or G64 P with the greatest deviation"},
     {68, 69, "rotation of the coordinates", "have the CAM program write the rotated path"},
     {73, 76.9, "a drilling or thread cycle", "have the CAM program write G0 and G1"},
     {81, 89, "a drilling cycle", "have the CAM program write G0 and G1"},
@@ -40,7 +39,8 @@ std::string rule_of_unsupported(double g_number) {
   for (const Unsupported& each : unsupported)
     if (g_number >= each.first && g_number <= each.last)
       return std::string(each.meaning) + " is not supported: " + each.remedy;
-  return "is not supported: use G0 to G4, G17 to G21, G54 to G59, G61, G64, G90, G90.1, G91, G91.1";
+  return "is not supported: use G0 to G4, G17 to G21, G54 to G59, G61, G61.1, G64, G90, G90.1, "
+         "G91, G91.1";
 }
 
 std::string rule_of_unsupported(const std::string& letters) {

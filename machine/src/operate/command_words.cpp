@@ -136,6 +136,8 @@ std::string unit_of(Quantity quantity, const Units& units) {
 }
 
 double number_of(const std::string& name, const std::string& text, const std::string& unit) {
+  if (text.empty())
+    throw InputError(name, "", "is missing: give a number" + (unit.empty() ? "" : ", in " + unit));
   try {
     return quantity(text, unit);
   } catch (const InputError& error) {
@@ -157,6 +159,7 @@ double positive(const std::string& word, const Field& field, const std::string& 
 
 /// "50%" or "0.5".
 double factor_of(const std::string& text) {
+  if (text.empty()) throw InputError(value_word, "", "is missing: give 0% to 200%");
   const bool percent = !text.empty() && text.back() == '%';
   const auto factor = csv_number(percent ? text.substr(0, text.size() - 1) : text);
   if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))

@@ -95,10 +95,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const double largest = std::max(aa, bb);
   const double area2 = aa * bb - ab * ab;  // twice the triangle's area, squared
   if (!(area2 > profiles_detail::square(coincident * largest)) || !(std::min(aa, bb) > 0))
-    throw InputError(
-        "via", six_digits(std::sqrt(aa)),
-        "start, via point and end must not coincide or lie on a line; the via point is so far "
-        "from the start");
+    throw InputError("via", "",
+                     "lies on a line with start and end, or coincides with one of them: move it");
   // The center from + x a + y b has the same distance from all three points.
   const double x = bb * (aa - ab) / (2 * area2);
   const double y = aa * (bb - ab) / (2 * area2);

@@ -100,10 +100,9 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
       [&]<class Over>(const Curve<Over>& curve) {
         const auto* other = std::get_if<Curve<Over>>(&*before->curve);
         if (other == nullptr)
-          throw InputError(
-              "before", before->name,
-              "and " + input.name +
-                  " cannot share a picture: one is over the master, the other over time");
+          throw InputError("before", before->name,
+                           "cannot share a picture with " + input.name +
+                               ": one is over the master, the other over time");
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       *input.curve);

@@ -179,10 +179,10 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
     const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;
-    report.findings.push_back({Rule(RuleFamily::continuity, names[k]), "",
-                               std::string("step of ") + names[k], jumps[k].where, step, limit,
-                               margin, step > limit, std::nullopt,
-                               step > limit ? "make both sides of the joint agree" : ""});
+    report.findings.push_back(
+        {Rule(RuleFamily::continuity, names[k]), "", std::string("step of ") + names[k],
+         jumps[k].where, step, limit, margin, step > limit, std::nullopt,
+         step > limit ? "make both sides of the joint agree; a period ends as it begins" : ""});
   }
   sort(report);
   return report;
@@ -211,18 +211,7 @@ template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
   std::array<Jump, 4> jumps;
   for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
-  Report report =
-      profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
-  const bool again = repeats(f.outside());
-  for (Finding& step : report.findings) {
-    if (!step.broken) continue;
-    if (step.where == f.end())
-      step.advice = again ? "the curve repeats: let it end as it begins"
-                          : "the curve stops here: let it end at rest";
-    else if (step.where == f.start())
-      step.advice = "the curve starts here: let it begin at rest";
-  }
-  return report;
+  return profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                            \

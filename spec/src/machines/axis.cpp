@@ -14,7 +14,11 @@ const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite
 }  // namespace
 
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
-  auto unit = fallback == nullptr ? reader.text(key) : reader.optional_text(key).value_or(fallback);
+  if (fallback == nullptr && !reader.has(key)) {
+    reader.refuse_misspelt(key);
+    reader.fail(key, "", std::string("is missing: add ") + key + " = \"mm\", or another unit");
+  }
+  auto unit = reader.optional_text(key).value_or(fallback == nullptr ? "" : fallback);
   if (!is_unit(unit))
     reader.fail(key, '"' + unit + '"',
                 "is not a known unit; known are mm, m, um, in, deg, rad, rev, pulse, s, ms and "
