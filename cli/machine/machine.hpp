@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/desk.hpp"
+#include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/masters.hpp"
 
 namespace jounce::cli {

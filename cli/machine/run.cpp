@@ -12,7 +12,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
