@@ -60,27 +60,27 @@ void cycle(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   Machine machine(axes(count, state.range(1) != 0));
   FreePacer pacer;
-  Post post(count);
-  Cycle cycle(machine, pacer, post);
+  MachineExchange exchange(count);
+  Cycle cycle(machine, pacer, exchange);
   const auto played = table();
   std::vector<std::unique_ptr<Job>> jobs;
   for (std::size_t i = 0; i < count; ++i) {
     jobs.push_back(std::make_unique<Job>(i + 1, played));
-    post.mail[i]->commands.push({command::Enable{}});
-    post.mail[i]->commands.push({command::Arm{.movement = jobs[i].get()}});
-    post.mail[i]->commands.push({command::Start{}});
+    exchange.axes[i]->commands.push({command::Enable{}});
+    exchange.axes[i]->commands.push({command::Arm{.movement = jobs[i].get()}});
+    exchange.axes[i]->commands.push({command::Start{}});
   }
   for (int i = 0; i < 10; ++i) cycle.once();
   Tick tick;
   for (auto _ : state) {
     cycle.once();
     state.PauseTiming();
-    for (auto& mail : post.mail)
-      while (mail->ticks.pop(tick)) benchmark::DoNotOptimize(tick);
+    for (auto& axis : exchange.axes)
+      while (axis->ticks.pop(tick)) benchmark::DoNotOptimize(tick);
     state.ResumeTiming();
   }
   if (tick.job == 0) state.SkipWithError("the axes do not play");
-  state.counters["p99.9_us_at_most"] = upper_bound(post.vitals.computing.counts(), 0.999);
+  state.counters["p99.9_us_at_most"] = upper_bound(exchange.cycle.computing.counts(), 0.999);
 }
 BENCHMARK(cycle)
     ->ArgNames({"axes", "follow"})

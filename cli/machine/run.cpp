@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 #include "jounce/machine/machine_parts.hpp"
 #include "jounce/machine/run_text.hpp"
 #include "jounce/profiles/error.hpp"

@@ -43,6 +43,28 @@ double way_between(double v0, double v1) {
   return std::abs(v1 * v1 - v0 * v0) / (2 * a);
 }
 
+// At 95 u/s and 1000 u/s^2, a move needs a jerk of a^2 / (2 * 5 u/s) = 1e5 u/s^3 to keep 100 u/s. It
+// also brakes with that jerk, in 5.5 u. At constant velocity its own 5e3 u/s^3 would do, with a stop of
+// 100 u/s * sqrt(100 / 5e3) s = 14 u: so it cannot be planned again, and no move can wait for it.
+TEST(AxisBuffer, AMoveBehindOneThatCannotBePlannedAgainDoesNotWait) {
+  AxisConfig config{.limits = limits(100, 1000, 1e6)};
+  config.limits.position_max = 14;
+  Bench axis(config);
+  axis.tell(Kind::enable);
+  Tick tick = axis.step({command::MoveVelocity{.velocity = 100}});
+  for (; tick.velocity < 95; tick = axis.step()) ASSERT_LT(tick.tick, 200);
+  const Command first{command::MoveAbsolute{.position = 14, .dynamics = {.jerk = 5e3}}};
+  ASSERT_EQ(refusal(axis.step(first)), Cause::none);
+  axis.run(20);
+  const Command second{command::MoveRelative{.distance = -5, .buffer = BufferMode::buffered}};
+  tick = axis.step(second);
+  EXPECT_EQ(refusal(tick), Cause::no_such_move);
+  EXPECT_FALSE(tick.waiting);
+  tick = axis.run(2000);
+  EXPECT_EQ(tick.state, State::standstill);
+  EXPECT_NEAR(tick.position, 14, 1e-9) << "the rejected move has not begun";
+}
+
 // Buffered: the second move begins where the first has ended, at rest.
 TEST(AxisBuffer, ABufferedMoveBeginsWhereTheOneBeforeHasEnded) {
   Two axis;

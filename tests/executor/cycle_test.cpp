@@ -20,27 +20,27 @@ const AxisConfig config{.limits = limits(10, 20)};
 TEST(Cycle, TakesOneCommandATickAndAnswersThoseWithANumber) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Rig rig(config);
-  rig.mail.commands.push({command::Enable{}});
-  rig.mail.commands.push({.what = command::Arm{.movement = &job}, .id = 5});
-  rig.mail.commands.push({.what = command::Arm{}, .id = 6});
-  rig.mail.commands.push({.what = command::Start{}, .id = 7});
+  rig.axis.commands.push({command::Enable{}});
+  rig.axis.commands.push({.what = command::Arm{.movement = &job}, .id = 5});
+  rig.axis.commands.push({.what = command::Arm{}, .id = 6});
+  rig.axis.commands.push({.what = command::Start{}, .id = 7});
   EXPECT_EQ(rig.next().state, State::standstill);
   EXPECT_EQ(rig.next().armed, 1U);
   EXPECT_EQ(rig.next().armed, 1U);
   EXPECT_EQ(rig.next().state, State::discrete_motion);
   Answer answer;
-  ASSERT_TRUE(rig.mail.answers.pop(answer));
+  ASSERT_TRUE(rig.axis.answers.pop(answer));
   EXPECT_EQ(answer.id, 5U);
   EXPECT_FALSE(answer.refused);
-  ASSERT_TRUE(rig.mail.answers.pop(answer));
+  ASSERT_TRUE(rig.axis.answers.pop(answer));
   EXPECT_EQ(answer.id, 6U);
   ASSERT_TRUE(answer.refused);
   EXPECT_EQ(answer.refused->cause, Cause::no_value);
-  ASSERT_TRUE(rig.mail.answers.pop(answer));
+  ASSERT_TRUE(rig.axis.answers.pop(answer));
   EXPECT_EQ(answer.id, 7U);
-  EXPECT_FALSE(rig.mail.answers.pop(answer));
+  EXPECT_FALSE(rig.axis.answers.pop(answer));
   for (int i = 0; i < 5500; ++i) rig.next();
-  ASSERT_TRUE(rig.mail.answers.pop(answer));  // the end of the motion
+  ASSERT_TRUE(rig.axis.answers.pop(answer));  // the end of the motion
   EXPECT_EQ(answer.id, 0U);
   EXPECT_EQ(answer.handed_back[0], &job);
 }
@@ -72,16 +72,16 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
 TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
   Machine machine({{.name = "feeder", .config = {.limits = limits(1000, 1e4)}}});
   VirtualPacer pacer;
-  Post post{1};
-  Cycle cycle{machine, pacer, post, {.patience = 10}};
+  MachineExchange exchange{1};
+  Cycle cycle{machine, pacer, exchange, {.patience = 10}};
   Tick tick;
   const auto turn = [&](bool alive, const Command& command = {}) {
     if (command.kind() != Kind::none) {
-      ASSERT_TRUE(post.mail[0]->commands.push(command));
+      ASSERT_TRUE(exchange.axes[0]->commands.push(command));
     }
-    post.vitals.alive += alive ? 1 : 0;
+    exchange.cycle.alive += alive ? 1 : 0;
     cycle.once();
-    ASSERT_TRUE(post.mail[0]->ticks.pop(tick));
+    ASSERT_TRUE(exchange.axes[0]->ticks.pop(tick));
   };
   turn(true, {command::Enable{}});
   turn(true, {command::MoveVelocity{.velocity = 100}});
@@ -95,15 +95,15 @@ TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
 
 TEST(Cycle, CountsTicksThatNobodyTakes) {
   Rig rig(config);
-  for (std::size_t i = 0; i < Mail::most_ticks + 10; ++i) rig.cycle.once();
+  for (std::size_t i = 0; i < AxisExchange::most_ticks + 10; ++i) rig.cycle.once();
   EXPECT_EQ(rig.cycle.counts().lost, 10);
 }
 
 TEST(Cycle, RunsOnTheMachinesClock) {
   Machine machine({{.name = "feeder", .config = config}});
   MonotonicPacer pacer;
-  Post post(1);
-  Cycle cycle(machine, pacer, post);
+  MachineExchange exchange(1);
+  Cycle cycle(machine, pacer, exchange);
   const std::int64_t begin = pacer.now();
   std::string note;
   std::thread thread([&] {

@@ -319,7 +319,7 @@ std::string flood(Site& site, const Sender& owner, std::int32_t from, std::int32
 TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
   Site site({feeder()});
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Extrapolation::wrap), 1);
-  flood(site, owner, 100, 120);  // more than the axis's mail holds
+  flood(site, owner, 100, 120);  // more than the commands in transit
   for (const auto mode : {wire::StopMode::abort, wire::StopMode::stop}) {
     send_message(site.link,
                  {"feeder", 1,

@@ -116,7 +116,7 @@ TEST(OrderedHoming, ItsEndIsInTheStatus) {
   Slide site(slide(-50));
   const auto status = [&] {
     site.advance(60ms);
-    return site.dispatcher.desk().status();
+    return site.dispatcher.server().status();
   };
   EXPECT_FALSE(status().homed);
   ASSERT_TRUE(site.client.search_home().ok());

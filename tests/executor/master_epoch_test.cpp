@@ -28,7 +28,7 @@ struct Ear {
          std::make_shared<ExternalMaster>(TrackerSpec{.velocity = 1, .acceleration = 1})});
     options.follows.push_back({.what = Follow::What::master, .index = 0});
     options.notify = [this](const std::string& notice) { notices.push_back(notice); };
-    desk.emplace(options, pump, post, clock);
+    server.emplace(options, pump, exchange, clock);
   }
   void say(std::int32_t epoch, std::int64_t seq, const std::string& unit = "mm") {
     now += 1ms;
@@ -47,10 +47,10 @@ struct Ear {
   Nanos now = 5s;
   Clock clock = [this] { return now; };
   ReceiverPump pump{own, ReceiverOptions{.executor = "feeder"}, 1, clock};
-  Post post{1, 1};
-  MasterDesk::Options options;
+  MachineExchange exchange{1, 1};
+  MasterServer::Options options;
   std::vector<std::string> notices;
-  std::optional<MasterDesk> desk;
+  std::optional<MasterServer> server;
 };
 
 TEST(MasterEpoch, ThatIsOverIsSaidWithTheOneThatCounts) {
@@ -60,7 +60,7 @@ TEST(MasterEpoch, ThatIsOverIsSaidWithTheOneThatCounts) {
   ASSERT_EQ(ear.notices.size(), 1U) << "once, for any number of samples";
   EXPECT_THAT(ear.notices[0],
               AllOf(HasSubstr("master line"), HasSubstr("7 is older"), HasSubstr("200000000")));
-  EXPECT_EQ(ear.desk->status(0).refused, 50);
+  EXPECT_EQ(ear.server->status(0).refused, 50);
   ear.say(200'000'001, 1);
   ear.say(8, 1);
   EXPECT_EQ(ear.notices.size(), 2U) << "another epoch, another sender that needs a notice";
@@ -72,7 +72,7 @@ TEST(MasterEpoch, IsNotBlamedForWhatIsRepeatedOrInAnotherUnit) {
   ear.say(9, 5);
   ear.say(9, 4);
   ear.say(3, 6, "deg");
-  EXPECT_EQ(ear.desk->status(0).refused, 3);
+  EXPECT_EQ(ear.server->status(0).refused, 3);
   EXPECT_THAT(ear.notices, ElementsAre());
 }
 

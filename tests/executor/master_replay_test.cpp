@@ -51,23 +51,23 @@ class RecordedRun {
   Replay play(void (*altered)(std::vector<RecordedMaster>&) = [](auto&) {}) {
     auto masters = executor_detail::recorded_masters(masters_, axes_);
     altered(masters);
-    Tape& tape = *tape_;
+    RecordBuffer& buffer = *buffer_;
     Recorder recorder({.log = log_},
-                      {{.axis = 0, .name = "knife", .config = resolved(axes_[0].axis)}}, tape,
+                      {{.axis = 0, .name = "knife", .config = resolved(axes_[0].axis)}}, buffer,
                       masters);
     Machine machine(machine_of(axes_), 3);
     VirtualPacer pacer;
-    Post post(1, 3);
-    CycleOptions options{.tape = tape_.get()};
+    MachineExchange exchange(1, 3);
+    CycleOptions options{.record = buffer_.get()};
     for (const auto& master : masters_) options.masters.push_back(master.source.get());
-    Cycle cycle(machine, pacer, post, options);
+    Cycle cycle(machine, pacer, exchange, options);
     for (std::int64_t k = 0; k < 3000; ++k) {
       feed(static_cast<double>(k) * 1e-3);
-      tell(k, post);
+      tell(k, exchange);
       cycle.once();
       recorder.turn();
-      for (Tick tick; post.mail[0]->ticks.pop(tick);) dropped_ += tick.dropped.has_value();
-      for (Answer answer; post.mail[0]->answers.pop(answer);) {
+      for (Tick tick; exchange.axes[0]->ticks.pop(tick);) dropped_ += tick.dropped.has_value();
+      for (Answer answer; exchange.axes[0]->answers.pop(answer);) {
       }
     }
     recorder.close();
@@ -98,7 +98,7 @@ class RecordedRun {
     reading_ = now < silent_until_ ? NAN : std::sin(now) + random_.uniform(-1e-5, 1e-5);
   }
   /// Moves that wait and are taken back: something is dropped every now and then.
-  void tell(std::int64_t k, Post& post) {
+  void tell(std::int64_t k, MachineExchange& exchange) {
     Command command;
     if (k == 10) command = {command::Enable{}};
     if (k > 10 && k % 100 == 0) command = {command::MoveRelative{.distance = 1}};
@@ -106,7 +106,7 @@ class RecordedRun {
       command = {command::MoveRelative{.distance = 2, .buffer = BufferMode::buffered}};
     if (k > 10 && k % 100 == 6) command = {command::Disarm{}};
     if (command.kind() != CommandKind::none) {
-      EXPECT_TRUE(post.mail[0]->commands.push(command));
+      EXPECT_TRUE(exchange.axes[0]->commands.push(command));
     }
   }
 
@@ -114,7 +114,7 @@ class RecordedRun {
   std::shared_ptr<ExternalMaster> line_ = std::make_shared<ExternalMaster>(tracker);
   std::vector<MachineMaster> masters_;
   std::vector<ExecutorOptions> axes_{1};
-  std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
+  std::unique_ptr<RecordBuffer> buffer_ = std::make_unique<RecordBuffer>();
   test::Random random_{57};
   std::int32_t epoch_ = 1;
   double silent_until_ = 0;

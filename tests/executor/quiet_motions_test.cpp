@@ -42,7 +42,7 @@ class Stage {
                   {.name = "knife",
                    .config = config,
                    .follow = {.what = Follow::What::setpoint, .index = 0}}}),
-        cycle_(machine_, pacer_, post_, {.drives = {drive, nullptr}, .tape = tape_.get()}) {
+        cycle_(machine_, pacer_, exchange_, {.drives = {drive, nullptr}, .record = buffer_.get()}) {
     tell(0, {command::Enable{}}, 100);
     tell(1, {command::Enable{}});
   }
@@ -50,7 +50,7 @@ class Stage {
   /// Sends a command to axis 0 or 1, runs the cycles, and returns its last tick.
   Tick tell(std::size_t axis, Command command, int cycles = 1) {
     command.id = ++number_;
-    EXPECT_TRUE(post_.mail[axis]->commands.push(command));
+    EXPECT_TRUE(exchange_.axes[axis]->commands.push(command));
     return run(axis, cycles);
   }
   Tick run(std::size_t axis, int cycles) {
@@ -76,8 +76,8 @@ class Stage {
  private:
   void take() {
     for (std::size_t i = 0; i < last_.size(); ++i) {
-      while (post_.mail[i]->ticks.pop(last_[i])) continue;
-      for (Answer answer; post_.mail[i]->answers.pop(answer);)
+      while (exchange_.axes[i]->ticks.pop(last_[i])) continue;
+      for (Answer answer; exchange_.axes[i]->answers.pop(answer);)
         EXPECT_FALSE(answer.refused)
             << "axis " << i << ", command " << answer.id << ": " << name(answer.refused->cause);
     }
@@ -85,8 +85,8 @@ class Stage {
 
   Machine machine_;
   VirtualPacer pacer_;
-  Post post_{2};
-  std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
+  MachineExchange exchange_{2};
+  std::unique_ptr<RecordBuffer> buffer_ = std::make_unique<RecordBuffer>();
   Cycle cycle_;
   Noise noise_;
   std::array<Tick, 2> last_;

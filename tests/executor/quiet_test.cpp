@@ -48,9 +48,9 @@ struct Rig {
                     .follow = {.what = Follow::What::setpoint, .index = 0}},
                    {.name = "tape", .config = config}}};
   VirtualPacer pacer;
-  Post post{3};
+  MachineExchange exchange{3};
   NullDrive drive;
-  Cycle cycle{machine, pacer, post, {.drives = {&drive, nullptr, nullptr}, .patience = 5000}};
+  Cycle cycle{machine, pacer, exchange, {.drives = {&drive, nullptr, nullptr}, .patience = 5000}};
 };
 
 /// Counts the forbidden operations of the cyclic thread in `cycles` cycles, one of which is late.
@@ -84,9 +84,9 @@ TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
   std::vector<State> states;
   std::size_t edges = 0;
   for (const Command& command : script) {
-    ASSERT_TRUE(rig.post.mail[0]->commands.push(command));
+    ASSERT_TRUE(rig.exchange.axes[0]->commands.push(command));
     EXPECT_EQ(noise_of(rig, 500), Noise{}) << "command " << command.id;
-    for (Tick tick; rig.post.mail[0]->ticks.pop(tick);) {
+    for (Tick tick; rig.exchange.axes[0]->ticks.pop(tick);) {
       states.push_back(tick.state);
       edges += tick.switches.count;
     }
@@ -109,16 +109,17 @@ TEST(Quiet, MastersFromOutsideMakeNoNoise) {
        {.name = "label", .config = config, .follow = {.what = Follow::What::master, .index = 1}}},
       2);
   VirtualPacer pacer;
-  Post post(2, 2);
-  const auto tape = std::make_unique<Tape>();
-  Cycle cycle(machine, pacer, post,
-              {.drives = {drive.get(), nullptr}, .masters = {&line, &encoder}, .tape = tape.get()});
+  MachineExchange exchange(2, 2);
+  const auto buffer = std::make_unique<RecordBuffer>();
+  Cycle cycle(
+      machine, pacer, exchange,
+      {.drives = {drive.get(), nullptr}, .masters = {&line, &encoder}, .record = buffer.get()});
   LiveGear gear(1, {.numerator = 1, .denominator = 2, .acceleration = 10});
   LiveGear other(2, {.numerator = 1, .denominator = 2, .acceleration = 10});
   const auto run = [&](int cycles, std::int32_t clock, bool valid) {
     Noise noise_of_cycles{};
     for (int i = 0; i < cycles; ++i) {
-      const double now = static_cast<double>(pacer.now() - post.vitals.start) * 1e-9;
+      const double now = static_cast<double>(pacer.now() - exchange.cycle.start) * 1e-9;
       if (clock > 0)
         line.receive({static_cast<std::int64_t>(now * 1e9), clock, now, 2 * now, valid});
       const Noise before = noise();
@@ -128,19 +129,19 @@ TEST(Quiet, MastersFromOutsideMakeNoNoise) {
     }
     return noise_of_cycles;
   };
-  for (std::size_t i = 0; i < 2; ++i) post.mail[i]->commands.push({command::Enable{}});
+  for (std::size_t i = 0; i < 2; ++i) exchange.axes[i]->commands.push({command::Enable{}});
   EXPECT_EQ(run(200, 1, true), Noise{});
-  post.mail[0]->commands.push({.what = command::Couple{.movement = &gear}, .id = 1});
-  post.mail[1]->commands.push({.what = command::Couple{.movement = &other}, .id = 1});
+  exchange.axes[0]->commands.push({.what = command::Couple{.movement = &gear}, .id = 1});
+  exchange.axes[1]->commands.push({.what = command::Couple{.movement = &other}, .id = 1});
   EXPECT_EQ(run(1000, 1, true), Noise{});
-  EXPECT_FALSE(post.masters[0]->read()->lost());
-  EXPECT_FALSE(post.masters[1]->read()->lost());
+  EXPECT_FALSE(exchange.masters[0]->read()->lost());
+  EXPECT_FALSE(exchange.masters[1]->read()->lost());
   EXPECT_EQ(run(200, 2, true), Noise{});
   EXPECT_EQ(run(200, 2, false), Noise{});
-  EXPECT_TRUE(post.masters[0]->read()->lost());
+  EXPECT_TRUE(exchange.masters[0]->read()->lost());
   EXPECT_EQ(run(500, 0, true), Noise{});
   Tick last;
-  while (post.mail[0]->ticks.pop(last)) {
+  while (exchange.axes[0]->ticks.pop(last)) {
   }
   EXPECT_EQ(last.fault, Cause::master_lost);
 }

@@ -55,12 +55,12 @@ class Recorded : public ::testing::Test {
       motions_.push_back(std::make_unique<MotionAxis>(config_));
     }
     options.notify = [this](const std::string& notice) { notices_.push_back(notice); };
-    recorder_ = std::make_unique<Recorder>(options, axes, *tape_);
+    recorder_ = std::make_unique<Recorder>(options, axes, *buffer_);
   }
 
   Tick step(const Command& command = {}, const Inputs& inputs = {}, std::size_t axis = 0) {
     const Tick tick = motions_[axis]->step(tick_, command, inputs);
-    tape_->add(axis, command, inputs, tick);
+    buffer_->add(axis, command, inputs, tick);
     return tick;
   }
   void run(int ticks) {
@@ -97,7 +97,7 @@ class Recorded : public ::testing::Test {
   AxisConfig config_{.limits = test::limits(1e4, 1e6), .position = 0};
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("jounce-record-" + std::to_string(getpid()));
-  std::unique_ptr<Tape> tape_ = std::make_unique<Tape>();
+  std::unique_ptr<RecordBuffer> buffer_ = std::make_unique<RecordBuffer>();
   std::unique_ptr<Recorder> recorder_;
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::vector<std::unique_ptr<Job>> jobs_;
@@ -369,7 +369,7 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
       ++tick_;
     }
   };
-  burst(Tape::capacity + 100);
+  burst(RecordBuffer::capacity + 100);
   recorder_->turn();
   EXPECT_EQ(recorder_->lost(), 0) << "it is reported with the next event that fits";
   burst(10);
@@ -378,8 +378,8 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
   recorder_->close();
   EXPECT_EQ(notices_.size(), 1U);
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
-  EXPECT_EQ(result.compared, static_cast<std::int64_t>(Tape::capacity));
-  EXPECT_EQ(result.cycles, static_cast<std::int64_t>(Tape::capacity) + 10);
+  EXPECT_EQ(result.compared, static_cast<std::int64_t>(RecordBuffer::capacity));
+  EXPECT_EQ(result.cycles, static_cast<std::int64_t>(RecordBuffer::capacity) + 10);
   EXPECT_THAT(result.shorter, HasSubstr("100 cycles are missing"));
 }
 

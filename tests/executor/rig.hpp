@@ -16,19 +16,19 @@ struct Rig {
   Tick next() {
     cycle.once();
     Tick tick;
-    EXPECT_TRUE(mail.ticks.pop(tick));
+    EXPECT_TRUE(axis.ticks.pop(tick));
     return tick;
   }
   Tick tell(const Command& command) {
-    EXPECT_TRUE(mail.commands.push(command));
+    EXPECT_TRUE(axis.commands.push(command));
     return next();
   }
 
   Machine machine;
   VirtualPacer pacer;
-  Post post{1};
-  Mail& mail = *post.mail.front();
-  Cycle cycle{machine, pacer, post};
+  MachineExchange exchange{1};
+  AxisExchange& axis = *exchange.axes.front();
+  Cycle cycle{machine, pacer, exchange};
 };
 
 }  // namespace jounce::test

@@ -100,18 +100,18 @@ TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
   EXPECT_NEAR(events[0].position, 2, 1e-12);
 }
 
-// Arm and start that have reached the axis's mail are a first tick of motion two cycles later.
-TEST(SeveralAxes, FromArmInTheMailToTheFirstTickAreTwoCycles) {
+// Arm and start that have reached the axis are a first tick of motion two cycles later.
+TEST(SeveralAxes, FromAnArmAtTheAxisToTheFirstTickAreTwoCycles) {
   Two site;
   site.advance(10ms);
   Job job(77, there_and_back(0, 1, 1, Extrapolation::hold));
-  Mail& mail = *site.post.mail[1];
-  mail.commands.push({command::Arm{.movement = &job}});
-  mail.commands.push({command::Start{}});
+  AxisExchange& axis = *site.exchange.axes[1];
+  axis.commands.push({command::Arm{.movement = &job}});
+  axis.commands.push({command::Start{}});
   site.cycle.once();
   site.cycle.once();
   Tick last;
-  while (mail.ticks.pop(last)) {
+  while (axis.ticks.pop(last)) {
   }
   EXPECT_EQ(last.job, 77U);
   EXPECT_EQ(last.state, State::discrete_motion);

@@ -25,8 +25,8 @@ std::filesystem::path file_of_its_own() {
 }
 
 CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes,
-                      const std::vector<MachineMaster>& masters, Tape* tape) {
-  CycleOptions options{.tape = tape};
+                      const std::vector<MachineMaster>& masters, RecordBuffer* buffer) {
+  CycleOptions options{.record = buffer};
   for (const ExecutorOptions& axis : axes) options.drives.push_back(axis.drive.get());
   for (const MachineMaster& master : masters) options.masters.push_back(master.source.get());
   return options;
@@ -60,7 +60,7 @@ Site::Site(std::vector<ExecutorOptions> of_axes, SiteSpec spec)
       record_(record_of(log_, of_axes, spec)),
       axes(with(record_.recorder.get(), std::move(of_axes))),
       masters(std::move(spec.masters)),
-      cycle(machine, pacer, post, cycle_of(axes, masters, record_.tape.get())) {
+      cycle(machine, pacer, exchange, cycle_of(axes, masters, record_.buffer.get())) {
   network.on_wait = [this](Nanos time) { advance(time); };
 }
 

@@ -73,8 +73,8 @@ class Site {
   VirtualPacer pacer;
   Clock clock = [this] { return Nanos(pacer.now()); };
   Machine machine{machine_of(axes), masters.size()};
-  Post post{axes.size(), masters.size()};
-  Dispatcher dispatcher{own_link, axes, post, clock, masters};
+  MachineExchange exchange{axes.size(), masters.size()};
+  Dispatcher dispatcher{own_link, axes, exchange, clock, masters};
   Cycle cycle;
   std::int64_t sessions = 0;
 };

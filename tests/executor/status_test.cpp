@@ -17,7 +17,7 @@ struct Shown : ::testing::Test {
   void SetUp() override { ASSERT_TRUE(client.enable().ok()); }
   [[nodiscard]] wire::Status status() {
     site.advance(60ms);
-    return site.dispatcher.desk().status();
+    return site.dispatcher.server().status();
   }
 
   Site site{{axis_named("feeder", limits(1000, 1e4), {"", "mm"})}};

@@ -223,9 +223,9 @@ class Owned {
   MemoryTransport link_{network_};
   test::VirtualPacer pacer_;
   Machine machine_{machine_of(axes_)};
-  Post post_{2};
-  Dispatcher dispatcher_{own_link_, axes_, post_, [this] { return Nanos(pacer_.now()); }};
-  Cycle cycle_{machine_, pacer_, post_};
+  MachineExchange exchange_{2};
+  Dispatcher dispatcher_{own_link_, axes_, exchange_, [this] { return Nanos(pacer_.now()); }};
+  Cycle cycle_{machine_, pacer_, exchange_};
   std::array<Last, 2> last_;
   std::array<std::int64_t, 2> challenge_{};
   std::map<std::tuple<std::size_t, std::uint32_t, int>, Filled> filled_;

@@ -50,8 +50,10 @@ MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
   if (auto no = goal_of(move, from, move_rules(), goal)) return no;
   next_.push(move);
   const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
-  if (follows && base_ == Base::move && requested_rate() > 0) return replan();
-  return std::nullopt;
+  if (!follows || base_ != Base::move || !(requested_rate() > 0)) return std::nullopt;
+  const auto no = replan();
+  if (no) next_.clear();
+  return no;
 }
 
 /// The velocity at which a move to this goal passes it on to the next goal. With a superimposed

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
 
-void post(const AxisImage& image, Mail& mail) {
-  if (!mail.ticks.push(image.tick))
-    mail.lost.store(mail.lost.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+void hand_over(const AxisImage& image, AxisExchange& axis) {
+  if (!axis.ticks.push(image.tick))
+    axis.lost.store(axis.lost.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   if (image.command.id == 0 && !image.tick.handed_back.front()) return;
   [[maybe_unused]] const bool posted =
-      mail.answers.push({image.command.id, image.tick.refused, image.tick.handed_back});
+      axis.answers.push({image.command.id, image.tick.refused, image.tick.handed_back});
   assert(posted);
 }
 
@@ -37,18 +37,18 @@ void MonotonicPacer::sleep_until(std::int64_t instant) {
   }
 }
 
-Cycle::Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options)
+Cycle::Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options)
     : machine_(machine),
       pacer_(pacer),
-      post_(post),
+      exchange_(exchange),
       options_(std::move(options)),
       images_(machine.size()),
       sights_(machine.masters()),
       masters_(machine.masters()),
       start_(pacer.now()) {
-  assert(post.mail.size() == machine.size() && post.masters.size() == machine.masters());
+  assert(exchange.axes.size() == machine.size() && exchange.masters.size() == machine.masters());
   assert(options_.masters.size() == machine.masters());
-  post.vitals.start.store(start_, std::memory_order_release);
+  exchange.cycle.start.store(start_, std::memory_order_release);
   options_.drives.resize(machine.size());
 }
 
@@ -71,9 +71,9 @@ void Cycle::read() {
   const bool watchdog = silent();
   for (std::size_t i = 0; i < images_.size(); ++i) {
     AxisImage& image = images_[i];
-    if (!post_.mail[i]->commands.pop(image.command)) image.command = {};
+    if (!exchange_.axes[i]->commands.pop(image.command)) image.command = {};
     image.inputs.watchdog = watchdog;
-    image.inputs.rows = post_.mail[i]->rows.load(std::memory_order_acquire);
+    image.inputs.rows = exchange_.axes[i]->rows.load(std::memory_order_acquire);
     if (AxisDrive* const drive = options_.drives[i]) image.inputs.feedback = drive->feedback();
   }
 }
@@ -85,27 +85,28 @@ void Cycle::look(std::int64_t tick) {
     Master& master = *options_.masters[m];
     masters_[m] = master.at(time);
     sights_[m] = {.tick = tick, .at = masters_[m], .age = master.age(time)};
-    post_.masters[m]->write(sights_[m]);
+    exchange_.masters[m]->write(sights_[m]);
   }
 }
 
 void Cycle::write() {
-  for (std::size_t m = 0; m < sights_.size() && options_.tape != nullptr; ++m) {
-    for (const MasterSample& sample : options_.masters[m]->taken()) options_.tape->add(m, sample);
-    options_.tape->add(m, sights_[m]);
+  for (std::size_t m = 0; m < sights_.size() && options_.record != nullptr; ++m) {
+    for (const MasterSample& sample : options_.masters[m]->taken()) options_.record->add(m, sample);
+    options_.record->add(m, sights_[m]);
   }
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const AxisImage& image = images_[i];
     if (AxisDrive* const drive = options_.drives[i])
       drive->command(drive_setpoint(image.tick, image.command));
-    if (options_.tape != nullptr) options_.tape->add(i, image.command, image.inputs, image.tick);
-    post(image, *post_.mail[i]);
+    if (options_.record != nullptr)
+      options_.record->add(i, image.command, image.inputs, image.tick);
+    hand_over(image, *exchange_.axes[i]);
   }
 }
 
 bool Cycle::silent() {
   if (options_.patience == 0) return false;
-  const std::uint64_t alive = post_.vitals.alive.load(std::memory_order_relaxed);
+  const std::uint64_t alive = exchange_.cycle.alive.load(std::memory_order_relaxed);
   since_alive_ = alive == alive_ ? since_alive_ + 1 : 0;
   alive_ = alive;
   return since_alive_ > options_.patience;
@@ -118,12 +119,13 @@ void Cycle::account(std::int64_t delay, std::int64_t missed, std::int64_t woken)
   counts_.skipped += missed;
   counts_.latest_ns = std::max(counts_.latest_ns, delay);
   counts_.computed_ns = std::max(counts_.computed_ns, computed);
-  Vitals& vitals = post_.vitals;
-  vitals.late.store(counts_.late, std::memory_order_relaxed);
-  vitals.lateness.add(delay);
-  vitals.computing.add(computed);
+  CycleStatus& status = exchange_.cycle;
+  status.late.store(counts_.late, std::memory_order_relaxed);
+  status.lateness.add(delay);
+  status.computing.add(computed);
   counts_.lost = 0;
-  for (const auto& mail : post_.mail) counts_.lost += mail->lost.load(std::memory_order_relaxed);
+  for (const auto& axis : exchange_.axes)
+    counts_.lost += axis->lost.load(std::memory_order_relaxed);
 }
 
 }  // namespace jounce

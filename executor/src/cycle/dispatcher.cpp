@@ -15,11 +15,11 @@ std::vector<ReceiverOptions> receivers_of(const std::vector<ExecutorOptions>& ax
   return receivers;
 }
 
-MasterDesk::Options masters_of(const std::vector<ExecutorOptions>& axes,
-                               std::vector<MachineMaster> masters) {
-  MasterDesk::Options options{.masters = std::move(masters),
-                              .keyed = axes.front().receiver.key.has_value(),
-                              .notify = axes.front().notify};
+MasterServer::Options masters_of(const std::vector<ExecutorOptions>& axes,
+                                 std::vector<MachineMaster> masters) {
+  MasterServer::Options options{.masters = std::move(masters),
+                                .keyed = axes.front().receiver.key.has_value(),
+                                .notify = axes.front().notify};
   for (const auto& axis : axes) options.follows.push_back(axis.follow);
   return options;
 }
@@ -34,20 +34,21 @@ std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
   return machine;
 }
 
-Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
-                       Clock clock, std::vector<MachineMaster> masters, std::optional<Claim> claim)
-    : vitals_(post.vitals),
+Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes,
+                       MachineExchange& exchange, Clock clock, std::vector<MachineMaster> masters,
+                       std::optional<Claim> claim)
+    : cycle_(exchange.cycle),
       a_while_(axes.front().axis.period / 4),
       clock_(std::move(clock)),
       claim_(std::move(claim)),
       pump_(link, receivers_of(axes), claim_ ? claim_->boot() : random_id(), clock_),
-      masters_(masters_of(axes, std::move(masters)), pump_, post, clock_),
+      masters_(masters_of(axes, std::move(masters)), pump_, exchange, clock_),
       recorder_(axes.front().recorder) {
   if (claim_)
     pump_.hear_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    desks_.emplace_back(axes[i], pump_.receiver(i), post, i, worker_);
+    servers_.emplace_back(axes[i], pump_.receiver(i), exchange, i, worker_);
     // Distributed over the period: the statuses of 64 axes do not come in one burst.
     const auto share = static_cast<std::int64_t>(i) * axes[i].status_period.count() /
                        static_cast<std::int64_t>(axes.size());
@@ -56,13 +57,13 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
 }
 
 void Dispatcher::turn(Nanos timeout) {
-  vitals_.alive.fetch_add(1, std::memory_order_relaxed);
+  cycle_.alive.fetch_add(1, std::memory_order_relaxed);
   pump_.run(busy() ? std::min(timeout, a_while_) : timeout);
   masters_.turn();
-  for (std::size_t i = 0; i < desks_.size(); ++i) {
-    desks_[i].turn();
-    for (const wire::Event& event : desks_[i].take_events()) announce(event, i);
-    if (clock_() - published_[i] >= desks_[i].options().status_period) publish(i);
+  for (std::size_t i = 0; i < servers_.size(); ++i) {
+    servers_[i].turn();
+    for (const wire::Event& event : servers_[i].take_events()) announce(event, i);
+    if (clock_() - published_[i] >= servers_[i].options().status_period) publish(i);
   }
   if (claim_)
     for (const wire::Message& said : claim_->poll(clock_())) pump_.send(said);
@@ -71,26 +72,29 @@ void Dispatcher::turn(Nanos timeout) {
 }
 
 void Dispatcher::retire() {
-  for (Desk& desk : desks_) desk.retire();
+  for (AxisServer& server : servers_) server.retire();
 }
 
 void Dispatcher::close() {
-  for (std::size_t i = 0; i < desks_.size(); ++i) {
-    desks_[i].close();
+  for (std::size_t i = 0; i < servers_.size(); ++i) {
+    servers_[i].close();
     publish(i);
   }
 }
 
 bool Dispatcher::moving() const {
-  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.moving(); });
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const AxisServer& s) { return s.moving(); });
 }
 
 bool Dispatcher::settled() const {
-  return std::all_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.settled(); });
+  return std::all_of(servers_.begin(), servers_.end(),
+                     [](const AxisServer& s) { return s.settled(); });
 }
 
 bool Dispatcher::owned() const {
-  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.owned(); });
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const AxisServer& s) { return s.owned(); });
 }
 
 std::string Dispatcher::lost_name() const {
@@ -98,7 +102,8 @@ std::string Dispatcher::lost_name() const {
 }
 
 bool Dispatcher::busy() const {
-  return std::any_of(desks_.begin(), desks_.end(), [](const Desk& d) { return d.busy(); });
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const AxisServer& s) { return s.busy(); });
 }
 
 /// Sent at once, and again with the next status: one of the two may be lost.
@@ -108,7 +113,7 @@ void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
 }
 
 void Dispatcher::publish(std::size_t axis) {
-  pump_.publish(desks_[axis].status(), axis);
+  pump_.publish(servers_[axis].status(), axis);
   masters_.publish(axis);
   const auto repeat = [&](const auto& entry) {
     if (entry.first != axis) return false;

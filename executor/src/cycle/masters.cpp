@@ -7,10 +7,11 @@
 
 namespace jounce {
 
-MasterDesk::MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock)
-    : options_(std::move(options)), pump_(pump), post_(post), clock_(std::move(clock)) {
+MasterServer::MasterServer(Options options, ReceiverPump& pump, MachineExchange& exchange,
+                           Clock clock)
+    : options_(std::move(options)), pump_(pump), exchange_(exchange), clock_(std::move(clock)) {
   for (std::size_t m = 0; m < options_.masters.size(); ++m) {
-    One& one = desks_.emplace_back(One{.master = options_.masters[m]});
+    One& one = masters_.emplace_back(One{.master = options_.masters[m]});
     for (const Follow& follow : options_.follows)
       one.said_by.push_back(follow.what == Follow::What::master && follow.index == m);
     if (std::find(one.said_by.begin(), one.said_by.end(), true) == one.said_by.end())
@@ -21,14 +22,14 @@ MasterDesk::MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock cl
 }
 
 /// Samples go directly to the cycle, with their time of arrival by its clock.
-void MasterDesk::hear(One& one, ExternalMaster& master) {
+void MasterServer::hear(One& one, ExternalMaster& master) {
   one.intake.emplace(MasterIntakeOptions{.unit = one.master.unit, .keyed = options_.keyed});
   pump_.hear(one.master.name, [this, &one, &master](const wire::Master& said) {
     const Nanos now = clock_();
-    const std::int64_t start = post_.vitals.start.load(std::memory_order_acquire);
+    const std::int64_t start = exchange_.cycle.start.load(std::memory_order_acquire);
     if (!one.intake->take(said, now)) return refused(one, said);
     one.epoch = said.clock;
-    if (start == Vitals::not_started) return;
+    if (start == CycleStatus::not_started) return;
     // A sample without space counts as lost: 64 came within a cycle.
     master.receive({.stamp_ns = said.stamp_ns,
                     .clock = said.clock,
@@ -40,7 +41,7 @@ void MasterDesk::hear(One& one, ExternalMaster& master) {
 
 /// A sender that counts its own epochs, after one that took them from the clock, is never accepted
 /// again. Reports this, once for each received epoch.
-void MasterDesk::refused(One& one, const wire::Master& said) {
+void MasterServer::refused(One& one, const wire::Master& said) {
   const bool over = one.epoch && said.unit == one.master.unit && said.clock < *one.epoch;
   if (!over || one.told_epoch == one.epoch) return;
   one.told_epoch = one.epoch;
@@ -50,12 +51,12 @@ void MasterDesk::refused(One& one, const wire::Master& said) {
                     ", the newest received; give the sender a greater one with --epoch");
 }
 
-void MasterDesk::turn() {
-  for (std::size_t m = 0; m < desks_.size(); ++m)
-    if (const auto now = post_.masters[m]->read()) compare(desks_[m], *now);
+void MasterServer::turn() {
+  for (std::size_t m = 0; m < masters_.size(); ++m)
+    if (const auto now = exchange_.masters[m]->read()) compare(masters_[m], *now);
 }
 
-void MasterDesk::compare(One& one, const MasterSight& now) {
+void MasterServer::compare(One& one, const MasterSight& now) {
   one.last = now;
   const bool other_unit = one.intake && !one.intake->other_unit().empty();
   if (other_unit && !one.told_unit && options_.notify)
@@ -70,8 +71,8 @@ void MasterDesk::compare(One& one, const MasterSight& now) {
                     " at tick " + std::to_string(now.tick));
 }
 
-wire::MasterStatus MasterDesk::status(std::size_t master) const {
-  const One& one = desks_[master];
+wire::MasterStatus MasterServer::status(std::size_t master) const {
+  const One& one = masters_[master];
   wire::MasterStatus status{.master = one.master.name,
                             .unit = one.master.unit,
                             .tick = std::max<std::int64_t>(one.last.tick, 0),
@@ -89,9 +90,9 @@ wire::MasterStatus MasterDesk::status(std::size_t master) const {
   return status;
 }
 
-void MasterDesk::publish(std::size_t axis) {
-  for (std::size_t m = 0; m < desks_.size(); ++m)
-    if (desks_[m].said_by[axis]) pump_.publish_master(status(m), axis);
+void MasterServer::publish(std::size_t axis) {
+  for (std::size_t m = 0; m < masters_.size(); ++m)
+    if (masters_[m].said_by[axis]) pump_.publish_master(status(m), axis);
 }
 
 }  // namespace jounce

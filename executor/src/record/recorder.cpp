@@ -42,8 +42,8 @@ std::vector<double> part(const std::vector<double>& column, std::size_t first, s
 
 }  // namespace
 
-void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
-               const Tick& tick) noexcept {
+void RecordBuffer::add(std::size_t axis, const Command& command, const Inputs& inputs,
+                       const Tick& tick) noexcept {
   Item item{.cycle = {.axis = axis, .command = command, .inputs = inputs, .tick = tick}};
   // Stores its id: the movement may no longer exist when the other thread reads the item.
   if (const Movement* const movement = movement_of(command.what))
@@ -53,27 +53,27 @@ void Tape::add(std::size_t axis, const Command& command, const Inputs& inputs,
   push(item);
 }
 
-void Tape::add(std::size_t master, const MasterSight& sight) noexcept {
+void RecordBuffer::add(std::size_t master, const MasterSight& sight) noexcept {
   Item item{.what = Item::What::sight, .sight = {.master = master, .sight = sight}};
   push(item);
 }
 
-void Tape::add(std::size_t master, const MasterSample& sample) noexcept {
+void RecordBuffer::add(std::size_t master, const MasterSample& sample) noexcept {
   Item item{.what = Item::What::sample, .sample = {.master = master, .sample = sample}};
   push(item);
 }
 
-void Tape::push(Item& item) noexcept {
+void RecordBuffer::push(Item& item) noexcept {
   item.lost_before = lost_;
   lost_ = items_.push(item) ? 0 : lost_ + 1;
 }
 
-Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
+Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, RecordBuffer& buffer,
                    std::vector<RecordedMaster> masters)
     : options_(std::move(options)),
       axes_(std::move(axes)),
       masters_(std::move(masters)),
-      tape_(tape),
+      ring_(buffer),
       boxes_(axes_.size() + masters_.size()) {
   if (options_.black_box && options_.black_box_cycles == 0)
     throw InputError("black_box_cycles", "0", "must be at least 1");
@@ -129,7 +129,7 @@ void Recorder::write(const StoredTable& stored) {
 }
 
 void Recorder::turn() {
-  for (Tape::Item item; tape_.items_.pop(item);) {
+  for (RecordBuffer::Item item; ring_.items_.pop(item);) {
     now_ = instant_of(item);
     if (item.lost_before > 0) {
       if (lost_ == 0 && options_.notify)
@@ -142,15 +142,15 @@ void Recorder::turn() {
 }
 
 /// Time in us. A sample precedes the sight that uses it, and gets the time of the previous item.
-std::int64_t Recorder::instant_of(const Tape::Item& item) const {
-  using What = Tape::Item::What;
+std::int64_t Recorder::instant_of(const RecordBuffer::Item& item) const {
+  using What = RecordBuffer::Item::What;
   if (item.what == What::sample) return now_;
   return item.what == What::sight ? item.sight.sight.tick * axes_.front().config.period / 1000
                                   : static_cast<std::int64_t>(item.cycle.tick.time * 1e6);
 }
 
-void Recorder::take(const Tape::Item& item) {
-  using What = Tape::Item::What;
+void Recorder::take(const RecordBuffer::Item& item) {
+  using What = RecordBuffer::Item::What;
   if (item.what == What::sample) return write(item.sample, now_);
   const bool sight = item.what == What::sight;
   const RecordEvent event = sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);

@@ -47,9 +47,9 @@ RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& a
   RecorderOptions options = run.record;
   if (!options.log && !options.black_box) return {};
   if (!options.notify) options.notify = axes.front().notify;
-  RunRecord record{.tape = std::make_unique<Tape>()};
+  RunRecord record{.buffer = std::make_unique<RecordBuffer>()};
   record.recorder = std::make_unique<Recorder>(std::move(options), recorded_axes(axes),
-                                               *record.tape, recorded_masters(run.masters, axes));
+                                               *record.buffer, recorded_masters(run.masters, axes));
   return record;
 }
 

@@ -4,13 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 
 namespace jounce::executor_detail {
 
-/// The record of a run, and the tape to it; both null without a record.
+/// The record of a run, and the buffer to it; both null without a record.
 struct RunRecord {
-  std::unique_ptr<Tape> tape = {};
+  std::unique_ptr<RecordBuffer> buffer = {};
   std::unique_ptr<Recorder> recorder = {};
 };
 

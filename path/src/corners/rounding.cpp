@@ -12,12 +12,13 @@
 #include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
+using path_detail::none;
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
 constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may take

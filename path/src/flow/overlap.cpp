@@ -12,6 +12,7 @@
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/route.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/stations.hpp"
 #include "path/src/timing/stretch.hpp"
 
@@ -30,7 +31,7 @@
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
+using path_detail::none;
 
 struct Leg {
   Point start{}, direction{};

@@ -11,6 +11,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/flow/partial_law.hpp"
+#include "path/src/timing/not_limited.hpp"
 
 // The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes keeps all limits. An
 // override lowers the velocities only; for factors above 1 the units are those of a plan with the greatest
@@ -28,7 +29,7 @@
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
+using path_detail::none;
 constexpr double rounding = 1e-13;  ///< of velocities and lengths, relative
 
 void require_valid(std::span<const FactorRequest> steps) {

@@ -7,6 +7,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 
 #include "path/src/timing/box.hpp"
+#include "path/src/timing/not_limited.hpp"
 
 // A bound of the time on a given path without a limit of jerk. B = q'^2, dB/dq = 2 q''. The path is cut into
 // cells. On a cell r' of an axis lies in [p, P] and r'' in [c, C] (exact ranges), so that with p > 0 (or mirrored)
@@ -24,7 +25,7 @@
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
+using path_detail::none;
 
 /// dB/dq <= 2 (f + s B) over a cell, for each axis that bounds it.
 struct Growth {

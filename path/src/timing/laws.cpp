@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/window.hpp"
 
 namespace jounce {
 namespace {
 
-constexpr double none = PathSettings::none;
+using path_detail::none;
 constexpr double reserve = 1 + 1e-9;  ///< for the rounding of times in an average
 
 double end_time(const std::vector<LawStretch>& law) {

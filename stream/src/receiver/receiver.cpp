@@ -55,7 +55,7 @@ ReceiverOptions checked(ReceiverOptions options) {
 Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
     : options_(checked(std::move(options))),
       boot_(boot),
-      store_(options_.memory),
+      tables_({options_.most_knots, options_.memory, options_.credit}),
       challenge_(draw_challenge()),
       operators_challenge_(draw_challenge()) {
   assert(boot > 0);
@@ -173,8 +173,7 @@ std::vector<wire::Message> Receiver::poll(Nanos now) {
 }
 
 std::vector<wire::Message> Receiver::answers() {
-  for (auto& [table, slot] : slots_)
-    if (std::exchange(slot.ack_due, false)) send(session_, ack(table, slot));
+  for (wire::Ack& ack : tables_.acks(boot_)) send(session_, std::move(ack));
   for (auto& [index, queue] : queues_)
     if (std::exchange(queue.ack_due, false)) send(session_, queue.intake.ack(boot_));
   for (Record* record : {&command_, &operator_})
@@ -198,6 +197,18 @@ void Receiver::send(std::int64_t session, wire::Body body) {
   outgoing_.push_back({options_.executor, session, std::move(body), challenge});
 }
 
+void Receiver::take_table(std::uint32_t table, Refused refused) {
+  if (refused) refuse_table(session_, table, std::move(refused));
+  if (auto ready = tables_.take_ready()) events_.emplace_back(TableReady{session_, *ready});
+}
+
+void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
+  answer_stranger(session, wire::Ack{.boot = boot_,
+                                     .table = table,
+                                     .refusal = refused.refusal,
+                                     .reason = std::move(refused.reason)});
+}
+
 /// Answers any sender, up to a bound.
 void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
   if (outgoing_.size() < most_answers) send(session, std::move(body));
@@ -212,9 +223,7 @@ void Receiver::open(std::int64_t session) {
 }
 
 void Receiver::end(SessionEnded::Why why) {
-  for (const auto& [table, slot] : slots_)
-    if (slot.assembly) store_.release(bytes_of(slot.header));
-  slots_.clear();
+  tables_.clear();
   queues_.clear();
   armed_queue_.reset();
   challenge_ = draw_challenge();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The receiver's commands and queues; sessions are in receiver.cpp, tables in receiver_tables.cpp.
+// The receiver's commands and queues; sessions are in receiver.cpp, tables are in table_intake.cpp.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -40,9 +40,9 @@ void Receiver::take(const wire::Arm& arm) {
   armed_ = false;
   armed_queue_.reset();
   if (arm.mode == wire::ArmMode::queue) return arm_queue(arm);
-  const auto slave = store_.find(arm.slave);
+  const auto slave = store().find(arm.slave);
   const bool with_master = arm.mode == wire::ArmMode::follow_table;
-  const auto master = with_master ? store_.find(arm.master) : std::nullopt;
+  const auto master = with_master ? store().find(arm.master) : std::nullopt;
   if (!slave || (with_master && !master)) {
     return settle(command_,
                   {wire::Refusal::table_missing,

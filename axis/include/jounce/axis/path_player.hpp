@@ -14,7 +14,7 @@ namespace jounce {
 struct PathRequest {
   std::int64_t tick = 0;
   double rate = 1;                 ///< requested rate; 0: to rest on the path
-  Peaks added = {};                ///< of a move on top of the path
+  Peaks added = {};                ///< greatest magnitudes of a move on top of the path
   const Movement* next = nullptr;  ///< movement with an accepted start; null: none
 };
 

@@ -49,7 +49,7 @@ struct Answer {
 /// The exchange between one axis in the cyclic thread and the communication thread. Ticks may be
 /// lost if no thread reads them for two thousand cycles. Answers may not: at most `most_commands`
 /// commands with a number may be unanswered.
-struct Mail {
+struct AxisExchange {
   static constexpr std::size_t most_commands = 8;
   static constexpr std::size_t most_ticks = 2048;
   Ring<Command, most_commands> commands;
@@ -59,30 +59,30 @@ struct Mail {
   std::atomic<std::uint64_t> rows{0};  ///< number of the last row for its queues
 };
 
-/// Status exchange of the two threads.
-struct Vitals {
+/// The state of the cycle, and the heartbeat of the communication thread.
+struct CycleStatus {
   static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
-  std::atomic<std::int64_t> start{
-      not_started};                     ///< ns, by the pacer's clock: time of tick 0
+  std::atomic<std::int64_t> start{not_started};  ///< ns, by the pacer's clock: time of tick 0
   std::atomic<std::uint64_t> alive{0};  ///< heartbeat: incremented by the communication thread
   std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
   Histogram lateness;                   ///< lateness of wake-up: relative to the time of the tick
   Histogram computing;                  ///< time from wake-up to the output of the setpoints
 };
 
-/// The exchange of a whole machine: a Mail for each axis, the last value of each master, and the
-/// vitals.
-struct Post {
-  explicit Post(std::size_t axes, std::size_t of_masters = 0) : mail(axes), masters(of_masters) {
-    for (auto& one : mail) one = std::make_unique<Mail>();
+/// The exchange of a whole machine between the two threads: that of each axis, the last value of
+/// each master, and the state of the cycle.
+struct MachineExchange {
+  explicit MachineExchange(std::size_t of_axes, std::size_t of_masters = 0)
+      : axes(of_axes), masters(of_masters) {
+    for (auto& one : axes) one = std::make_unique<AxisExchange>();
     for (auto& one : masters) {
       one = std::make_unique<Seqlock<MasterSight>>();
       one->write({});
     }
   }
-  std::vector<std::unique_ptr<Mail>> mail;
+  std::vector<std::unique_ptr<AxisExchange>> axes;
   std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;
-  Vitals vitals;
+  CycleStatus cycle;
 };
 
 /// Timing statistics of the cycle.
@@ -95,22 +95,22 @@ struct CycleCounts {
   std::int64_t lost = 0;         ///< ticks dropped because their ring was full
 };
 
-class Tape;
+class RecordBuffer;
 
 /// Parts of a cycle besides the machine; all of them must outlive the cycle.
 struct CycleOptions {
   std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: none
   std::vector<Master*> masters = {};    ///< all masters of the machine
   std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: no watchdog
-  Tape* tape = nullptr;                 ///< tape of the record; null: no record
+  RecordBuffer* record = nullptr;       ///< receives the record; null: no record
 };
 
 /// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters
 /// at that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and
-/// posts the outputs.
+/// hands over the outputs.
 ///
-///     Post post(machine.size());
-///     Cycle cycle(machine, pacer, post);
+///     MachineExchange exchange(machine.size());
+///     Cycle cycle(machine, pacer, exchange);
 ///     while (!quit) cycle.once();
 ///
 /// Tick k belongs to the instant start + k * period. A cycle that wakes up late continues with the
@@ -125,7 +125,7 @@ struct CycleOptions {
 class Cycle {
  public:
   /// All must outlive it.
-  Cycle(Machine& machine, Pacer& pacer, Post& post, CycleOptions options = {});
+  Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options = {});
 
   void once();
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
@@ -139,7 +139,7 @@ class Cycle {
 
   Machine& machine_;
   Pacer& pacer_;
-  Post& post_;
+  MachineExchange& exchange_;
   CycleOptions options_;
   std::vector<AxisImage> images_;
   std::vector<MasterSight> sights_;

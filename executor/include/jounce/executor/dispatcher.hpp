@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/executor/desk.hpp"
+#include "jounce/executor/axis_server.hpp"
 #include "jounce/executor/masters.hpp"
 #include "jounce/stream/message/claim.hpp"
 #include "jounce/stream/sender/driver.hpp"
@@ -16,17 +16,17 @@
 namespace jounce {
 
 /// The work of the communication thread: it passes requests from one link to all axes of a machine
-/// and returns their answers. Each axis has its own name, its own sessions and its own Desk.
+/// and returns their answers. Each axis has its own name, its own sessions and its own AxisServer.
 ///
-///     Dispatcher dispatcher(link, {feeder, knife}, post);
+///     Dispatcher dispatcher(link, {feeder, knife}, exchange);
 ///     while (...) dispatcher.turn(2ms);
 ///     dispatcher.close();
 class Dispatcher {
  public:
-  /// `axes` as in the machine; `link` and `post` must outlive it. `claim`: claim to the axes'
+  /// `axes` as in the machine; `link` and `exchange` must outlive it. `claim`: claim to the axes'
   /// names, maintained from now on; nullopt: no check for other executors. Throws InputError, and
   /// std::system_error for a log.
-  Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, Post& post,
+  Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, MachineExchange& exchange,
              Clock clock = steady_now, std::vector<MachineMaster> masters = {},
              std::optional<Claim> claim = {});
 
@@ -40,12 +40,12 @@ class Dispatcher {
   /// Writes all remaining ticks into the logs, and closes them.
   void close();
 
-  [[nodiscard]] const MasterDesk& masters() const { return masters_; }
-  [[nodiscard]] const Desk& desk(std::size_t axis = 0) const { return desks_[axis]; }
-  [[nodiscard]] std::size_t size() const { return desks_.size(); }
-  [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return desks_[axis].last(); }
+  [[nodiscard]] const MasterServer& masters() const { return masters_; }
+  [[nodiscard]] const AxisServer& server(std::size_t axis = 0) const { return servers_[axis]; }
+  [[nodiscard]] std::size_t size() const { return servers_.size(); }
+  [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return servers_[axis].last(); }
   [[nodiscard]] bool moving() const;   ///< any axis
-  [[nodiscard]] bool settled() const;  ///< all axes: see Desk
+  [[nodiscard]] bool settled() const;  ///< all axes: see AxisServer
   [[nodiscard]] bool owned() const;    ///< any axis
   /// A name of this executor that another executor owns: this one must leave. Empty: none.
   [[nodiscard]] std::string lost_name() const;
@@ -55,13 +55,13 @@ class Dispatcher {
   void publish(std::size_t axis);
   void announce(const wire::Event& event, std::size_t axis);
 
-  Vitals& vitals_;
+  CycleStatus& cycle_;
   Nanos a_while_;  // a fraction of a cycle: the longest wait while an axis's answer is pending
   Clock clock_;
   std::optional<Claim> claim_;
   ReceiverPump pump_;
-  MasterDesk masters_;
-  std::deque<Desk> desks_;
+  MasterServer masters_;
+  std::deque<AxisServer> servers_;
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // time of each axis's last status
   std::vector<std::pair<std::size_t, wire::Event>> again_;  // events to send again, by axis

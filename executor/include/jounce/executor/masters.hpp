@@ -26,11 +26,11 @@ struct MachineMaster {
 /// The work of the communication thread for the masters: receives samples of external ones, and
 /// reports the state of each in the cycle.
 ///
-///     MasterDesk masters({{"line", "mm", line}}, {0}, pump, post, clock);
+///     MasterServer masters({{"line", "mm", line}}, {0}, pump, exchange, clock);
 ///     pump.run(2ms);                   // passes new samples to the cycle
 ///     masters.turn();                  // reports masters lost or found
 ///     masters.publish(axis);           // with the status of this axis
-class MasterDesk {
+class MasterServer {
  public:
   struct Options {
     std::vector<MachineMaster> masters = {};
@@ -38,20 +38,20 @@ class MasterDesk {
     bool keyed = false;                ///< see MasterIntake
     std::function<void(const std::string& notice)> notify{};
   };
-  /// Subscribes. `pump` and `post` must outlive it, and `clock` must be the one of the cycle's
+  /// Subscribes. `pump` and `exchange` must outlive it, and `clock` must be the one of the cycle's
   /// pacer.
-  MasterDesk(Options options, ReceiverPump& pump, Post& post, Clock clock);
-  MasterDesk(const MasterDesk&) = delete;  // the pump keeps its address
-  MasterDesk& operator=(const MasterDesk&) = delete;
+  MasterServer(Options options, ReceiverPump& pump, MachineExchange& exchange, Clock clock);
+  MasterServer(const MasterServer&) = delete;  // the pump keeps its address
+  MasterServer& operator=(const MasterServer&) = delete;
 
   void turn();
   /// Publishes the masters that this axis follows; for the first axis also those without a
   /// follower.
   void publish(std::size_t axis);
 
-  [[nodiscard]] std::size_t size() const { return desks_.size(); }
+  [[nodiscard]] std::size_t size() const { return masters_.size(); }
   /// Value in the last cycle.
-  [[nodiscard]] const MasterSight& last(std::size_t master) const { return desks_[master].last; }
+  [[nodiscard]] const MasterSight& last(std::size_t master) const { return masters_[master].last; }
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 
  private:
@@ -72,9 +72,9 @@ class MasterDesk {
 
   Options options_;
   ReceiverPump& pump_;
-  Post& post_;
+  MachineExchange& exchange_;
   Clock clock_;
-  std::deque<One> desks_;
+  std::deque<One> masters_;
 };
 
 }  // namespace jounce

@@ -22,8 +22,8 @@ namespace jounce {
 
 /// The ring from the cyclic thread to the record: cycles, and the number of lost ones.
 ///
-///     tape.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
-class Tape {
+///     buffer.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
+class RecordBuffer {
  public:
   static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
 
@@ -51,18 +51,17 @@ class Tape {
 };
 
 struct RecorderOptions {
-  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; nullopt: none
-  std::optional<std::filesystem::path> black_box =
-      {};                               ///< written at a fault; nullopt: none
-  std::size_t black_box_cycles = 2000;  ///< cycles of each axis in the black box
+  std::optional<std::filesystem::path> log = {};        ///< log of the whole run; nullopt: none
+  std::optional<std::filesystem::path> black_box = {};  ///< written at a fault; nullopt: none
+  std::size_t black_box_cycles = 2000;                  ///< cycles of each axis in the black box
   std::function<void(const std::string&)> notify = {};  ///< events as text
 };
 
 /// Writes the record of the cyclic thread, in the communication thread:
 ///
-///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, tape);
+///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, buffer);
 ///     recorder.job({.axis = 0, .id = id}, time_table);       // before its arm is sent to the axis
-///     recorder.turn();                                       // often: empties the tape
+///     recorder.turn();                                       // often: empties the buffer
 ///     recorder.close();
 ///
 /// **The log** grows as LOG.part and gets its name when it is closed. After an executor was killed,
@@ -74,12 +73,12 @@ struct RecorderOptions {
 /// new fault replaces it; its last cycle is that of the fault), under a temporary name first: if
 /// the disk fails, the previous one stays unchanged, and `notify` reports the failure once.
 ///
-/// Cycles that did not fit the tape are recorded as lost: a replay ends there.
+/// Cycles that did not fit the buffer are recorded as lost: a replay ends there.
 class Recorder {
  public:
   /// Throws InputError for a black box of 0 cycles, std::system_error if the log or the black box
   /// cannot be created.
-  Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Tape& tape,
+  Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, RecordBuffer& buffer,
            std::vector<RecordedMaster> masters = {});
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -115,15 +114,15 @@ class Recorder {
   void flush();
   void keep(Box& box, const std::string& data, std::int64_t microseconds);
   void watch(Box& box, const RecordedCycle& cycle);
-  [[nodiscard]] std::int64_t instant_of(const Tape::Item& item) const;
-  void take(const Tape::Item& item);
+  [[nodiscard]] std::int64_t instant_of(const RecordBuffer::Item& item) const;
+  void take(const RecordBuffer::Item& item);
   void write_black_box();
   void fail(wire::Unwritten which, const std::string& what);
 
   RecorderOptions options_;
   std::vector<RecordedAxis> axes_;
   std::vector<RecordedMaster> masters_;
-  Tape& tape_;
+  RecordBuffer& ring_;
   std::filesystem::path part_;
   std::ofstream file_;
   std::string buffer_;

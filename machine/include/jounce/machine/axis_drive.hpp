@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "jounce/executor/desk.hpp"
+#include "jounce/executor/executor_options.hpp"
 #include "jounce/spec/axis_drive.hpp"
 
 namespace jounce {

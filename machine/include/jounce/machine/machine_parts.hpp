@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/desk.hpp"
+#include "jounce/executor/axis_server.hpp"
 #include "jounce/executor/masters.hpp"
 
 namespace jounce {

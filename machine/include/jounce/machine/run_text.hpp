@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 
 namespace jounce {
 

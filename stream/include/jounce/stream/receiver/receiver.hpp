@@ -11,9 +11,8 @@
 
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/message/refusal.hpp"
-#include "jounce/stream/receiver/assembly.hpp"
 #include "jounce/stream/receiver/row_intake.hpp"
-#include "jounce/stream/receiver/table_store.hpp"
+#include "jounce/stream/receiver/table_intake.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -155,7 +154,7 @@ class Receiver {
 
   [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
   [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be passed to the axis
-  [[nodiscard]] const TableStore& store() const { return store_; }
+  [[nodiscard]] const TableStore& store() const { return tables_.store(); }
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
   [[nodiscard]] std::int64_t boot() const { return boot_; }
   /// Challenge of the messages of a session, and of those of an operator.
@@ -166,15 +165,6 @@ class Receiver {
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:
-  /// A table of the live session: in transit, stored, or rejected.
-  struct Slot {
-    wire::Header header;
-    std::optional<Assembly> assembly{};
-    std::optional<StoredTable> stored{};
-    Refused refused{};
-    bool ack_due = true;
-  };
-
   /// The newest command of a session, and its outcome.
   struct Record {
     enum class Kind { heartbeat, arm, start, stop, command };
@@ -192,8 +182,8 @@ class Receiver {
     bool ack_due = true;
   };
 
-  void take(const wire::Header& header);
-  void take(const wire::Chunk& chunk);
+  void take(const wire::Header& header) { take_table(header.table, tables_.add(header)); }
+  void take(const wire::Chunk& chunk) { take_table(chunk.table, tables_.add(chunk)); }
   void take(const wire::Queue& queue);
   void take(const wire::Rows& rows);
   void take(const wire::Arm& arm);
@@ -215,10 +205,7 @@ class Receiver {
   void end(SessionEnded::Why why);
   void expire(Nanos now);
 
-  [[nodiscard]] Slot announced(const wire::Header& header);
-  void learn(Slot& slot, const Sha256& hash);
-  void finish(Slot& slot);
-  [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot) const;
+  void take_table(std::uint32_t table, Refused refused);
   void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
   [[nodiscard]] OpenQueue* open_queue(std::uint32_t queue);
   [[nodiscard]] Refused misses(const wire::Command& command);
@@ -235,7 +222,7 @@ class Receiver {
 
   ReceiverOptions options_;
   std::int64_t boot_;
-  TableStore store_;
+  TableIntake tables_;
 
   std::int64_t session_ = 0;
   Nanos heard_{};
@@ -244,7 +231,6 @@ class Receiver {
   std::int64_t challenges_ = 0;  // number of challenges drawn
   std::int64_t challenge_;
   std::int64_t operators_challenge_;
-  std::map<std::uint32_t, Slot> slots_;
   std::map<std::uint32_t, OpenQueue> queues_;
   std::uint64_t rows_taken_ = 0;                                       // messages of rows taken
   std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // queue and bank armed last

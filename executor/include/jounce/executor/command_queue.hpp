@@ -14,7 +14,7 @@ namespace jounce {
 
 /// The commands in transit to one axis, which takes one a tick, and the requests that wait for its
 /// answers.
-class Outbox {
+class CommandQueue {
  public:
   /// Sender of a command.
   struct Request {
@@ -27,7 +27,7 @@ class Outbox {
     std::optional<Request> request = {};
   };
 
-  explicit Outbox(Mail& mail) : mail_(mail) {}
+  explicit CommandQueue(AxisExchange& axis) : exchange_(axis) {}
 
   void send(Command command);
   /// Sends a command whose request waits for the answer.
@@ -51,7 +51,7 @@ class Outbox {
  private:
   static constexpr std::size_t most_waiting = 64;
 
-  Mail& mail_;
+  AxisExchange& exchange_;
   std::deque<Command> waiting_;
   std::map<std::uint64_t, Request> unanswered_;  // by the command's id
   std::uint64_t numbers_ = 0;

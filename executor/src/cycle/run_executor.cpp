@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -54,10 +54,11 @@ class SignalWatch {
 /// The cyclic thread. Its destructor joins it at the latest.
 class CyclicThread {
  public:
-  CyclicThread(Machine& machine, CycleOptions options, Post& post, const RunOptions& run)
+  CyclicThread(Machine& machine, CycleOptions options, MachineExchange& exchange,
+               const RunOptions& run)
       : machine_(machine),
         options_(std::move(options)),
-        thread_([this, &post, run] { this->run(post, run); }) {}
+        thread_([this, &exchange, run] { this->run(exchange, run); }) {}
   ~CyclicThread() { join(); }
   CyclicThread(const CyclicThread&) = delete;
   CyclicThread& operator=(const CyclicThread&) = delete;
@@ -72,11 +73,11 @@ class CyclicThread {
   }
 
  private:
-  void run(Post& post, const RunOptions& run) {
+  void run(MachineExchange& exchange, const RunOptions& run) {
     realtime_.set_value(make_realtime(run.realtime));
     const double cycles = std::ceil(run.watchdog * 1e9 / static_cast<double>(machine_.period()));
     options_.patience = static_cast<std::int64_t>(cycles);
-    Cycle cycle(machine_, pacer_, post, options_);
+    Cycle cycle(machine_, pacer_, exchange, options_);
     while (running_) cycle.once();
     counts_ = cycle.counts();
   }
@@ -134,38 +135,39 @@ void leave(Dispatcher& dispatcher) {
 }
 
 /// Communication has failed: no client can stop the axes any more, so this function stops them.
-void stop_alone(Post& post) {
+void stop_alone(MachineExchange& exchange) {
   using namespace std::chrono_literals;
   const Nanos begin = steady_now();
-  for (auto& mail : post.mail)
-    while (!mail->commands.push({command::Stop{}}) && steady_now() - begin < 1s)
+  for (auto& axis : exchange.axes)
+    while (!axis->commands.push({command::Stop{}}) && steady_now() - begin < 1s)
       std::this_thread::sleep_for(1ms);
-  for (auto& mail : post.mail) {
+  for (auto& axis : exchange.axes) {
     Tick tick;
     bool at_rest = false;
     while (!at_rest && steady_now() - begin < 60s) {
       std::this_thread::sleep_for(20ms);
-      ++post.vitals.alive;
-      while (mail->ticks.pop(tick)) at_rest = !in_motion(tick) && steady_now() - begin > 100ms;
+      ++exchange.cycle.alive;
+      while (axis->ticks.pop(tick)) at_rest = !in_motion(tick) && steady_now() - begin > 100ms;
     }
   }
 }
 
-CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions& run, Tape* tape) {
-  CycleOptions options{.tape = tape};
+CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions& run,
+                      RecordBuffer* buffer) {
+  CycleOptions options{.record = buffer};
   for (const auto& axis : axes) options.drives.push_back(axis.drive.get());
   for (const auto& master : run.masters) options.masters.push_back(master.source.get());
   return options;
 }
 
-AxisSummary summary_of(const Desk& desk) {
-  const Tick& last = desk.last();
-  return {.name = desk.options().receiver.executor,
+AxisSummary summary_of(const AxisServer& server) {
+  const Tick& last = server.last();
+  return {.name = server.options().receiver.executor,
           .finished = last.finished,
           .stopped = last.stopped,
           .fault = last.fault,
           .position = last.position,
-          .log_truncated = desk.log_truncated()};
+          .log_truncated = server.log_truncated()};
 }
 
 /// Claims the names of the axes over the link.
@@ -192,9 +194,9 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   const executor_detail::RunRecord recording = executor_detail::record_of(run, axes);
   for (auto& axis : axes) axis.recorder = recording.recorder.get();
   Machine machine(machine_of(axes), run.masters.size());
-  Post post(machine.size(), machine.masters());
-  Dispatcher dispatcher(link, axes, post, steady_now, run.masters, std::move(claim));
-  CyclicThread cyclic(machine, cycle_of(axes, run, recording.tape.get()), post, run);
+  MachineExchange exchange(machine.size(), machine.masters());
+  Dispatcher dispatcher(link, axes, exchange, steady_now, run.masters, std::move(claim));
+  CyclicThread cyclic(machine, cycle_of(axes, run, recording.buffer.get()), exchange, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
   if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
@@ -206,7 +208,7 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
     summary.lost_name = dispatcher.lost_name();
     leave(dispatcher);
   } catch (...) {
-    stop_alone(post);
+    stop_alone(exchange);
     throw;
   }
   summary.cycle = cyclic.join();
@@ -216,10 +218,10 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
     summary.record_trouble = recording.recorder->trouble();
     summary.record_lost = recording.recorder->lost();
   }
-  summary.lateness = post.vitals.lateness.counts();
-  summary.computing = post.vitals.computing.counts();
+  summary.lateness = exchange.cycle.lateness.counts();
+  summary.computing = exchange.cycle.computing.counts();
   for (std::size_t i = 0; i < dispatcher.size(); ++i)
-    summary.axes.push_back(summary_of(dispatcher.desk(i)));
+    summary.axes.push_back(summary_of(dispatcher.server(i)));
   return summary;
 }
 

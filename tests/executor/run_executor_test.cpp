@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/shell.hpp"
+#include "jounce/executor/run_executor.hpp"
 
 #include <csignal>
 #include <string>
@@ -15,7 +15,7 @@
 
 #include "axis/tables.hpp"
 
-namespace jounce::shell_test {
+namespace jounce::run_executor_test {
 namespace {
 
 using namespace test;
@@ -58,7 +58,7 @@ struct Streamer {
   std::function<void()> at_goal;
 };
 
-TEST(Shell, PlaysOneJobAndLeaves) {
+TEST(RunExecutor, PlaysOneJobAndLeaves) {
   MemoryNetwork network;
   MemoryTransport link(network);
   Streamer streamer(network, *there_and_back(0, 5, 0.1, Extrapolation::hold));
@@ -73,7 +73,7 @@ TEST(Shell, PlaysOneJobAndLeaves) {
   EXPECT_EQ(streamer.sender.outcome().error, StreamError::none);
 }
 
-TEST(Shell, ASignalStopsTheMotionFirst) {
+TEST(RunExecutor, ASignalStopsTheMotionFirst) {
   for (const int signal : {SIGTERM, SIGINT}) {
     MemoryNetwork network;
     MemoryTransport link(network);
@@ -86,7 +86,7 @@ TEST(Shell, ASignalStopsTheMotionFirst) {
   }
 }
 
-TEST(Shell, EndsWithItsTimeAndSaysWhatItWasGranted) {
+TEST(RunExecutor, EndsWithItsTimeAndSaysWhatItWasGranted) {
   MemoryNetwork network;
   network.on_wait = [](Nanos time) { std::this_thread::sleep_for(time); };
   MemoryTransport link(network);
@@ -100,7 +100,7 @@ TEST(Shell, EndsWithItsTimeAndSaysWhatItWasGranted) {
   EXPECT_THAT(notices, ::testing::ElementsAre(summary.realtime));
 }
 
-TEST(Shell, BadOptionsAreBadInput) {
+TEST(RunExecutor, BadOptionsAreBadInput) {
   MemoryNetwork network;
   MemoryTransport link(network);
   EXPECT_THROW(run_executor(link, {options()}, {.seconds = 0.0}), InputError);
@@ -113,4 +113,4 @@ TEST(Shell, BadOptionsAreBadInput) {
 }
 
 }  // namespace
-}  // namespace jounce::shell_test
+}  // namespace jounce::run_executor_test

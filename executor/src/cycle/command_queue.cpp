@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/outbox.hpp"
+#include "jounce/executor/command_queue.hpp"
 
 #include <utility>
 
 namespace jounce {
 
-void Outbox::send(Command command) {
+void CommandQueue::send(Command command) {
   command.id = ++numbers_;
   waiting_.push_back(command);
 }
 
-void Outbox::send(const Command& command, const Request& request) {
+void CommandQueue::send(const Command& command, const Request& request) {
   send(command);
   unanswered_[numbers_] = request;
 }
 
-std::vector<std::uint64_t> Outbox::clear() {
+std::vector<std::uint64_t> CommandQueue::clear() {
   std::vector<std::uint64_t> dropped;
   std::deque<Command> kept;
   for (const Command& command : waiting_) {
@@ -33,16 +33,16 @@ std::vector<std::uint64_t> Outbox::clear() {
   return dropped;
 }
 
-void Outbox::flush() {
-  for (; !waiting_.empty() && under_way_ < Mail::most_commands; waiting_.pop_front()) {
-    mail_.commands.push(waiting_.front());
+void CommandQueue::flush() {
+  for (; !waiting_.empty() && under_way_ < AxisExchange::most_commands; waiting_.pop_front()) {
+    exchange_.commands.push(waiting_.front());
     ++under_way_;
   }
 }
 
-std::optional<Outbox::Reply> Outbox::take_answer() {
+std::optional<CommandQueue::Reply> CommandQueue::take_answer() {
   Answer answer;
-  if (!mail_.answers.pop(answer)) return std::nullopt;
+  if (!exchange_.answers.pop(answer)) return std::nullopt;
   if (answer.id != 0) --under_way_;
   Reply reply{answer};
   if (const auto asked = unanswered_.extract(answer.id)) reply.request = asked.mapped();

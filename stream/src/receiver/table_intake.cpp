@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The receiver's tables, from their header to the store; sessions are in receiver.cpp.
+#include "jounce/stream/receiver/table_intake.hpp"
+
 #include <new>
 #include <utility>
-
-#include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {
 namespace {
@@ -17,41 +16,34 @@ bool agree(const wire::Header& a, const wire::Header& b) {
 
 }  // namespace
 
-void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
-  answer_stranger(session, wire::Ack{.boot = boot_,
-                                     .table = table,
-                                     .refusal = refused.refusal,
-                                     .reason = std::move(refused.reason)});
-}
-
-void Receiver::take(const wire::Header& header) {
+Refused TableIntake::add(const wire::Header& header) {
   const auto slot = slots_.find(header.table);
   if (slot == slots_.end()) {
     slots_.emplace(header.table, announced(header));
-  } else if (agree(slot->second.header, header)) {
-    if (header.has_hash() && !slot->second.header.has_hash()) learn(slot->second, header.hash);
-    slot->second.ack_due = true;
-  } else {
-    refuse_table(session_, header.table,
-                 {wire::Refusal::bad_header, "the index belongs to another table"});
+    return {};
   }
+  if (!agree(slot->second.header, header))
+    return {wire::Refusal::bad_header, "the index belongs to another table"};
+  if (header.has_hash() && !slot->second.header.has_hash()) learn(slot->second, header.hash);
+  slot->second.ack_due = true;
+  return {};
 }
 
-Receiver::Slot Receiver::announced(const wire::Header& header) {
+TableIntake::Slot TableIntake::announced(const wire::Header& header) {
   Slot slot{.header = header};
   if (header.has_hash()) slot.stored = store_.find(header.hash);
   if (slot.stored) {
-    events_.emplace_back(TableReady{session_, *slot.stored});
+    ready_ = slot.stored;
     return slot;
   }
   slot.refused = contradiction(header);
-  if (!slot.refused && header.knots > options_.most_knots) {
+  if (!slot.refused && header.knots > limits_.most_knots) {
     slot.refused = {wire::Refusal::too_large,
-                    "at most " + std::to_string(options_.most_knots) + " knots"};
+                    "at most " + std::to_string(limits_.most_knots) + " knots"};
   }
   if (!slot.refused && !store_.reserve(bytes_of(header))) {
     slot.refused = {wire::Refusal::out_of_memory,
-                    "at most " + std::to_string(options_.memory) + " bytes of tables"};
+                    "at most " + std::to_string(limits_.memory) + " bytes of tables"};
   }
   if (slot.refused) return slot;
   try {
@@ -63,23 +55,21 @@ Receiver::Slot Receiver::announced(const wire::Header& header) {
   return slot;
 }
 
-void Receiver::take(const wire::Chunk& chunk) {
+Refused TableIntake::add(const wire::Chunk& chunk) {
   const auto it = slots_.find(chunk.table);
-  if (it == slots_.end()) return;  // the chunk has overtaken its header
+  if (it == slots_.end()) return {};  // the chunk has overtaken its header
   Slot& slot = it->second;
   slot.ack_due = true;
-  if (!slot.assembly) return;
-  if (!slot.assembly->add(chunk)) {
-    refuse_table(session_, chunk.table,
-                 {wire::Refusal::bad_chunk,
-                  "chunk " + std::to_string(chunk.seq) + " contradicts its header"});
-  } else if (slot.assembly->complete() && slot.header.has_hash()) {
-    finish(slot);
-  }
+  if (!slot.assembly) return {};
+  if (!slot.assembly->add(chunk))
+    return {wire::Refusal::bad_chunk,
+            "chunk " + std::to_string(chunk.seq) + " contradicts its header"};
+  if (slot.assembly->complete() && slot.header.has_hash()) finish(slot);
+  return {};
 }
 
 /// Sets the hash that the first header lacked: of a table that is stored, complete, or in transit.
-void Receiver::learn(Slot& slot, const Sha256& hash) {
+void TableIntake::learn(Slot& slot, const Sha256& hash) {
   slot.header.hash = hash;
   if (slot.refused.refusal == wire::Refusal::out_of_memory) {  // the table may need no space
     Slot again = announced(slot.header);
@@ -92,10 +82,10 @@ void Receiver::learn(Slot& slot, const Sha256& hash) {
   if (!slot.stored) return;
   slot.assembly.reset();
   store_.release(bytes_of(slot.header));
-  events_.emplace_back(TableReady{session_, *slot.stored});
+  ready_ = slot.stored;
 }
 
-void Receiver::finish(Slot& slot) {
+void TableIntake::finish(Slot& slot) {
   auto result = slot.assembly->finish(slot.header.hash);
   slot.assembly.reset();
   if (auto* refused = std::get_if<Refused>(&result)) {
@@ -110,20 +100,37 @@ void Receiver::finish(Slot& slot) {
     slot.stored = std::get<StoredTable>(std::move(result));
     store_.put(*slot.stored);
   }
-  events_.emplace_back(TableReady{session_, *slot.stored});
+  ready_ = slot.stored;
 }
 
-wire::Ack Receiver::ack(std::uint32_t table, const Slot& slot) const {
-  wire::Ack ack{.boot = boot_,
+std::optional<StoredTable> TableIntake::take_ready() {
+  return std::exchange(ready_, std::nullopt);
+}
+
+std::vector<wire::Ack> TableIntake::acks(std::int64_t boot) {
+  std::vector<wire::Ack> acks;
+  for (auto& [table, slot] : slots_)
+    if (std::exchange(slot.ack_due, false)) acks.push_back(ack(table, slot, boot));
+  return acks;
+}
+
+void TableIntake::clear() {
+  for (const auto& [table, slot] : slots_)
+    if (slot.assembly) store_.release(bytes_of(slot.header));
+  slots_.clear();
+}
+
+wire::Ack TableIntake::ack(std::uint32_t table, const Slot& slot, std::int64_t boot) const {
+  wire::Ack ack{.boot = boot,
                 .table = table,
-                .credit = options_.credit,
+                .credit = limits_.credit,
                 .complete = slot.stored.has_value(),
                 .refusal = slot.refused.refusal,
                 .reason = slot.refused.reason};
   if (slot.assembly) {
     ack.next = slot.assembly->next();
     ack.mask = slot.assembly->mask();
-    ack.credit = wire::cut(slot.header).chunks_for(options_.credit);
+    ack.credit = wire::cut(slot.header).chunks_for(limits_.credit);
   } else if (slot.stored) {
     ack.next = slot.header.chunks;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/desk.hpp"
+#include "jounce/executor/axis_server.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/executor/commands.hpp"
 #include "jounce/executor/events.hpp"
+#include "jounce/executor/notices.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -26,39 +27,39 @@ bool differ(const std::string& axis, const std::string& table) {
 
 }  // namespace
 
-Desk::Desk(ExecutorOptions options, Receiver& receiver, Post& post, std::size_t axis,
-           Worker& worker)
+AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
+                       std::size_t axis, Worker& worker)
     : options_(std::move(options)),
       axis_(axis),
       receiver_(receiver),
-      mail_(*post.mail[axis]),
-      vitals_(post.vitals),
-      worker_(worker),
-      outbox_(mail_),
-      queues_(mail_.rows, recorded_rows()) {
+      exchange_(*exchange.axes[axis]),
+      cycle_(exchange.cycle),
+      commands_(exchange_),
+      queues_(exchange_.rows, recorded_rows()),
+      builder_(worker, options_.build_apart) {
   if (options_.log) log_.emplace(*options_.log, options_.units);
-  if (options_.enable) outbox_.send({command::Enable{}});
-  outbox_.flush();
+  if (options_.enable) commands_.send({command::Enable{}});
+  commands_.flush();
 }
 
-void Desk::turn() {
+void AxisServer::turn() {
   while (const auto event = receiver_.take_event())
     std::visit([&](const auto& e) { handle(e); }, *event);
   take_built();
   take_answers();
   take_ticks();  // later than the answers: the tick of every answer is then available
   queues_.report(last_, receiver_);
-  outbox_.flush();
+  commands_.flush();
 }
 
-void Desk::retire() {
+void AxisServer::retire() {
   retired_ = true;
-  clear_outbox();
-  outbox_.send({command::Stop{}});
-  outbox_.flush();
+  clear_commands();
+  commands_.send({command::Stop{}});
+  commands_.flush();
 }
 
-void Desk::close() {
+void AxisServer::close() {
   take_answers();
   take_ticks();
   if (log_) log_->close();
@@ -68,12 +69,12 @@ void Desk::close() {
 
 // ---- requests ----------------------------------------------------------------------------------
 
-void Desk::handle(const TableReady& ready) {
+void AxisServer::handle(const TableReady& ready) {
   notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
          std::to_string(ready.table.table->size()) + " knots");
 }
 
-std::optional<Refusal> Desk::unfit(const ArmRequested& arm) const {
+std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   if (retired_) return Refusal{.cause = Cause::leaving};
   const bool live = arm.mode == wire::ArmMode::follow_input;
   if (live && options_.follow.what == Follow::What::nothing)
@@ -85,55 +86,50 @@ std::optional<Refusal> Desk::unfit(const ArmRequested& arm) const {
 }
 
 /// The position of the axis at the end of its present motion.
-double Desk::next_rest() const {
+double AxisServer::next_rest() const {
   const auto playing = movements_.find(last_.job);
   return playing == movements_.end() ? last_.position
                                      : playing->second.made.last.value_or(last_.position);
 }
 
-void Desk::handle(const ArmRequested& arm) {
+void AxisServer::handle(const ArmRequested& arm) {
   if (crowded(arm.session, arm.command)) return;
   if (const auto refusal = unfit(arm))
     return answer({arm.session, arm.command, Kind::arm}, refusal);
-  if (building_)
-    next_arm_ = arm;  // replaces a waiting one: the receiver answers only the newest command
+  if (builder_.busy())
+    builder_.wait(arm);  // replaces a waiting one: the receiver answers only the newest command
   else
     build(arm);
 }
 
 /// On a modulo axis, positions a turn apart are equal: a coupling shifts by whole turns if
 /// necessary.
-ArmRequested Desk::on_axis(ArmRequested arm) const {
+ArmRequested AxisServer::on_axis(ArmRequested arm) const {
   const double turn = options_.axis.modulo;
   if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
   return arm;
 }
 
-void Desk::build(const ArmRequested& arm) {
-  const std::uint64_t id = ++numbers_;
-  const std::size_t knots =
-      arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
-  auto now = [arm = on_axis(arm), id, period = options_.axis.period, position = next_rest()] {
-    return movement_of(arm, id, period, position);
-  };
-  if (knots > options_.build_apart)
-    building_.emplace(Building{arm, worker_.ask(std::move(now))});
-  else
-    this->arm({arm.session, arm.command, Kind::arm}, now(), arm.slave.hash, arm.session);
+void AxisServer::build(const ArmRequested& arm) {
+  auto built = builder_.build(on_axis(arm), ++numbers_, options_.axis.period, next_rest());
+  if (built) this->arm(std::move(*built));
 }
 
-void Desk::take_built() {
-  using namespace std::chrono_literals;
-  if (!building_ || building_->made.wait_for(0s) != std::future_status::ready) return;
-  Building built = std::move(*building_);
-  building_.reset();
-  MadeMovement made = built.made.get();
-  const Request request{built.arm.session, built.arm.command, Kind::arm};
-  if (!built.void_) arm(request, std::move(made), built.arm.slave.hash, built.arm.session);
-  if (const auto next = std::exchange(next_arm_, std::nullopt)) build(*next);
+void AxisServer::take_built() {
+  auto done = builder_.take();
+  if (!done) return;
+  if (done->built) arm(std::move(*done->built));
+  if (done->next) build(*done->next);
 }
 
-void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group) {
+void AxisServer::arm(MovementBuilder::Built built) {
+  const ArmRequested& asked = built.arm;
+  arm({asked.session, asked.command, Kind::arm}, std::move(built.made), asked.slave.hash,
+      asked.session);
+}
+
+void AxisServer::arm(const Request& request, MadeMovement made, const Sha256& hash,
+                     std::int64_t group) {
   if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
   const bool resets = last_.state == State::error_stop && request.session != fault_session_;
   const bool stands = last_.state == State::standstill || resets;
@@ -147,51 +143,51 @@ void Desk::arm(const Request& request, MadeMovement made, const Sha256& hash, st
       return answer(request, refusal);
   }
   if (resets) {
-    outbox_.send({command::Reset{}});
+    commands_.send({command::Reset{}});
     if (last_.job != 0)
-      outbox_.send({command::Stop{}});  // the remainder of an underrun is not continued
+      commands_.send({command::Stop{}});  // the remainder of an underrun is not continued
   }
-  if (adopts) outbox_.send({command::SetPosition{*made.first}});
+  if (adopts) commands_.send({command::SetPosition{*made.first}});
   if (options_.recorder != nullptr && made.source) record(*made.source);
-  outbox_.send({command::Arm{made.movement.get(), group}}, request);
+  commands_.send({command::Arm{made.movement.get(), group}}, request);
   armed_ = made.movement->id();
   movements_[armed_] = {std::move(made), hash};
 }
 
 /// Called before the arm is sent to the axis.
-void Desk::record(const MadeFrom& source) {
+void AxisServer::record(const MadeFrom& source) {
   RecordedJob job = source.job;
   job.axis = axis_;
   options_.recorder->job(job, source.time, source.cam ? &*source.cam : nullptr);
 }
 
-void Desk::handle(const StartRequested& start) {
+void AxisServer::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
   motion_session_ = start.session;
-  start_ = {.session = start.session, .command = start.command, .movement = armed_};
-  outbox_.send({command::Start{start.when, start.tick, start.position, start.session}},
-               {start.session, start.command, Kind::start});
+  start_.request(start.session, start.command, armed_);
+  commands_.send({command::Start{start.when, start.tick, start.position, start.session}},
+                 {start.session, start.command, Kind::start});
 }
 
-void Desk::handle(const StopRequested& stop) {
-  clear_outbox();
+void AxisServer::handle(const StopRequested& stop) {
+  clear_commands();
   Command command{command::Stop{}};
   if (stop.mode == wire::StopMode::abort) command.what = command::Abort{};
-  outbox_.send(command, {stop.session, stop.command, command.kind()});
+  commands_.send(command, {stop.session, stop.command, command.kind()});
 }
 
-void Desk::handle(const SessionEnded& ended) {
+void AxisServer::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
   if (silent) notify("the session timed out: no heartbeat from its streamer");
-  drop_builds();
+  builder_.cancel();
   queues_.close();
   // The motion may belong to a previous owner, who released it while running.
   const bool its_motion = ended.session == motion_session_;
   // Applies also after later commands of the session. An operator's stop is already in transit to the
   // axis, and requires an answer.
   if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
-    clear_outbox();
-    return outbox_.send({command::Release{}});
+    clear_commands();
+    return commands_.send({command::Release{}});
   }
   const bool stops = silent && its_motion && options_.stop_when_silent;
   // An armed motion no longer begins; a move that waits for the previous one, or for its tick,
@@ -200,12 +196,12 @@ void Desk::handle(const SessionEnded& ended) {
   if (!stops && !armed) return;
   Command command{command::Disarm{}};
   if (stops) command.what = command::Stop{};
-  if (outbox_.last() != command.kind()) outbox_.send(command);
+  if (commands_.last() != command.kind()) commands_.send(command);
 }
 
-void Desk::handle(const CommandRequested& requested) {
+void AxisServer::handle(const CommandRequested& requested) {
   const CommandKind kind = kind_of(requested.what);
-  if (kind == Kind::disable) clear_outbox();  // ends more than a stop
+  if (kind == Kind::disable) clear_commands();  // ends more than a stop
   if (crowded(requested.session, requested.command)) return;
   const Request request{requested.session, requested.command, kind};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
@@ -214,23 +210,23 @@ void Desk::handle(const CommandRequested& requested) {
 
 /// A command that the axis executes as it is.
 template <class What>
-void Desk::obey(const What& what, const CommandRequested& requested, const Request& request) {
+void AxisServer::obey(const What& what, const CommandRequested& requested, const Request& request) {
   if (info(request.kind).moves) motion_session_ = requested.session;
   if (holds_to_run(requested.what)) held_session_ = requested.session;
-  outbox_.send({.what = what, .at = requested.at}, request);
+  commands_.send({.what = what, .at = requested.at}, request);
 }
 
-void Desk::obey(const command::GearIn& /*gear*/, const CommandRequested& requested,
-                const Request& request) {
+void AxisServer::obey(const command::GearIn& /*gear*/, const CommandRequested& requested,
+                      const Request& request) {
   couple(requested, request);
 }
 
-void Desk::obey(const command::GearInPos& /*gear*/, const CommandRequested& requested,
-                const Request& request) {
+void AxisServer::obey(const command::GearInPos& /*gear*/, const CommandRequested& requested,
+                      const Request& request) {
   couple(requested, request);
 }
 
-void Desk::couple(const CommandRequested& requested, const Request& request) {
+void AxisServer::couple(const CommandRequested& requested, const Request& request) {
   motion_session_ = requested.session;
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});
@@ -239,7 +235,7 @@ void Desk::couple(const CommandRequested& requested, const Request& request) {
     MadeMovement gear{.movement = gear_of(requested.what, id, options_.axis, last_.position)};
     if (options_.recorder != nullptr)
       options_.recorder->note(RecordedGear{axis_, id, requested.what, last_.position});
-    outbox_.send({command::Couple{gear.movement.get(), requested.at}}, request);
+    commands_.send({command::Couple{gear.movement.get(), requested.at}}, request);
     movements_[id] = {std::move(gear), {}};
   } catch (const InputError& error) {
     decline(requested, error.what());
@@ -248,8 +244,8 @@ void Desk::couple(const CommandRequested& requested, const Request& request) {
 
 /// Arms and starts the axis's own table. It is accepted when it is armed: nothing can prevent the
 /// start then.
-void Desk::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
-                const Request& /*start*/) {
+void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
+                      const Request& /*start*/) {
   if (!options_.table)
     return decline(requested, "the axis has no table of its own: send one with `jounce stream`");
   const Request request{requested.session, requested.command, Kind::arm};
@@ -260,32 +256,32 @@ void Desk::obey(const command::StartTable& /*it*/, const CommandRequested& reque
                          .slave = *options_.table,
                          .master = {}};
   motion_session_ = requested.session;
-  outbox_.send({command::Disarm{}});  // if the arm fails, the start then starts nothing else
+  commands_.send({command::Disarm{}});  // if the arm fails, the start then starts nothing else
   arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash, no_group);
-  outbox_.send({command::Start{.tick = requested.at}});
+  commands_.send({command::Start{.tick = requested.at}});
 }
 
 /// Returns the function that records a queue's rows; empty: no record.
-Queues::Record Desk::recorded_rows() const {
+Queues::Record AxisServer::recorded_rows() const {
   if (options_.recorder == nullptr) return {};
   return [recorder = options_.recorder, axis = axis_](const HandedOver& what) {
     recorder->note(RecordedRows{axis, what});
   };
 }
 
-void Desk::obey(const command::QueueSwitch& what, const CommandRequested& requested,
-                const Request& request) {
+void AxisServer::obey(const command::QueueSwitch& what, const CommandRequested& requested,
+                      const Request& request) {
   if (untimed(requested)) answer_queue(request, queues_.queue_switch(what.queue));
 }
 
-void Desk::obey(const command::QueueClear& what, const CommandRequested& requested,
-                const Request& request) {
+void AxisServer::obey(const command::QueueClear& what, const CommandRequested& requested,
+                      const Request& request) {
   if (untimed(requested)) answer_queue(request, queues_.clear(what.queue, what.bank));
 }
 
-void Desk::obey(const command::QueueEnd& what, const CommandRequested& requested,
-                const Request& request) {
+void AxisServer::obey(const command::QueueEnd& what, const CommandRequested& requested,
+                      const Request& request) {
   if (!untimed(requested)) return;
   if (!queues_.end(what.queue))
     return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
@@ -293,30 +289,30 @@ void Desk::obey(const command::QueueEnd& what, const CommandRequested& requested
 }
 
 /// Declines a command about a queue for a later tick.
-bool Desk::untimed(const CommandRequested& requested) {
+bool AxisServer::untimed(const CommandRequested& requested) {
   if (requested.at >= 0) decline(requested, "queue commands cannot be timed: leave out --at");
   return requested.at < 0;
 }
 
-void Desk::answer_queue(const Request& request, bool done) {
+void AxisServer::answer_queue(const Request& request, bool done) {
   answer(request, done ? std::nullopt : std::optional(Refusal{.cause = Cause::in_motion}));
 }
 
 /// Rejects a command if more wait than any streamer needs: the axis takes one command a tick.
-bool Desk::crowded(std::int64_t session, std::int32_t command) {
-  if (!outbox_.full()) return false;
+bool AxisServer::crowded(std::int64_t session, std::int32_t command) {
+  if (!commands_.full()) return false;
   receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
                    static_cast<std::int32_t>(Cause::no_value));
   return true;
 }
 
 /// Rejects a command that the protocol permits and this executor does not support.
-void Desk::decline(const CommandRequested& requested, const std::string& reason) {
+void AxisServer::decline(const CommandRequested& requested, const std::string& reason) {
   receiver_.refuse(requested.session, requested.command, reason,
                    static_cast<std::int32_t>(Cause::no_value));
 }
 
-void Desk::handle(const QueueArmRequested& arm) {
+void AxisServer::handle(const QueueArmRequested& arm) {
   if (crowded(arm.session, arm.command)) return;
   const Request request{arm.session, arm.command, Kind::arm};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
@@ -328,31 +324,26 @@ void Desk::handle(const QueueArmRequested& arm) {
   this->arm(request, {.movement = movement, .first = queues_.origin(arm.queue)}, {}, arm.session);
 }
 
-void Desk::handle(const QueueOpened& opened) {
+void AxisServer::handle(const QueueOpened& opened) {
   const std::uint64_t id = ++numbers_;
   const bool made = queues_.open(opened, id, options_.axis, receiver_);
   if (made && options_.recorder != nullptr)
     options_.recorder->note(RecordedQueue{axis_, id, opened.queue});
 }
 
-void Desk::handle(const RowsArrived& arrived) {
+void AxisServer::handle(const RowsArrived& arrived) {
   queues_.take(arrived, receiver_);
 }
 
-void Desk::clear_outbox() {
-  drop_builds();
-  for (const std::uint64_t movement : outbox_.clear()) movements_.erase(movement);
-}
-
-void Desk::drop_builds() {
-  next_arm_.reset();
-  if (building_) building_->void_ = true;
+void AxisServer::clear_commands() {
+  builder_.cancel();
+  for (const std::uint64_t movement : commands_.clear()) movements_.erase(movement);
 }
 
 // ---- the axis ----------------------------------------------------------------------------------
 
-void Desk::take_answers() {
-  while (const auto reply = outbox_.take_answer()) {
+void AxisServer::take_answers() {
+  while (const auto reply = commands_.take_answer()) {
     if (reply->request) answer(*reply->request, reply->refused);
     for (const Movement* movement : reply->handed_back) {
       if (movement == nullptr) continue;
@@ -362,9 +353,8 @@ void Desk::take_answers() {
   }
 }
 
-void Desk::answer(const Request& request, const std::optional<Refusal>& refused) {
-  if (start_.is(request) && start_.outcome == wire::StartOutcome::none)
-    start_.outcome = refused ? wire::StartOutcome::none : wire::StartOutcome::waiting;
+void AxisServer::answer(const Request& request, const std::optional<Refusal>& refused) {
+  if (request.kind == Kind::start) start_.answer(request.session, request.command, refused);
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
@@ -373,34 +363,24 @@ void Desk::answer(const Request& request, const std::optional<Refusal>& refused)
   notify("refused: " + text(*refused, options_.units.position));
 }
 
-void Desk::take_ticks() {
-  for (Tick tick; mail_.ticks.pop(tick);) {
+void AxisServer::take_ticks() {
+  for (Tick tick; exchange_.ticks.pop(tick);) {
     if (log_) write(tick);
-    compare(tick);
+    for (const std::string& notice : notices_of(last_, tick, options_.units.position))
+      notify(notice);
+    if (tick.fault != last_.fault && tick.fault != Cause::none)
+      fault_session_ = receiver_.session();
     for (auto& event : events_of(last_, tick, {options_.switches.of, options_.compare.of},
                                  options_.axis.period, event_count_)) {
       event_count_ = event.count;
       events_.push_back(event);
     }
-    follow_start(tick);
+    start_.follow(last_, tick);
     last_ = tick;
   }
 }
 
-/// Updates the outcome of the last accepted start: it begins, or its armed movement is gone.
-void Desk::follow_start(const Tick& tick) {
-  if (start_.outcome != wire::StartOutcome::waiting) return;
-  const bool ended = tick.finished > last_.finished && tick.armed != start_.movement;
-  if (tick.job == start_.movement || (ended && !tick.dropped)) {
-    start_.outcome = wire::StartOutcome::begun;
-  } else if (tick.armed != start_.movement) {
-    start_.outcome = wire::StartOutcome::dropped;
-    const Cause cause = tick.fault != Cause::none ? tick.fault : Cause::stopped;
-    start_.why = tick.dropped.value_or(Refusal{.cause = cause});
-  }
-}
-
-void Desk::write(const Tick& tick) {
+void AxisServer::write(const Tick& tick) {
   log_->add(tick);
   if (log_truncated_ || log_->truncated().empty()) return;
   log_truncated_ = true;
@@ -408,23 +388,7 @@ void Desk::write(const Tick& tick) {
          "); the axis goes on");
 }
 
-/// Reports the changes of the axis since the previous tick.
-void Desk::compare(const Tick& tick) {
-  const std::string at = " at tick " + std::to_string(tick.tick);
-  if (tick.job != 0 && tick.job != last_.job) notify("started" + at);
-  if (tick.dropped)
-    notify("the armed motion did not start" + at + ": " +
-           text(*tick.dropped, options_.units.position));
-  if (tick.finished > last_.finished) notify("finished" + at);
-  if (tick.stopped > last_.stopped) notify("stopped" + at);
-  if (tick.fault == last_.fault) return;
-  if (tick.fault != Cause::none) {
-    fault_session_ = receiver_.session();
-    notify("fault" + at + ": " + name(tick.fault) + ": " + meaning(tick.fault));
-  }
-}
-
-wire::Status Desk::status() const {
+wire::Status AxisServer::status() const {
   const auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
   wire::Status status{.state = last_.state,
                       .tick = last_.tick,
@@ -433,7 +397,7 @@ wire::Status Desk::status() const {
                       .slave_position = last_.position,
                       .slave_velocity = last_.velocity,
                       .last_error = static_cast<std::int32_t>(last_.fault),
-                      .late_ticks = vitals_.late.load(std::memory_order_relaxed),
+                      .late_ticks = cycle_.late.load(std::memory_order_relaxed),
                       .finished = static_cast<std::int64_t>(last_.finished),
                       .stopped = static_cast<std::int64_t>(last_.stopped),
                       .actual_position = last_.actual_position,
@@ -444,8 +408,8 @@ wire::Status Desk::status() const {
                       .queue_rows = waiting,
                       .queue_capacity = capacity,
                       .outputs = last_.switches.outputs,
-                      .lateness = vitals_.lateness.counts(),
-                      .computing = vitals_.computing.counts(),
+                      .lateness = cycle_.lateness.counts(),
+                      .computing = cycle_.computing.counts(),
                       .units = options_.units,
                       .held = last_.held,
                       .homed = last_.homed,
@@ -453,13 +417,7 @@ wire::Status Desk::status() const {
   if (last_.job != 0 || last_.progress != Progress::done)
     status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
-  if (start_.session == receiver_.session() && start_.outcome != wire::StartOutcome::none) {
-    status.start_command = start_.command;
-    status.start = start_.outcome;
-    status.start_cause = static_cast<std::int32_t>(start_.why.cause);
-    if (start_.outcome == wire::StartOutcome::dropped)
-      status.start_reason = text(start_.why, options_.units.position);
-  }
+  start_.report(status, receiver_.session(), options_.units.position);
   const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
   if (kept != movements_.end()) {
     std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());
@@ -468,13 +426,13 @@ wire::Status Desk::status() const {
   return status;
 }
 
-std::uint8_t Desk::unwritten() const {
+std::uint8_t AxisServer::unwritten() const {
   const unsigned recorder = options_.recorder != nullptr ? options_.recorder->unwritten() : 0U;
   return static_cast<std::uint8_t>(recorder |
                                    (log_truncated_ ? unsigned{wire::log_unwritten} : 0U));
 }
 
-void Desk::notify(const std::string& notice) const {
+void AxisServer::notify(const std::string& notice) const {
   if (options_.notify) options_.notify(notice);
 }
 

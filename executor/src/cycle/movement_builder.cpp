@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/movement_builder.hpp"
+
+#include <utility>
+
+namespace jounce {
+
+std::optional<MovementBuilder::Built> MovementBuilder::build(const ArmRequested& arm,
+                                                             std::uint64_t id, std::int64_t period,
+                                                             double position) {
+  const std::size_t knots =
+      arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
+  auto now = [arm, id, period, position] { return movement_of(arm, id, period, position); };
+  if (knots <= most_knots_) return Built{arm, now()};
+  building_.emplace(Building{arm, worker_.ask(std::move(now))});
+  return std::nullopt;
+}
+
+std::optional<MovementBuilder::Done> MovementBuilder::take() {
+  using namespace std::chrono_literals;
+  if (!building_ || building_->made.wait_for(0s) != std::future_status::ready) return std::nullopt;
+  Building ended = std::move(*building_);
+  building_.reset();
+  Done done{.built = Built{std::move(ended.arm), ended.made.get()},
+            .next = std::exchange(next_, std::nullopt)};
+  if (ended.canceled) done.built.reset();
+  return done;
+}
+
+void MovementBuilder::cancel() {
+  next_.reset();
+  if (building_) building_->canceled = true;
+}
+
+}  // namespace jounce

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/message/refusal.hpp"
+#include "jounce/stream/receiver/assembly.hpp"
+#include "jounce/stream/receiver/table_store.hpp"
+
+namespace jounce {
+
+/// Limits of the tables of a receiver.
+struct TableLimits {
+  std::uint32_t most_knots = 0;  ///< knots of one table, at most
+  std::size_t memory = 0;        ///< bytes of all tables, complete or in transit
+  std::uint32_t credit = 0;      ///< full messages in transit
+};
+
+/// The arriving tables of a session, each with an index of its own, and the store of the complete
+/// ones. A table in transit has its bytes reserved in the store.
+///
+///     TableIntake tables(limits);
+///     if (Refused no = tables.add(header)) ...           // an answer to its sender
+///     tables.add(chunk);
+///     if (const auto ready = tables.take_ready()) ...    // after every add()
+///     for (wire::Ack ack : tables.acks(boot)) ...        // each due one once
+///     tables.clear();                                    // the session has ended
+class TableIntake {
+ public:
+  explicit TableIntake(const TableLimits& limits) : limits_(limits), store_(limits.memory) {}
+
+  /// A refusal that is no part of the table's own acknowledgment: the index belongs to another
+  /// table, or the chunk contradicts its header.
+  [[nodiscard]] Refused add(const wire::Header& header);
+  [[nodiscard]] Refused add(const wire::Chunk& chunk);
+
+  /// The table that the last add() has completed, or found in the store.
+  [[nodiscard]] std::optional<StoredTable> take_ready();
+  [[nodiscard]] std::vector<wire::Ack> acks(std::int64_t boot);
+  /// Drops the tables in transit; the complete ones stay in the store.
+  void clear();
+
+  [[nodiscard]] const TableStore& store() const { return store_; }
+
+ private:
+  /// In transit, stored, or refused.
+  struct Slot {
+    wire::Header header;
+    std::optional<Assembly> assembly{};
+    std::optional<StoredTable> stored{};
+    Refused refused{};
+    bool ack_due = true;
+  };
+
+  [[nodiscard]] Slot announced(const wire::Header& header);
+  void learn(Slot& slot, const Sha256& hash);
+  void finish(Slot& slot);
+  [[nodiscard]] wire::Ack ack(std::uint32_t table, const Slot& slot, std::int64_t boot) const;
+
+  TableLimits limits_;
+  TableStore store_;
+  std::map<std::uint32_t, Slot> slots_;
+  std::optional<StoredTable> ready_;
+};
+
+}  // namespace jounce
