@@ -1078,10 +1078,10 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
 
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
   write("a.toml", "jounce = 1\nkind = \"machine\"\n");
-  EXPECT_THAT(run("check a.toml").err,
+  EXPECT_THAT(run("plot a.toml -o a.svg").err,
               HasSubstr("a.toml:2:8: kind = \"machine\": is a machine: run it with `jounce run`"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
-  EXPECT_THAT(run("check a.toml").err,
+  EXPECT_THAT(run("plot a.toml -o a.svg").err,
               HasSubstr("a.toml:2:8: kind = \"sweep\": is a sweep: start it with `jounce sweep`"));
 }
 
