@@ -134,7 +134,7 @@ TEST(Group, StartsInOneTickAndEndsWithTheLast) {
   Site site(x_and_y());
   std::int64_t began[2] = {-1, -1};
   site.after = [&] {
-    for (const std::size_t i : {0, 1})
+    for (const std::size_t i : {0u, 1u})
       if (began[i] < 0 && site.last(i).job != 0) began[i] = site.last(i).tick;
   };
   const auto outcomes = stream_group(
@@ -162,7 +162,7 @@ TEST(Group, WhereOneRefusesNoneStartsAndAllReasonsAreThere) {
   EXPECT_THAT(outcomes[0].reason, HasSubstr("start_position"));
   EXPECT_THAT(outcomes[1].reason, HasSubstr("velocity_limit"));
   site.advance(1s);
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     EXPECT_EQ(site.last(i).position, 0);
     EXPECT_EQ(site.last(i).finished, 0U);
     EXPECT_EQ(site.last(i).armed, 0U);
@@ -186,7 +186,7 @@ TEST(Group, AStopOfOneStopsTheOther) {
   EXPECT_FALSE(outcomes[0].ok());
   EXPECT_FALSE(outcomes[1].ok());
   site.advance(500ms);
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     EXPECT_EQ(site.last(i).state, State::standstill);
     EXPECT_LT(site.last(i).position, 60) << "of 200";
   }
@@ -203,7 +203,7 @@ TEST(Group, TheExecutorStopsTheOthersItself) {
         ASSERT_TRUE(outcome.ok()) << outcome.reason;
       std::int64_t ended[2] = {0, 0};
       site.after = [&] {
-        for (const std::size_t i : {0, 1})
+        for (const std::size_t i : {0u, 1u})
           if (ended[i] == 0 && site.last(i).state != State::discrete_motion)
             ended[i] = site.last(i).tick;
       };

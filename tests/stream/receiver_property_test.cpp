@@ -30,7 +30,7 @@ class Conversation {
 
   void step() {
     now_ += random_.below(20) == 0 ? 600ms : 1ms;
-    const std::size_t what = random_.below(10);
+    const std::size_t what = random_.below(std::size_t{10});
     if (what < 6) {
       say(parts_[random_.below(parts_.size())]);
     } else if (what < 9) {

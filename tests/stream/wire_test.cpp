@@ -366,7 +366,7 @@ TEST(Wire, SurvivesRandomForgery) {
   const auto samples = test::samples();
   for (int i = 0; i < 20'000; ++i) {
     Bytes bytes = wire::encode(samples[random.below(samples.size())]);
-    const std::size_t changes = 1 + random.below(4);
+    const std::size_t changes = 1 + random.below(std::size_t{4});
     // Mostly the front of the message, where the fields with meaning are.
     for (std::size_t k = 0; k < changes; ++k)
       bytes[16 + random.below(std::min<std::size_t>(bytes.size() - 20, 120))] =
@@ -381,7 +381,7 @@ TEST(Wire, SurvivesRandomForgery) {
 TEST(Wire, SurvivesNoise) {
   test::Random random(20240603);
   for (int i = 0; i < 5'000; ++i) {
-    Bytes bytes(random.below(400));
+    Bytes bytes(random.below(std::size_t{400}));
     for (auto& byte : bytes) byte = static_cast<std::byte>(random.below(256));
     ASSERT_TRUE(std::holds_alternative<Reject>(wire::decode(bytes))) << "case " << i;
   }

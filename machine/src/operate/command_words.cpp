@@ -215,7 +215,9 @@ void require_unbuffered(const CommandWords& words, const Form& form) {
 void require_applies(const CommandWords& words, const Form& form) {
   const auto& fields = form.command->fields;
   for (const auto& [option, text] : words.options) {
-    const auto is_it = [&](const Field& f) { return form.takes(f) && form.option(f) == option; };
+    const auto is_it = [&, &name = option](const Field& f) {
+      return form.takes(f) && form.option(f) == name;
+    };
     if (text.empty() || std::any_of(fields.begin(), fields.end(), is_it)) continue;
     throw InputError(dashed(option), text,
                      "does not apply to " + form.word + " " + dashed(form.selector()));
