@@ -40,7 +40,8 @@ Converted converted(const Input& input, const Conversion& conversion);
 /// The parts of the input that a file in this format does not contain, one phrase each.
 std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
-/// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
+/// The certified error of a conversion as a sentence. Without an error: that the numbers are unchanged, or only
+/// converted between units.
 std::string error_text(const Converted& made, const Labels& labels);
 
 /// The form in which a table is written.

@@ -120,9 +120,9 @@ struct GearInPosStep {
 ///
 /// The slave stands still until the master passes the start in the engaging direction. A master
 /// that reverses while connecting is reported in each cycle in which it moves back (775). The slave
-/// stays on its curve, back to its start, and engages when the master comes again: without a step,
-/// and without an action of the caller in that cycle. Once in sync, (1) holds for any motion of the
-/// master.
+/// moves back along its curve, to its start, and engages when the master moves forward again:
+/// without a step, and without an action of the caller in that cycle. Once in sync, (1) holds for
+/// any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
 /// The slave's exact motion behind a known master: a Signal.
