@@ -88,14 +88,24 @@ int report(const OrderArguments& options, const CallOutcome& outcome) {
     fmt::print("{}: {}\n", options.executor,
                options.words.what == "home" ? "homed" : options.words.what + " accepted");
   } else {
-    fmt::print(stderr, "jounce: {}: {}\n", options.executor, outcome.reason);
+    fmt::print(stderr, "jounce: {}: {}\n", options.executor, reason_of(outcome, options.executor));
   }
   return status_of(outcome, {StreamError::refused});
+}
+
+/// --seconds ends a hold-to-run jog; any other command would ignore it.
+void require_held(const OrderArguments& options) {
+  const auto held = options.words.flags.find("hold-to-run");
+  if (options.seconds == 0 || (held != options.words.flags.end() && held->second)) return;
+  throw InputError("--seconds", fmt::format("{}", options.seconds),
+                   std::string("applies to jog --hold-to-run only") +
+                       (options.words.what == "jog" ? ": add --hold-to-run" : ""));
 }
 
 int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
+  require_held(options);
   Link link(options.link);
   const Units units = units_of(options, link);
   if (options.words.what == "home" && options.at >= 0)

@@ -173,6 +173,23 @@ TEST_F(Cli, NumbersAreDecimal) {
   EXPECT_THAT(run("order feeder jog -.5mm/s --url memq://").err, Not(HasSubstr("not expected")));
 }
 
+TEST_F(Cli, AnOrderRejectsSecondsThatItWouldIgnore) {
+  const std::string far = " --url memq://";
+  const Result jog = run("order feeder jog 100 --seconds 1" + far);
+  EXPECT_EQ(jog.status, 2);
+  EXPECT_EQ(jog.err,
+            "jounce: --seconds = 1: applies to jog --hold-to-run only: add --hold-to-run\n");
+  EXPECT_EQ(run("order feeder move --to 5 --seconds 1" + far).err,
+            "jounce: --seconds = 1: applies to jog --hold-to-run only\n");
+  EXPECT_THAT(run("order feeder jog 100 --hold-to-run --seconds 1" + far).err,
+              Not(HasSubstr("--seconds")));
+}
+
+TEST_F(Cli, AnOrderNamesTheSwappedWords) {
+  EXPECT_EQ(run("order enable feeder").err,
+            "jounce: WHAT = feeder: is not a command: did you mean jounce order feeder enable?\n");
+}
+
 TEST_F(Cli, HelpTellsWhatTakesAValueAndWhatMustBeGiven) {
   const std::string help = run("stream --help").out;
   EXPECT_THAT(help,
