@@ -130,6 +130,16 @@ void add_options(const Verb& verb, CommandWords& words) {
   }
 }
 
+/// Checks WHAT; a command in place of NAME is named.
+Check command_word(const OrderArguments& options) {
+  return [&options, known = one_of(command_words())](const std::string& what) {
+    std::string rule = known(what);
+    if (!rule.empty() && known(options.executor).empty())
+      rule = "is not a command: did you mean jounce order " + what + " " + options.executor + "?";
+    return rule;
+  };
+}
+
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -151,7 +161,7 @@ void add_order(CommandLine& line) {
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
       .required()
-      .check(one_of(command_words()));
+      .check(command_word(*options));
   verb.option("VALUE", options->words.value,
               "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
               "of set-position, ratio of gear-in and gear-in-pos (3:2)");

@@ -101,12 +101,13 @@ void add_diff(CommandLine& line) {
   const Verb verb = line.verb(
       "diff", "Show the exact differences of two specs or tables; exit status 1 if there are any",
       "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
-  verb.option("A", options->before, "Spec or table; - is standard input").required();
-  verb.option("B", options->after, "Second spec or table; numbers are in its units").required();
+  verb.option("BEFORE", options->before, "Spec or table; - is standard input").required();
+  verb.option("AFTER", options->after, "Second spec or table; numbers are in its units").required();
   verb.axis(options->axis);
   verb.option("--tolerance", options->tolerances, tolerance_help).one_each();
-  verb.option("-o,--output", options->output,
-              "Picture of B over a paler A to write, .svg or .png; - is SVG on standard output");
+  verb.option(
+      "-o,--output", options->output,
+      "Picture of AFTER over a paler BEFORE to write, .svg or .png; - is SVG on standard output");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_diff(*options); });
 }

@@ -23,7 +23,7 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
     try {
       if (!unit.empty() && !to.empty()) factor = conversion(unit, to);
     } catch (const InputError&) {
-      throw InputError(key, to, "does not measure the same as the unit of the table, " + unit);
+      throw InputError(key, to, "cannot be converted from the unit of the table, " + unit);
     }
     if (!to.empty()) unit = to;
     return factor;
