@@ -62,8 +62,7 @@ struct Mail {
 /// Status exchange of the two threads.
 struct Vitals {
   static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
-  std::atomic<std::int64_t> start{
-      not_started};                     ///< ns, by the pacer's clock: time of tick 0
+  std::atomic<std::int64_t> start{not_started};  ///< ns, by the pacer's clock: time of tick 0
   std::atomic<std::uint64_t> alive{0};  ///< heartbeat: incremented by the communication thread
   std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
   Histogram lateness;                   ///< lateness of wake-up: relative to the time of the tick
@@ -121,7 +120,7 @@ struct CycleOptions {
 /// receives Inputs::watchdog, because no client could stop it any more. The watchdog counts cycles,
 /// not time: a pause of the whole computer does not trigger it.
 ///
-/// once() neither allocates, locks, logs nor waits for another thread.
+/// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
  public:
   /// All must outlive it.
