@@ -35,7 +35,8 @@ TEST(Convert, ATableOfTheSameRuleIsUnchanged) {
 }
 
 TEST(Convert, AChangeOfUnitsIsNamed) {
-  const Input input = read_inputs(examples + "rotary-knife/knife.toml").front();
+  const Input knife = read_inputs(examples + "rotary-knife/knife.toml").front();
+  const Input input = input_of(knife.table, "knife.csv");
   const auto text = [&](const Units& units) {
     return error_text(converted(input, {.rule = input.table.table.rule(), .units = units}),
                       input.labels);
