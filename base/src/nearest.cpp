@@ -31,7 +31,11 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   std::size_t least = 3;
   for (const auto& candidate : candidates) {
     const std::size_t d = distance(word, candidate);
-    if (d < least && d < candidate.size()) {
+    // If the first letter and another one differ, the word must lack a letter: "fase" means "phase", but
+    // "deceleration" does not mean "acceleration".
+    const bool other =
+        d > 1 && !word.empty() && word[0] != candidate[0] && candidate.size() <= word.size();
+    if (d < least && d < candidate.size() && !other) {
       least = d;
       best = candidate;
     }

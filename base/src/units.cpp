@@ -141,8 +141,8 @@ double quantity(std::string_view text, std::string_view unit) {
     return value * conversion(given, unit);
   } catch (const InputError&) {
     throw InputError("", shown,
-                     std::string(given) + " does not measure the same as " + std::string(unit) +
-                         ": give the value in " + std::string(unit));
+                     std::string(given) + " is not a unit of this quantity: give the value in " +
+                         std::string(unit));
   }
 }
 

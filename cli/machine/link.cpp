@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/command/causes.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/address.hpp"
@@ -20,9 +21,22 @@ std::string said_of(StreamError error, const std::string& reason) {
   return said;
 }
 
+std::string reason_of_axis(std::string reason, std::int32_t cause, const std::string& executor) {
+  constexpr std::string_view who = "axis: ";
+  if (reason.starts_with(who)) reason.erase(0, who.size());
+  for (const CauseInfo& one : all_causes()) {
+    if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
+    std::string remedy = one.remedy;
+    constexpr std::string_view placeholder = "NAME";
+    if (const auto at = remedy.find(placeholder); at != std::string::npos)
+      remedy.replace(at, placeholder.size(), executor);
+    return reason + " " + remedy;
+  }
+  return reason;
+}
+
 void require_name_on_bus(const std::string& argument, const std::string& name) {
-  if (!wire::is_executor_name(name))
-    throw InputError(argument, name, "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
+  if (!wire::is_executor_name(name)) throw InputError(argument, name, wire::executor_name_rule);
 }
 
 Nanos nanos(double seconds) {

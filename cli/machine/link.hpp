@@ -32,6 +32,9 @@ void require_name_on_bus(const std::string& argument, const std::string& name);
 /// The error as text, with the hint if there was no answer.
 std::string said_of(StreamError error, const std::string& reason);
 
+/// The reason for which an axis rejects a command or a table, with the remedy of its cause (a number of Cause).
+std::string reason_of_axis(std::string reason, std::int32_t cause, const std::string& executor);
+
 /// Seconds as the stream counts time; more than thirty years counts as unlimited.
 Nanos nanos(double seconds);
 

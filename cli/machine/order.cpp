@@ -88,14 +88,24 @@ int report(const OrderArguments& options, const CallOutcome& outcome) {
     fmt::print("{}: {}\n", options.executor,
                options.words.what == "home" ? "homed" : options.words.what + " accepted");
   } else {
-    fmt::print(stderr, "jounce: {}: {}\n", options.executor, outcome.reason);
+    fmt::print(stderr, "jounce: {}: {}\n", options.executor, reason_of(outcome, options.executor));
   }
   return status_of(outcome, {StreamError::refused});
+}
+
+/// --seconds ends a hold-to-run jog; any other command would ignore it.
+void require_held(const OrderArguments& options) {
+  const auto held = options.words.flags.find("hold-to-run");
+  if (options.seconds == 0 || (held != options.words.flags.end() && held->second)) return;
+  throw InputError("--seconds", fmt::format("{}", options.seconds),
+                   std::string("applies to jog --hold-to-run only") +
+                       (options.words.what == "jog" ? ": add --hold-to-run" : ""));
 }
 
 int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
+  require_held(options);
   Link link(options.link);
   const Units units = units_of(options, link);
   if (options.words.what == "home" && options.at >= 0)
@@ -120,6 +130,16 @@ void add_options(const Verb& verb, CommandWords& words) {
   }
 }
 
+/// Checks WHAT; a command in place of NAME is named.
+Check command_word(const OrderArguments& options) {
+  return [&options, known = one_of(command_words())](const std::string& what) {
+    std::string rule = known(what);
+    if (!rule.empty() && known(options.executor).empty())
+      rule = "is not a command: did you mean jounce order " + what + " " + options.executor + "?";
+    return rule;
+  };
+}
+
 std::string listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
@@ -141,7 +161,7 @@ void add_order(CommandLine& line) {
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
       .required()
-      .check(one_of(command_words()));
+      .check(command_word(*options));
   verb.option("VALUE", options->words.value,
               "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
               "of set-position, ratio of gear-in and gear-in-pos (3:2)");

@@ -27,6 +27,14 @@ int status_of(const Outcome& outcome, std::initializer_list<StreamError> finding
                                                                                       : fault;
 }
 
+/// The reason of an outcome, for a person: if an axis rejects the call, with the remedy.
+template <class Outcome>
+std::string reason_of(const Outcome& outcome, const std::string& executor) {
+  return outcome.refusal == wire::Refusal::axis
+             ? reason_of_axis(outcome.reason, outcome.cause, executor)
+             : outcome.reason;
+}
+
 /// Prints an outcome and returns its exit status. As JSON with the entries of `more`; otherwise
 /// `done`, or the error on standard error.
 template <class Outcome>
@@ -39,7 +47,7 @@ int report_outcome(const Outcome& outcome, bool json, const std::string& done, c
   } else if (outcome.ok()) {
     fmt::print("{}\n", done);
   } else {
-    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, outcome.reason));
+    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, reason_of(outcome, "NAME")));
   }
   return status_of(outcome, findings);
 }

@@ -151,7 +151,8 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
                  : options.no_wait ? "started"
                                    : "finished");
     else
-      fmt::print(stderr, "jounce: {}: {}\n", names[i], said_of(outcome.error, outcome.reason));
+      fmt::print(stderr, "jounce: {}: {}\n", names[i],
+                 said_of(outcome.error, reason_of(outcome, names[i])));
   }
   if (options.json) print_json(document);
   return status;

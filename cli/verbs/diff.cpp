@@ -27,31 +27,6 @@ struct DiffArguments {
   bool json = false;
 };
 
-/// Pairs of axes of both files: the only axes, or axes of the same name.
-std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
-  std::vector<Input> before = load_axes(options.before, options.axis);
-  std::vector<Input> after = load_axes(options.after, options.axis);
-  std::vector<std::pair<Input, Input>> all;
-  if (before.size() == 1 && after.size() == 1) {
-    all.emplace_back(std::move(before.front()), std::move(after.front()));
-    return all;
-  }
-  for (const auto& [some, others, file] :
-       {std::tuple{&before, &after, &options.after}, {&after, &before, &options.before}})
-    for (const Input& one : *some)
-      if (std::none_of(others->begin(), others->end(),
-                       [&](const Input& other) { return other.axis == one.axis; }))
-        throw InputError("--axis", "",
-                         "is missing: " + *file + " has no axis " +
-                             (one.axis.empty() ? "without a name" : one.axis));
-  for (Input& one : before) {
-    const auto other = std::find_if(after.begin(), after.end(),
-                                    [&](const Input& each) { return each.axis == one.axis; });
-    all.emplace_back(std::move(one), std::move(*other));
-  }
-  return all;
-}
-
 void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
   if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
   const auto& [before, after] = all.front();
@@ -101,12 +76,13 @@ void add_diff(CommandLine& line) {
   const Verb verb = line.verb(
       "diff", "Show the exact differences of two specs or tables; exit status 1 if there are any",
       "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
-  verb.option("A", options->before, "Spec or table; - is standard input").required();
-  verb.option("B", options->after, "Second spec or table; numbers are in its units").required();
+  verb.option("BEFORE", options->before, "Spec or table; - is standard input").required();
+  verb.option("AFTER", options->after, "Second spec or table; numbers are in its units").required();
   verb.axis(options->axis);
   verb.option("--tolerance", options->tolerances, tolerance_help).one_each();
-  verb.option("-o,--output", options->output,
-              "Picture of B over a paler A to write, .svg or .png; - is SVG on standard output");
+  verb.option(
+      "-o,--output", options->output,
+      "Picture of AFTER over a paler BEFORE to write, .svg or .png; - is SVG on standard output");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_diff(*options); });
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "jounce/base/nearest.hpp"
 #include "jounce/design/law_guide.hpp"
 #include "jounce/plot/curve_figure.hpp"
 #include "jounce/profiles/error.hpp"
@@ -24,8 +27,13 @@ struct LawsArguments {
 
 Law law_of(const std::string& word) {
   const auto law = law_named(word);
-  if (!law) throw InputError("LAW", word, "is not a law: `jounce laws` lists all");
-  return *law;
+  if (law) return *law;
+  std::vector<std::string> names;
+  for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
+  const std::string near = nearest(word, names);
+  throw InputError(
+      "LAW", word,
+      "is not a law: " + (near.empty() ? "`jounce laws` lists all" : "did you mean " + near + "?"));
 }
 
 void draw(const LawsArguments& options) {

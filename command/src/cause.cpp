@@ -48,8 +48,8 @@ constexpr std::array entries{
           "Reset the axis, then move it off the switch in the positive direction."},
     Entry{Cause::underrun, "underrun",
           "Buffer underrun: the streamed path was about to run out; the axis stopped on the path.",
-          "Reset the axis and stream on from where it stands. Send rows earlier, or a larger "
-          "prefill."},
+          "Reset the axis, then stream the rest from the present position. Send rows earlier, or "
+          "more of them before the start (--ahead)."},
     Entry{Cause::watchdog, "watchdog",
           "Watchdog expired: the heartbeat of the streamer or of the communication thread is "
           "missing.",
@@ -92,7 +92,7 @@ constexpr std::array entries{
     Entry{Cause::not_on_path, "not_on_path", "Not possible while the axis follows a live master.",
           "Stop the axis, or slow the master down."},
     Entry{Cause::no_movement, "no_movement",
-          "No motion is in progress that this command could change.",
+          "This command changes a motion, but no motion is in progress.",
           "Start a motion before this command."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis follows no master.",
           "Nothing to do: the axis has no master to leave."},
@@ -143,8 +143,8 @@ constexpr std::array entries{
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
           "Stretch the motion, or choose a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position jumps.",
-          "Let a cam that wraps end where it begins; use advance for a cam that gains a distance "
-          "in each period."},
+          "A cam that wraps must end where it begins. For a cam that gains a distance in each "
+          "period, use outside = \"advance\"."},
     Entry{Cause::velocity_step, "velocity_step",
           "The velocity jumps by more than the acceleration limit permits in one tick.",
           "Smooth the table there: use more points, or cubic interpolation."},

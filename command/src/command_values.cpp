@@ -45,13 +45,13 @@ const char* broken(FieldRange range, double value) {
     case FieldRange::buffer_mode:
       return rule(is_whole(value) && value >= 0 && value <= 5, "must be 0 to 5");
     case FieldRange::whole:
-      return rule(is_whole(value), "must be a whole number of 31 bits");
+      return rule(is_whole(value), "must be a whole number from -2147483647 to 2147483647");
     case FieldRange::whole_nonzero:
       return value == 0 ? "must not be 0" : broken(FieldRange::whole, value);
     case FieldRange::count:
       break;
   }
-  return rule(is_whole(value) && value >= 0, "must be a whole number of 31 bits, 0 or more");
+  return rule(is_whole(value) && value >= 0, "must be a whole number from 0 to 2147483647");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
     try {
       if (!unit.empty() && !to.empty()) factor = conversion(unit, to);
     } catch (const InputError&) {
-      throw InputError(key, to, "does not measure the same as the unit of the table, " + unit);
+      throw InputError(key, to, "cannot be converted from the unit of the table, " + unit);
     }
     if (!to.empty()) unit = to;
     return factor;
@@ -146,6 +146,7 @@ void add_losses(std::vector<std::string>& all, const CamFormat& format, const Ta
 
 /// Knots, rule and units; without the spline of a controller.
 Converted converted_once(const Input& input, const Conversion& wanted) {
+  if (wanted.format != nullptr) require_cam(*wanted.format, input.table.table);
   Converted result{input.table, input.error};
   if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
     Sampled made = with_knots(input, wanted);
@@ -185,7 +186,17 @@ std::vector<std::string> losses(const Input& input, const CamFormat* format, con
 }
 
 std::string error_text(const Converted& made, const Labels& labels) {
-  if (!made.error) return "the numbers are unchanged";
+  if (!made.error) {
+    std::vector<std::string> changes;
+    const auto add = [&](const std::string& from, const std::string& to) {
+      if (!from.empty() && !to.empty() && from != to) changes.push_back(from + " to " + to);
+    };
+    add(labels.units.x, made.file.units.x);
+    add(labels.units.position, made.file.units.position);
+    if (changes.empty()) return "the numbers are unchanged";
+    return fmt::format("the numbers are converted from {}, without any other change",
+                       fmt::join(changes, " and from "));
+  }
   const std::string rate = labels.over_master ? OverMaster::names[1] : OverTime::names[1];
   return fmt::format("error: at most {} {} (certified), at {} {}; {} {} in the {}",
                      rounded(made.error->position), labels.units.position,

@@ -386,8 +386,9 @@ CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
   if (cam == nullptr)
     throw InputError(
-        "kind", "",
-        "must be \"cam\" for free knots and shapes: for other kinds add [[optimize.parameter]]")
+        "optimize.parameter", "",
+        "is missing: add [optimize] with minimize or maximize, and [[optimize.parameter]] with key "
+        "and range for each number that may change (free knots and shapes are for kind = \"cam\")")
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(

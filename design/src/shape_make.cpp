@@ -102,8 +102,10 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
 
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive) {
   if (!std::holds_alternative<CamSpec>(spec.subject))
-    throw InputError("kind", "",
-                     "must be \"cam\" for free shapes: for other kinds add [[optimize.parameter]]")
+    throw InputError(
+        "optimize.parameter", "",
+        "is missing: add [optimize] with minimize or maximize, and [[optimize.parameter]] with key "
+        "and range for each number that may change (free knots and shapes are for kind = \"cam\")")
         .at(spec.document.name);
   try {
     return problem_of(spec, against_a_drive);

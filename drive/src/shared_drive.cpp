@@ -23,7 +23,8 @@ void require_name(const std::string& name) {
            c == '-';
   };
   if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), good))
-    throw InputError("name", name, "must be 1 to 64 of A-Z a-z 0-9 _ -");
+    throw InputError("name", name,
+                     "must have 1 to 64 characters, each a letter A-Z or a-z, a digit, _ or -");
 }
 
 [[noreturn]] void fail(const char* what, const std::string& path) {

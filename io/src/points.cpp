@@ -189,7 +189,7 @@ class Reader {
     const char* to = std::find(cell, line_end_, separator_);
     const std::string_view text = unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)}));
     PointColumn& column = points_.columns[i];
-    require_length(text);
+    require_length();
     if (is_words_[i]) {
       column.words.emplace_back(text);
       return to;
@@ -228,14 +228,13 @@ class Reader {
   }
 
   /// Throws where the row is longer or shorter than the header.
-  void require_length(std::string_view cell) {
+  void require_length() {
     const std::size_t wanted = points_.columns.size();
     const auto cells = static_cast<std::size_t>(std::count(begin_, line_end_, separator_)) + 1;
     if (cells == wanted) return;
     const bool commas = separator_ == ',' && cells == 2 * wanted;
-    fail("row", cell,
-         "ends a row of " + std::to_string(cells) + " values, but the header names " +
-             std::to_string(wanted) + " columns" +
+    fail("row", std::to_string(cells) + (cells == 1 ? " value" : " values"),
+         "must have " + std::to_string(wanted) + ", one for each column of the header" +
              (commas ? ": decimal commas need semicolons between columns" : ""));
   }
 

@@ -105,12 +105,14 @@ std::string column_unit(Lines& lines, std::string_view cell, const std::string& 
 }
 
 void read_columns_line(Lines& lines, TableParts& parts) {
-  const auto names = csv_cells(lines.at_end() ? std::string_view() : lines.next());
+  const std::string_view line = lines.at_end() ? std::string_view() : lines.next();
+  const auto names = csv_cells(line);
   const auto expected = io_detail::column_names(parts.axis, parts.rule);
   if (names.size() != expected.size())
     lines.fail("columns", std::to_string(names.size()),
                "a " + std::string(name(parts.rule)) + " table has exactly " +
-                   std::to_string(expected.size()));
+                   std::to_string(expected.size()) + ", separated by commas" +
+                   (line.find(';') == std::string_view::npos ? "" : ": this line has semicolons"));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string unit = column_unit(lines, names[i], expected[i]);
     const std::string rule = io_detail::take_unit(parts, i, unit);

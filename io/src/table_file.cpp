@@ -31,7 +31,10 @@ std::string take_unit(TableParts& parts, std::size_t column, const std::string& 
   if (column == 1) parts.units.position = unit;
   if (column < 2) return "";
   const auto needed = rate_unit(parts.units.position, parts.units.x, static_cast<int>(column) - 1);
-  return unit == needed ? "" : "the unit must be " + needed;
+  if (unit == needed) return "";
+  const std::string& position = parts.units.position;
+  return (position.empty() ? "" : "does not match the position, which is in " + position + ": ") +
+         "the unit must be " + needed;
 }
 
 /// The line of the knot that an error's key names ("knot[3].time"), or 0.
@@ -52,9 +55,10 @@ TableFile parse_table(const std::string& text, const std::string& name) {
                    parts.units, parts.provenance};
     const std::string actual = hex(content_hash(file.table, file.units));
     if (actual != parts.sha256)
-      throw InputError("sha256", parts.sha256,
-                       "does not match the content, whose hash is " + actual +
-                           ": the file was changed after Jounce wrote it");
+      throw InputError(
+          "sha256", parts.sha256,
+          "does not match the content, whose hash is " + actual +
+              ": the file was changed after Jounce wrote it. Restore it, or export it again");
     return file;
   } catch (const InputError& error) {
     throw error.at(name, io_detail::line_of(error, parts));

@@ -97,7 +97,12 @@ std::vector<Message> messages_named(const std::vector<Message>& all, const std::
     if (one.code == code || one.name == name) found.push_back(one);
   if (!found.empty()) return found;
   std::vector<std::string> names;
-  for (const Message& one : all) names.push_back(one.name);
+  for (const Message& one : all) {
+    names.push_back(one.name);
+    // Rules of one meaning are listed as one: "limit/*".
+    if (one.name.ends_with("/*"))
+      names.push_back(one.name.substr(0, one.name.size() - 1) + code.substr(code.find('/') + 1));
+  }
   const std::string meant = nearest(code, names);
   throw InputError(
       "code", code,

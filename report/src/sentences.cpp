@@ -39,7 +39,8 @@ std::string verdict(const Finding& finding) {
   const bool derived = finding.rule.text().starts_with("limit/master_");
   const std::string limit = rounded(finding.limit) + (derived ? " (from limits.slave)" : "");
   if (finding.broken && is_position_limit(finding))
-    return fmt::format("is outside the limit {} by {}", limit,
+    return fmt::format("{} the limit {} by {}",
+                       finding.value > finding.limit ? "exceeds" : "is below", limit,
                        rounded(std::abs(finding.value - finding.limit)));
   if (finding.rule == "follower/contact")  // its margin is no share of the limit
     return finding.broken && finding.limit == 0
@@ -80,8 +81,8 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
     return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
                        value, where, rounded(f.limit), percent(f.margin));
   if (f.rule == "warning/velocity_overshoot")
-    return fmt::format("{} {} at {} is beyond {}, at which the segment ends", f.quantity, value,
-                       where, rounded(f.limit));
+    return fmt::format("{} {} at {} exceeds {}, the {} at the end of the segment", f.quantity,
+                       value, where, rounded(f.limit), f.quantity);
   return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
 }
 

@@ -241,8 +241,9 @@ toml::table spec_detail::parse_toml(const Document& document) {
   } catch (const toml::parse_error& error) {
     if (begins_as_points(document.text))
       throw InputError("", "",
-                       "is a table of points: name it in a spec with points = \"" + document.name +
-                           "\"; kind = \"pvt\" takes points over time")
+                       "has points only, without the header of a Jounce table: write a spec with "
+                       "points = \"" +
+                           document.name + "\" (kind = \"pvt\" for points over time)")
           .at(document.name, 1);
     if (begins_as_gcode(document.text))
       throw InputError("", "",

@@ -173,6 +173,23 @@ TEST_F(Cli, NumbersAreDecimal) {
   EXPECT_THAT(run("order feeder jog -.5mm/s --url memq://").err, Not(HasSubstr("not expected")));
 }
 
+TEST_F(Cli, AnOrderRejectsSecondsThatItWouldIgnore) {
+  const std::string far = " --url memq://";
+  const Result jog = run("order feeder jog 100 --seconds 1" + far);
+  EXPECT_EQ(jog.status, 2);
+  EXPECT_EQ(jog.err,
+            "jounce: --seconds = 1: applies to jog --hold-to-run only: add --hold-to-run\n");
+  EXPECT_EQ(run("order feeder move --to 5 --seconds 1" + far).err,
+            "jounce: --seconds = 1: applies to jog --hold-to-run only\n");
+  EXPECT_THAT(run("order feeder jog 100 --hold-to-run --seconds 1" + far).err,
+              Not(HasSubstr("--seconds")));
+}
+
+TEST_F(Cli, AnOrderNamesTheSwappedWords) {
+  EXPECT_EQ(run("order enable feeder").err,
+            "jounce: WHAT = feeder: is not a command: did you mean jounce order feeder enable?\n");
+}
+
 TEST_F(Cli, HelpTellsWhatTakesAValueAndWhatMustBeGiven) {
   const std::string help = run("stream --help").out;
   EXPECT_THAT(help,
@@ -696,9 +713,8 @@ TEST_F(Cli, LimitsFromTheCommandLineTakeUnits) {
   EXPECT_EQ(run("check " + cam + " --limit geo_velocity=4 --limit geo_acceleration=0.2").status, 0);
   const Result wrong = run("check " + cam + " --limit geo_velocity='4 mm'");
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(
-      wrong.err,
-      HasSubstr("mm does not measure the same as pulse/pulse: give the value in pulse/pulse"));
+  EXPECT_THAT(wrong.err,
+              HasSubstr("mm is not a unit of this quantity: give the value in pulse/pulse"));
   EXPECT_EQ(run("check " + cam + " --limit velocity=4").status, 2);
   EXPECT_EQ(run("check " + cam + " --limit geo_velocity=nan").status, 2);
 }
@@ -1067,9 +1083,8 @@ TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
 
 TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
   ASSERT_EQ(run("design " + cam + " -o given.csv").status, 0);
-  EXPECT_EQ(
-      run("convert given.csv out.csv --master-unit J").err,
-      "jounce: --master-unit = J: does not measure the same as the unit of the table, pulse\n");
+  EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
+            "jounce: --master-unit = J: cannot be converted from the unit of the table, pulse\n");
   EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
             "jounce: --position-unit = wibble: is not a known unit\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
@@ -1412,7 +1427,7 @@ TEST_F(Cli, PointsAreToldFromSpecs) {
   for (const char* command : {"convert p.csv x.csv", "check p.csv"}) {
     const Result refused = run(command);
     EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err, HasSubstr("is a table of points"));
+    EXPECT_THAT(refused.err, HasSubstr("has points only, without the header of a Jounce table"));
     EXPECT_THAT(refused.err, HasSubstr("points = \"p.csv\""));
   }
 }

@@ -34,6 +34,33 @@ TEST(Convert, ATableOfTheSameRuleIsUnchanged) {
   EXPECT_EQ(error_text(made, table.labels), "the numbers are unchanged");
 }
 
+TEST(Convert, AChangeOfUnitsIsNamed) {
+  const Input knife = read_inputs(examples + "rotary-knife/knife.toml").front();
+  const Input input = input_of(knife.table, "knife.csv");
+  const auto text = [&](const Units& units) {
+    return error_text(converted(input, {.rule = input.table.table.rule(), .units = units}),
+                      input.labels);
+  };
+  ASSERT_EQ(input.table.units.x, "in");
+  EXPECT_EQ(text({"", "rev"}),
+            "the numbers are converted from deg to rev, without any other change");
+  EXPECT_EQ(
+      text({"mm", "rev"}),
+      "the numbers are converted from in to mm and from deg to rev, without any other change");
+}
+
+TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
+  const Input input = read_inputs(examples + "hmpl-pvt/pvt.toml").front();
+  ASSERT_EQ(input.table.table.axis(), Domain::time);
+  for (const char* word : {"rockwell", "siemens-points", "kollmorgen"}) {
+    const CamFormat* to = cam_format_named(word);
+    const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
+    EXPECT_EQ(test::key_of(make), "axis");
+    EXPECT_EQ(test::rule_of(make),
+              std::string("the format ") + word + " is for cams: it needs a table over a master");
+  }
+}
+
 TEST(Convert, NewKnotsKeepTheirTolerance) {
   const Input input = cam();
   for (const double tolerance : {1.0, 0.1}) {

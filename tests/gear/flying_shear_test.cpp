@@ -179,10 +179,11 @@ TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.key(), "cut_length");
-    EXPECT_EQ(error.rule(), "must be at least " + six_digits_up(least.value) +
-                                " at this line_speed, or line_speed at most " +
-                                six_digits_down(fastest.value) +
-                                ": a shorter return breaks limits.acceleration");
+    EXPECT_EQ(error.rule(),
+              "must be at least " + six_digits_up(least.value) +
+                  " at this line_speed; at this cut_length, line_speed must be at most " +
+                  six_digits_down(fastest.value) +
+                  ": a shorter return would break limits.acceleration");
   }
   shear.cut_length = least.value;  // the returned length works, a shorter one does not
   EXPECT_NO_THROW(flying_shear(shear));

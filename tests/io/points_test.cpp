@@ -59,11 +59,11 @@ TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("time,time\n0,1\n"),
             "p.csv:1: time = time: is the name of two columns: rename one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
-            "p.csv:3: row = 1: ends a row of 1 values, but the header names 2 columns");
+            "p.csv:3: row = 1 value: must have 2, one for each column of the header");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
-            "p.csv:3: row = 2: ends a row of 3 values, but the header names 2 columns");
+            "p.csv:3: row = 3 values: must have 2, one for each column of the header");
   EXPECT_EQ(complaint("time,position\n0,0\n0,5,1,25\n"),
-            "p.csv:3: row = 5: ends a row of 4 values, but the header names 2 columns: decimal "
+            "p.csv:3: row = 4 values: must have 2, one for each column of the header: decimal "
             "commas need "
             "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),

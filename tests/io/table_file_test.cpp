@@ -146,7 +146,8 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "0,2,1.5")),
             "t:9: knot[2].time = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(csv, "[mm/s]", "[mm/min]")),
-            "t:7: velocity = [mm/min]: the unit must be mm/s");
+            "t:7: velocity = [mm/min]: does not match the position, which is in mm: the unit must "
+            "be mm/s");
   EXPECT_TRUE(complaint(replaced(csv, "1,2,1.5", "1,2.5,1.5")).find("does not match the content") !=
               std::string::npos);
   EXPECT_TRUE(complaint(replaced(csv, "[mm]", "[cm]")).find("the unit must be cm/s") !=

@@ -50,6 +50,15 @@ TEST(CommandWords, AWrongValueIsNamed) {
             "does not apply to enable, which has no value and no option");
 }
 
+TEST(CommandWords, AMissingValueIsNamedWithAnExample) {
+  EXPECT_EQ(test::rule_of([] { command_of({.what = "jog"}, mm); }),
+            "VALUE is missing: give a velocity, such as 12.5mm/s");
+  EXPECT_EQ(test::rule_of([] { command_of({.what = "gear-in"}, mm); }),
+            "VALUE is missing: give a ratio, such as 3:2");
+  EXPECT_EQ(test::rule_of([] { command_of({.what = "override"}, mm); }),
+            "VALUE is missing: give a factor, such as 50%");
+}
+
 TEST(CommandWords, EachOptionIsListedOnce) {
   EXPECT_THAT(command_words(), Contains("gear-in"));
   std::map<std::string, int> count;

@@ -24,9 +24,11 @@ ExecutorSummary two_axes() {
 
 TEST(SummaryText, NamesEachAxisAndItsFault) {
   const std::string text = summary_text(two_axes());
-  EXPECT_THAT(text, StartsWith("feeder: 2 motions finished, 0 stopped; at 1.5\n"));
+  EXPECT_THAT(text, StartsWith("feeder: 2 motions finished, 0 stopped; position 1.5\n"));
   EXPECT_THAT(text, HasSubstr("knife: fault: following_error: "));
-  EXPECT_THAT(text, HasSubstr("1000 ticks, 0 late, by at most 0.000 ms; 99.9 % woken within 8 us"));
+  EXPECT_THAT(text,
+              HasSubstr("1000 ticks, 0 of them late; largest delay 0.000 ms; 99.9 % of the ticks "
+                        "began within 8 us of their time, and 99.9 % took at most"));
   ExecutorSummary alone = two_axes();
   alone.axes.pop_back();
   EXPECT_THAT(summary_text(alone), StartsWith("2 motions finished"));

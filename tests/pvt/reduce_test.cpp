@@ -537,9 +537,14 @@ TEST(Reduced, KeepsAnAxisInSync) {
 TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
   const std::string text =
       refusal(up_and_down(), {.rule = Interpolation::linear, .most = 3, .x_step = 1, .p_step = 1});
-  EXPECT_NE(text.find("needs 4 knots: it keeps 1 dwell"), std::string::npos) << text;
+  EXPECT_NE(text.find("must be at least 4 for a linear table: it keeps every dwell"),
+            std::string::npos)
+      << text;
   const std::string both = refusal(up_and_down(), {.tolerance = 1, .most = 3});
-  EXPECT_NE(both.find("knots within the tolerance: it keeps 1 dwell"), std::string::npos) << both;
+  EXPECT_NE(both.find("table within the tolerance: it keeps every dwell and straight line of the "
+                      "motion exactly, here 1"),
+            std::string::npos)
+      << both;
   EXPECT_EQ(
       refusal(up_and_down(), {.rule = Interpolation::linear, .most = 4, .x_step = 1, .p_step = 1}),
       "");
@@ -567,7 +572,7 @@ double offered(const std::string& text) {
 TEST(Reduced, SaysWhatWouldDo) {
   const Target few{.rule = Interpolation::cubic_hermite, .tolerance = 1e-6, .most = 16};
   const std::string text = refusal(cycloid(), few);
-  EXPECT_NE(text.find("needs 26 knots"), std::string::npos) << text;
+  EXPECT_NE(text.find("must be at least 26 for "), std::string::npos) << text;
   const double enough = offered(text);
   EXPECT_LE(reduced(cycloid(), {.tolerance = enough, .most = 16}).table.size(), 16u) << text;
   EXPECT_NE(refusal(cycloid(), {.tolerance = enough * 0.97, .most = 16}), "");

@@ -19,6 +19,11 @@ TEST(Messages, AreFoundByNumberAndName) {
   ASSERT_EQ(messages_named(all, "busy").size(), 1U);
   EXPECT_THAT(test::rule_of([] { messages_named(all, "followin_error"); }),
               testing::HasSubstr("did you mean following_error?"));
+  EXPECT_THAT(
+      test::rule_of([] {
+        messages_named({{"Findings", "", "limit/*", "Above.", "Less."}}, "limits/acceleration");
+      }),
+      testing::HasSubstr("did you mean limit/acceleration?"));
 }
 
 TEST(Messages, AreTextListAndMarkdown) {

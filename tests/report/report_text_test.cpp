@@ -66,8 +66,8 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
   EXPECT_EQ(sentence(note, labels),
             "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the minimum for its jerk");
   const std::string text = full_text(report, labels);
-  EXPECT_NE(text.find("  warn   warning/velocity_overshoot geo_velocity 1.512 mm/deg at 72 deg is "
-                      "beyond 1, at which the segment ends"),
+  EXPECT_NE(text.find("  warn   warning/velocity_overshoot geo_velocity 1.512 mm/deg at 72 deg "
+                      "exceeds 1, the geo_velocity at the end of the segment"),
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("bound/"), std::string::npos) << "a note is no line";

@@ -90,7 +90,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint("[master.line]\nkind = \"external\"\nunit = \"mm\"\nacceleration = 2\n"),
               HasSubstr("velocity"));
   EXPECT_THAT(complaint("[master.\"the line\"]\nkind = \"external\"\n"),
-              HasSubstr("1 to 23 of the characters A-Z a-z 0-9 _ -"));
+              HasSubstr("must have 1 to 23 characters, each a letter"));
   EXPECT_THAT(complaint("[master.a]\nkind = \"encoder\"\nunit = \"mm\"\nvelocity = 1\n"
                         "acceleration = 2\n"),
               HasSubstr("must be either axis or drive"));

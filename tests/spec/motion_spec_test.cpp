@@ -521,8 +521,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:4:1: move.to_velocity: is missing: add to_velocity = NUMBER, in mm/s"},
         BadMotion{move_spec("profile = \"fourth_order\"\nto = 1\nvelocity = 1\nacceleration = 1\n"
                             "jerk = 1\njounce = \"1 mm/s^3\""),
-                  "a.toml:10:10: move.jounce = \"1 mm/s^3\": mm/s^3 does not measure the same as "
-                  "mm/s^4: give the value in mm/s^4"},
+                  "a.toml:10:10: move.jounce = \"1 mm/s^3\": mm/s^3 is not a unit of this "
+                  "quantity: give the value in mm/s^4"},
         BadMotion{move_spec(trap),
                   "a.toml:3:22: units.position = \"mm\": must be pulse for the profiles of Googol"},
         BadMotion{move_spec(trap, "", "position = \"pulse\""),
@@ -540,9 +540,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:3:35: units.time = \"ms\": must be s for the profiles of Agito"},
         BadMotion{move_spec(agito_lines + "jerk = 10"),
                   "a.toml:9:8: move.jerk = 10: must be between 0 and 9"},
-        BadMotion{move_spec(agito_lines + "rpt_wait = 10"),
-                  "a.toml:9:12: move.rpt_wait = 10 ms: needs strokes, the number of repetitions: add "
-                  "it, or leave rpt_wait out"},
+        BadMotion{
+            move_spec(agito_lines + "rpt_wait = 10"),
+            "a.toml:9:12: move.rpt_wait = 10 ms: needs strokes, the number of repetitions: add "
+            "it, or leave rpt_wait out"},
         BadMotion{
             move_spec(with(agito_lines, "2000", "3000000000")),
             "a.toml:6:12: move.abs_trgt = 3000000000: must be from -2147483648 to 2147483647"},

@@ -340,7 +340,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\" }]",
             "optimize.minimize[1].at: is missing"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = \"17 kg\" }]",
-            "does not measure the same as Hz"},
+            "is not a unit of this quantity: give the value in Hz"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = [20, 10] }]", "a band must ascend"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = 17, damping = 1 }]",
             "damping = 1: must be 0 <= damping < 1"},
@@ -366,7 +366,8 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "[optimize]\nminimize = [\"energy\"]", "needs load.winding_loss"},
         Bad{"position_per_rev = 100", "position_per_rev = 0", "must not be 0"},
         Bad{"mass = 5", "mass = -5", "load.mass = -5 kg: must not be negative"},
-        Bad{"stiffness = \"0.4 N/mm\"", "stiffness = \"0.4 N m/rad\"", "does not measure the same as"}})
+        Bad{"stiffness = \"0.4 N/mm\"", "stiffness = \"0.4 N m/rad\"",
+            "is not a unit of this quantity"}})
     EXPECT_NE(complaint(bad.from, bad.to).find(bad.message), std::string::npos)
         << bad.to << "\n"
         << complaint(bad.from, bad.to);

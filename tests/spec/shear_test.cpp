@@ -90,8 +90,9 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
   EXPECT_THAT(refusal(power7),
               StartsWith("s.toml:5:14: shear.cut_length = 1000 mm: must be at least "
                          "1113.8"));
-  EXPECT_THAT(refusal(power7), HasSubstr(", or line_speed at most 940.716"));
-  EXPECT_THAT(refusal(power7), HasSubstr("a shorter return breaks limits.slave.acceleration"));
+  EXPECT_THAT(refusal(power7),
+              HasSubstr("; at this cut_length, line_speed must be at most 940.716"));
+  EXPECT_THAT(refusal(power7), HasSubstr("a shorter return would break limits.slave.acceleration"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
       StartsWith(

@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "position = \"mm\"", "position = 3",
             "a.toml:3:38: units.position = 3: must be a string in quotes"},
         Bad{cam, "slave = 50", "slave = \"50 deg\"",
-            "a.toml:7:31: segment[1].end.slave = \"50 deg\": deg does not measure the same as mm: "
+            "a.toml:7:31: segment[1].end.slave = \"50 deg\": deg is not a unit of this quantity: "
             "give the value in mm"},
         Bad{cam, "slave = 50", "slave = nan",
             "a.toml:7:31: segment[1].end.slave = nan: must be a finite number"},
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
             "and "
             "its exponent"},
         Bad{move, "to = 100", "to = 0",
-            "a.toml:6:6: move.to = 0 mm: must differ from `from`: there is no move"},
+            "a.toml:6:6: move.to = 0 mm: must differ from `from` = 0: there is no move"},
         Bad{move, "to = 100", "to = \"1e999 m\"",
             "a.toml:6:6: move.to = \"1e999 m\": must be a finite number, with or without a unit, "
             "such as \"12.5 mm\""},

@@ -46,7 +46,7 @@ TEST(TomlSyntax, NamesWhatIsMissing) {
   EXPECT_EQ(error_of("name = \"rise"), "a.toml:3:13: name = \"rise: the closing quote is missing");
   EXPECT_EQ(error_of("[move"), "a.toml:3:6: [move: the header of a section needs a closing ]");
   EXPECT_EQ(error_of("end = { master = 1"),
-            "a.toml:3:19: end: needs its closing } in the same line");
+            "a.toml:3:19: end: needs its closing } on the same line");
   EXPECT_EQ(error_of("end = { master = 1 slave = 2 }"),
             "a.toml:3:20: master: needs a comma or the closing } after its value");
 }

@@ -270,7 +270,8 @@ TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {
   };
   EXPECT_EQ(refuses([](StreamPlan& /*as it is*/) {}), "nothing");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.executor = "my axis"; }),
-            "executor = my axis: must be 1 to 23 of A-Z a-z 0-9 _ -");
+            "executor = my axis: must have 1 to 23 characters, each a letter A-Z or a-z, a digit, "
+            "_ or -");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables.clear(); }), "tables = 0: must be 1 to 64");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.position = "millimillimetres"; }),
             "unit of position = millimillimetres: must be shorter than 16 bytes");

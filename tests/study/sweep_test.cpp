@@ -412,7 +412,7 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: give at least one value"));
   EXPECT_THAT(refused(one + "values = [nan]\n"), HasSubstr("must be a finite number"));
   EXPECT_THAT(refused(one + "values = [\"1 deg\"]\n"),
-              HasSubstr("deg does not measure the same as"));
+              HasSubstr("deg is not a unit of this quantity"));
   EXPECT_THAT(refused("[[parameter]]\nkey = \"move.to\"\nvalues = [\"1 mm\"]\n"),
               HasSubstr("must be a number without a unit, as in the spec"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));

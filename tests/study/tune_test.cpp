@@ -242,9 +242,8 @@ TEST(Tune, RefusesWhatItCannotDo) {
   const auto said = [&](const std::string& rest) {
     return error_of([&] { (void)tuned(move + rest); });
   };
-  EXPECT_THAT(
-      said("[optimize]\nminimize = \"duratoin\"\n" + one),
-      HasSubstr("s.toml:14:12: optimize.minimize = \"duratoin\": must be one of "));
+  EXPECT_THAT(said("[optimize]\nminimize = \"duratoin\"\n" + one),
+              HasSubstr("s.toml:14:12: optimize.minimize = \"duratoin\": must be one of "));
   EXPECT_THAT(said("[optimize]\nminimize = \"duration\"\n" + one +
                    "[[optimize.require]]\nfigure = \"peak torque\"\nat_most = 1\n"),
               HasSubstr("optimize.require[1].figure = \"peak torque\""));
@@ -253,8 +252,8 @@ TEST(Tune, RefusesWhatItCannotDo) {
               HasSubstr("optimize.require[1].at_most = \"1 kg\""));
   EXPECT_THAT(
       said("[optimize]\nminimize = \"duration\"\n" + parameter("move.velocity", "300, 1000")),
-      HasSubstr(
-          "optimize.parameter[1].range = 300 to 1000: must contain the value in the spec, 200"));
+      HasSubstr("optimize.parameter[1].range = 300 to 1000: must contain 200, the present value in "
+                "the spec"));
   EXPECT_THAT(said(""), HasSubstr("optimize.parameter: is missing"));
 }
 

@@ -21,7 +21,9 @@ double stop_limit(const char* key, double value, double limit) {
   // A table may use its full limit; a stop with hardly more would never end.
   if (value >= 1.1 * limit) return value;
   throw InputError(key, value,
-                   "must be at least 1.1 times the limit, " + six_digits_up(1.1 * limit));
+                   "must be at least " + six_digits_up(1.1 * limit) +
+                       ", which is 1.1 times limits." +
+                       std::string(key).substr(std::string_view("stop_").size()));
 }
 
 void not_negative(const char* key, double value) {

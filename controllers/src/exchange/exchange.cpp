@@ -177,11 +177,16 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 }  // namespace controllers_detail
 
+void require_cam(const CamFormat& format, const Table& table) {
+  if (table.axis() != Domain::master)
+    throw InputError(
+        "axis", name(table.axis()),
+        std::string("the format ") + format.name + " is for cams: it needs a table over a master");
+}
+
 std::string exchange_text(const CamFormat& format, const TableFile& file) {
   const std::string wanted = std::string("the format ") + format.name;
-  if (file.table.axis() != Domain::master)
-    throw InputError("axis", name(file.table.axis()),
-                     wanted + " is for cams: it needs a table over a master");
+  require_cam(format, file.table);
   if (file.table.rule() != rule_of(format))
     throw InputError("rule", name(file.table.rule()),
                      wanted + " needs a " + name(rule_of(format)) + " table");

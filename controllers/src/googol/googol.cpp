@@ -31,7 +31,8 @@ void require_move(double from, std::int64_t pos, double vel, double acc, double 
 
 void require_distance(double from, std::int64_t pos) {
   if (static_cast<double>(pos) == from)
-    throw InputError("pos", std::to_string(pos), "must differ from `from`: there is no move");
+    throw InputError("pos", std::to_string(pos),
+                     "must differ from `from` = " + number(from) + ": there is no move");
 }
 
 void require_percent(const char* key, int percent) {

@@ -75,9 +75,9 @@ template <class Make>
 auto in_source(const PathSpec& path, const Make& make) {
   if (path.program.commands().empty())
     throw InputError("command", "",
-                     "is missing: give [[command]], points or [gcode] with a file, or use this "
-                     "spec as --machine "
-                     "of a G-code program");
+                     "is missing: add [[command]], points = \"FILE.csv\" or gcode = { file = "
+                     "\"FILE\" }, or name this spec with --machine when you check a G-code "
+                     "program");
   try {
     return make();
   } catch (const InputError& error) {

@@ -35,13 +35,17 @@ std::string lock_memory() {
 }
 
 std::string ask_for_cpu(int cpu) {
-  if (cpu >= CPU_SETSIZE) return "not on CPU " + std::to_string(cpu) + because(EINVAL);
+  const auto refused = [cpu](int error) {
+    return "CPU " + std::to_string(cpu) + " is not available" + because(error) +
+           ": the cyclic thread runs on any CPU";
+  };
+  if (cpu >= CPU_SETSIZE) return refused(EINVAL);
   cpu_set_t only;
   CPU_ZERO(&only);
   CPU_SET(static_cast<std::size_t>(cpu), &only);
   const int error = pthread_setaffinity_np(pthread_self(), sizeof only, &only);
   if (error == 0) return "on CPU " + std::to_string(cpu);
-  return "not on CPU " + std::to_string(cpu) + because(error);
+  return refused(error);
 }
 
 void touch_stack() {

@@ -196,9 +196,12 @@ std::string limit_of(const std::string& quantity) {
   return "limits." + quantity.substr(quantity.find(' ') + 1);
 }
 
-std::string or_slower(const FlyingShear& spec) {
+/// The fastest line for the given value of `key`.
+std::string or_slower(const FlyingShear& spec, const char* key) {
   const double fastest = greatest_line_speed(spec).value;
-  return fastest > 0 ? ", or line_speed at most " + six_digits_down(fastest) : "";
+  return fastest > 0 ? std::string("; at this ") + key + ", line_speed must be at most " +
+                           six_digits_down(fastest)
+                     : "";
 }
 
 [[noreturn]] void refuse_length(const FlyingShear& spec, const std::string& quantity) {
@@ -207,8 +210,8 @@ std::string or_slower(const FlyingShear& spec) {
   throw InputError(
       "cut_length", spec.cut_length,
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
-          six_digits_up(least.value) + " at this line_speed" + or_slower(spec) +
-          (by_limit ? ": a shorter return breaks " + limit_of(quantity)
+          six_digits_up(least.value) + " at this line_speed" + or_slower(spec, "cut_length") +
+          (by_limit ? ": a shorter return would break " + limit_of(quantity)
                     : ": no master distance is left for the return"));
 }
 
@@ -228,14 +231,15 @@ std::string or_slower(const FlyingShear& spec) {
     throw InputError(up ? "acceleration_length" : "deceleration_length",
                      up ? cycle.accelerate : cycle.decelerate,
                      "must be at least " + six_digits_up(cycle.ramp.value) + " at this line_speed" +
-                         or_slower(spec) + ": a shorter one breaks " + limit_of(quantity));
+                         or_slower(spec, up ? "acceleration_length" : "deceleration_length") +
+                         ": a shorter one would break " + limit_of(quantity));
   }
   if (quantity == "stroke") {
     const double ramps = shear.ratio * (cycle.accelerate + cycle.decelerate) / 2;
     throw InputError("stroke", *spec.stroke,
                      (longest_sync(spec) ? "must be greater than " + six_digits(ramps)
                                          : "must be at least " + six_digits_up(cycle.stroke)) +
-                         " at this line_speed" + or_slower(spec) +
+                         " at this line_speed" + or_slower(spec, "stroke") +
                          ": run-up and braking alone take " + six_digits(ramps));
   }
   if (!std::isfinite(cycle.back.value))
@@ -244,7 +248,8 @@ std::string or_slower(const FlyingShear& spec) {
   if (spec.return_length && cycle.back.value > *spec.return_length)
     throw InputError("return_length", *spec.return_length,
                      "must be at least " + six_digits_up(cycle.back.value) + " at this line_speed" +
-                         or_slower(spec) + ": a shorter one breaks " + limit_of(quantity));
+                         or_slower(spec, "return_length") + ": a shorter one would break " +
+                         limit_of(quantity));
   refuse_length(spec, quantity);
 }
 

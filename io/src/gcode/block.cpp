@@ -39,7 +39,7 @@ class Line {
       skip_spaces();
       if (at_ < text_.size())
         fail(at_, shown(at_, text_.size()),
-             "must not follow % in the same line: put % in its own line");
+             "must not follow % on the same line: put % on its own line");
       return all;
     }
     for (skip_comments(); at_ < text_.size(); skip_comments()) all.push_back(word());
@@ -63,7 +63,7 @@ class Line {
         const std::size_t end = text_.find(')', at_);
         if (end == std::string_view::npos)
           fail(at_, shown(at_, text_.size()),
-               "is a comment without its closing ): close it in the same line");
+               "is a comment without its closing ): close it on the same line");
         at_ = end + 1;
       } else {
         return;

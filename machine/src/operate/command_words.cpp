@@ -224,6 +224,18 @@ void require_applies(const CommandWords& words, const Form& form) {
   }
 }
 
+InputError value_missing(const std::string& word, const Field& field, const std::string& unit) {
+  const bool is_ratio =
+      field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
+  const bool is_factor = field.range == FieldRange::factor;
+  return {word, "",
+          "VALUE is missing: give a " + (is_ratio ? "ratio" : std::string(field.name)) +
+              ", such as " +
+              (is_ratio    ? "3:2"
+               : is_factor ? "50%"
+                           : "12.5" + unit)};
+}
+
 /// The value of a field, from its option.
 double value_of(const CommandWords& words, const Form& form, const Field& field,
                 const Units& units) {
@@ -231,6 +243,7 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
   const std::string unit = unit_of(field.quantity, units);
+  if (option == value_word && text.empty()) throw value_missing(words.what, field, unit);
   switch (field.range) {
     case FieldRange::flag:
       return flag_of(words, option) ? 1 : 0;
@@ -247,8 +260,7 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::count:
       return method_of(text);
     case FieldRange::finite:
-      if (text.empty() && option != value_word)
-        throw InputError(name, "", "is missing: " + words.what + " needs it");
+      if (text.empty()) throw InputError(name, "", "is missing: " + words.what + " needs it");
       return number_of(name, text, unit);
     case FieldRange::given:
       return text.empty() ? as_configured : number_of(name, text, unit);
@@ -321,7 +333,7 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
     if (form.takes(field)) values[i] = value_of(words, form, field, units);
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
-    throw InputError(words.what, words.value, rule);
+    throw InputError(words.what, words.value, "the " + rule);
   return jounce::command_of(kind, values);
 }
 

@@ -85,8 +85,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   if (spec.name.empty())
     throw InputError("name", "", "is missing: add name = \"NAME\", for streams and commands");
   if (!wire::is_executor_name(spec.name))
-    throw InputError("name", spec.name,
-                     "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
+    throw InputError("name", spec.name, wire::executor_name_rule);
   executor.switches = spec.switches;
   if (spec.compare) {
     executor.compare = {spec.compare->of, spec.compare->compare};

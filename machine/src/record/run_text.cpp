@@ -15,16 +15,22 @@ namespace {
 
 std::string axis_text(const AxisSummary& axis, bool alone) {
   const std::string whose = alone ? "" : axis.name + ": ";
-  std::string text = fmt::format("{}{} motions finished, {} stopped; at {:.9g}\n", whose,
+  std::string text = fmt::format("{}{} motions finished, {} stopped; position {:.9g}\n", whose,
                                  axis.finished, axis.stopped, axis.position);
   if (axis.fault != Cause::none)
     text += fmt::format("{}fault: {}: {}\n", whose, name(axis.fault), meaning(axis.fault));
   return text;
 }
 
-std::string within(const Histogram::Counts& counts) {
-  const double us = upper_bound(counts, 0.999);
-  return std::isinf(us) ? "more than 16384 us" : fmt::format("{} us", us);
+/// When the ticks began, and how long they took.
+std::string timing(const ExecutorSummary& summary) {
+  const double late = upper_bound(summary.lateness, 0.999);
+  const double took = upper_bound(summary.computing, 0.999);
+  const std::string began =
+      std::isinf(late) ? "some ticks began more than 16384 us late"
+                       : fmt::format("99.9 % of the ticks began within {} us of their time", late);
+  return began + (std::isinf(took) ? ", and some took more than 16384 us"
+                                   : fmt::format(", and 99.9 % took at most {} us", took));
 }
 
 }  // namespace
@@ -33,10 +39,8 @@ std::string summary_text(const ExecutorSummary& summary) {
   std::string text;
   for (const AxisSummary& axis : summary.axes) text += axis_text(axis, summary.axes.size() == 1);
   const CycleCounts& cycle = summary.cycle;
-  text += fmt::format(
-      "{} ticks, {} late, by at most {:.3f} ms; 99.9 % woken within {}, computed in {}\n",
-      cycle.ticks, cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6,
-      within(summary.lateness), within(summary.computing));
+  text += fmt::format("{} ticks, {} of them late; largest delay {:.3f} ms; {}\n", cycle.ticks,
+                      cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6, timing(summary));
   if (!summary.realtime.empty()) text += summary.realtime + "\n";
   return text;
 }

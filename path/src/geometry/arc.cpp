@@ -132,8 +132,8 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   if (std::abs(r0 - r1) > tolerance)
     throw InputError("center", "",
                      "is " + six_digits(r0) + " from the start of the arc and " + six_digits(r1) +
-                         " from its end, which may differ by " + six_digits(tolerance) +
-                         ": correct the center or an end");
+                         " from its end; at most " + six_digits(tolerance) +
+                         " of difference is permitted: correct the center or an end point");
   if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
   // Onto the bisector of the chord: the shortest way.
   const Point along = vec::scaled(chord, 1 / c);

@@ -24,8 +24,14 @@ std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
                        const std::string& plane) {
   const auto at = std::find_if(axes.begin(), axes.end(),
                                [&](const Input& input) { return input.axis == name; });
-  if (at == axes.end())
-    fail(plane, "must be the names of two axes of the path, separated by a comma, such as x,y");
+  if (at == axes.end()) {
+    std::string names;
+    for (const Input& input : axes) names += (names.empty() ? "" : ", ") + input.axis;
+    fail(plane,
+         "must be the names of two axes of the path, separated by a comma, such as x,y: its axes "
+         "are " +
+             names);
+  }
   return static_cast<std::size_t>(at - axes.begin());
 }
 

@@ -41,7 +41,9 @@ const char* advice(const char* quantity, std::size_t order) {
       "lengthen the segment, or use a law with a lower acceleration coefficient",
       "lengthen the segment, or use a law with a lower jerk coefficient"};
   constexpr std::array of_motions{
-      "move the target or the points inside, or lower the velocities beside it",
+      "move the target or the points into the position range, or lower the velocities at the "
+      "points "
+      "next to this place",
       "give it more time, or a lower velocity", "give it more time, or a lower acceleration",
       "give it more time, or a lower jerk"};
   const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
@@ -62,6 +64,18 @@ bool is_broken(const Bound& bound, double value) {
   const double room = bound.upper ? bound.limit - value : value - bound.limit;
   return room < -profiles_detail::forgiven *
                     std::max({std::abs(bound.limit), std::abs(value), bound.scale});
+}
+
+/// The advice for a step of order k at a place.
+const char* advice_at(const profiles_detail::Ends& extent, double where, std::size_t k) {
+  if (where == extent.end && extent.repeats)
+    return k == 0
+               ? "the motion repeats: let it end at its first position, or, if it gains a distance "
+                 "in each period, use outside = \"advance\""
+               : "the motion repeats: let it end as it begins";
+  if (where == extent.end) return "the motion stops here: let it end at rest";
+  if (where == extent.start) return "the motion starts here: let it begin at rest";
+  return "make both sides of the joint agree";
 }
 
 /// A peak on a break belongs to both segments beside it: the first is named.
@@ -170,7 +184,8 @@ Report LimitCheck::report() && {
 }
 
 Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
-                         const std::array<const char*, 4>& names, int order, double tolerance) {
+                         const std::array<const char*, 4>& names, const Ends& extent, int order,
+                         double tolerance) {
   Report report;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
     const auto& range = ranges[k];
@@ -179,10 +194,10 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
     const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;
-    report.findings.push_back(
-        {Rule(RuleFamily::continuity, names[k]), "", std::string("step of ") + names[k],
-         jumps[k].where, step, limit, margin, step > limit, std::nullopt,
-         step > limit ? "make both sides of the joint agree; a period ends as it begins" : ""});
+    report.findings.push_back({Rule(RuleFamily::continuity, names[k]), "",
+                               std::string("step of ") + names[k], jumps[k].where, step, limit,
+                               margin, step > limit, std::nullopt,
+                               step > limit ? advice_at(extent, jumps[k].where, k) : ""});
   }
   sort(report);
   return report;
@@ -211,7 +226,8 @@ template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
   std::array<Jump, 4> jumps;
   for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
-  return profiles_detail::continuity_report(extrema(f), jumps, Over::names, order, tolerance);
+  return profiles_detail::continuity_report(
+      extrema(f), jumps, Over::names, {f.start(), f.end(), repeats(f.outside())}, order, tolerance);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                            \

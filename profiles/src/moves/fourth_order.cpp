@@ -162,7 +162,8 @@ void require(const FourthOrderSpec& spec) {
   require_finite("from", spec.from);
   require_finite("to", spec.to);
   if (spec.from == spec.to)
-    throw InputError("to", spec.to, "must differ from `from`: there is no move");
+    throw InputError("to", spec.to,
+                     "must differ from `from` = " + number(spec.from) + ": there is no move");
   require_finite("to - from", spec.to - spec.from);
   require_positive("velocity", spec.velocity);
   require_positive("acceleration", spec.acceleration);

@@ -105,7 +105,8 @@ double swept(double duration, double total) {
                           double deceleration) {
   require_finite("from", from);
   require_finite("to", to);
-  if (from == to) throw InputError("to", to, "must differ from `from`: there is no move");
+  if (from == to)
+    throw InputError("to", to, "must differ from `from` = " + number(from) + ": there is no move");
   require_finite("to - from", to - from);
   require_positive("velocity", velocity);
   require_positive("acceleration", acceleration);

@@ -289,8 +289,8 @@ class Reduction {
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
     if (n == 0) return "";
-    return ": it keeps " + std::to_string(n) +
-           (n == 1 ? " dwell or straight line" : " dwells or straight lines");
+    return ": it keeps every dwell and straight line of the motion exactly, here " +
+           std::to_string(n);
   }
 
   [[noreturn]] void refuse(const Attempt& failed) const {
@@ -306,12 +306,13 @@ class Reduction {
       const bool any = target_.tolerance || target_.velocity_tolerance;
       const double scale = any ? scale_for(most_ends()) : 0;
       const std::string count =
-          table + " needs " + std::to_string(all_of(enough.knots).size()) + " knots";
-      throw InputError("most", std::to_string(*target_.most),
-                       (enough.reaches ? count + (any ? " within the tolerance" : "") +
-                                             (scale > 0 ? "" : lines())
-                                       : "are too few knots") +
-                           (scale > 0 ? "; they suffice with " + tolerances_times(scale) : ""));
+          "must be at least " + std::to_string(all_of(enough.knots).size()) + " for " + table;
+      throw InputError(
+          "most", std::to_string(*target_.most),
+          (enough.reaches
+               ? count + (any ? " within the tolerance" : "") + (scale > 0 ? "" : lines())
+               : "are too few knots") +
+              (scale > 0 ? "; the given number suffices with " + tolerances_times(scale) : ""));
     }
     if (!target_.tolerance && !target_.velocity_tolerance)
       throw InputError("most", std::to_string(target_.most.value_or(many)),

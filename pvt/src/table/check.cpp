@@ -226,8 +226,10 @@ Report check(const Table& table, const Limits& limits) {
 }
 
 Report check_continuity(const Table& table, int order, double tolerance) {
+  const auto& x = table.columns().x;
   return profiles_detail::continuity_report(extrema(table), largest_jumps(table), names_of(table),
-                                            order, tolerance);
+                                            {x.front(), x.back(), repeats(table.outside())}, order,
+                                            tolerance);
 }
 
 }  // namespace jounce

@@ -115,7 +115,8 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
   if (!all) return masters;
   for (const std::string& name : all->keys()) {
     if (!is_name(name))
-      all->fail(name.c_str(), name, "must be a name of 1 to 23 of the characters A-Z a-z 0-9 _ -");
+      all->fail(name.c_str(), name,
+                "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -");
     TomlReader reader = all->table(name.c_str());
     masters.push_back(read_master(reader, name));
   }

@@ -112,7 +112,7 @@ InputError syntax_error(const Document& document, int line, int column,
                  "the header of a section needs a closing ]");
   if (has("closing '}'") && at_end)
     return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
-                 "needs its closing } in the same line");
+                 "needs its closing } on the same line");
   if (bare) return error(pair.key, pair.value, rule_of_value(pair));
   if (has("expected comma or closing '}'"))
     return error(pair.key, "", "needs a comma or the closing } after its value");

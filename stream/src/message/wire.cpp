@@ -148,8 +148,7 @@ Decoded decode_any(std::int64_t type, std::span<const std::byte> bytes,
 
 Bytes encode(const Message& message, const std::optional<Key>& key) {
   if (!is_executor_name(message.executor)) {
-    throw InputError("executor", message.executor,
-                     "must be 1 to " + std::to_string(executor_bytes - 1) + " of A-Z a-z 0-9 _ -");
+    throw InputError("executor", message.executor, executor_name_rule);
   }
   return std::visit([&](const auto& body) { return encode_as(message, body, key); }, message.body);
 }

@@ -44,7 +44,7 @@ bool opens(const wire::Body& body) {
 
 ReceiverOptions checked(ReceiverOptions options) {
   if (!wire::is_executor_name(options.executor))
-    throw InputError("executor", options.executor, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+    throw InputError("executor", options.executor, wire::executor_name_rule);
   if (options.credit < 1 || options.credit > 64)
     throw InputError("credit", std::to_string(options.credit), "must be 1 to 64");
   return options;

@@ -29,7 +29,7 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
       options_(std::move(options)),
       clock_(std::move(clock)) {
   if (!wire::is_executor_name(executor_))
-    throw InputError("executor", executor_, "must be 1 to 23 of A-Z a-z 0-9 _ -");
+    throw InputError("executor", executor_, wire::executor_name_rule);
   link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
 }
 

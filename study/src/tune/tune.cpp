@@ -93,8 +93,8 @@ class Tuned {
     if (start * own < p.lower || start * own > p.upper)
       throw spec_.document.located(
           InputError(parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper),
-                     "must contain the value in the spec, " + number(start * own) +
-                         ", the start of the search"));
+                     "must contain " + number(start * own) +
+                         ", the present value in the spec, because the search starts there"));
     units_.push_back(written.empty() ? p.unit : written);
     variables_.push_back(
         {p.key, std::min(p.lower / own, start), std::max(p.upper / own, start), start});
@@ -274,7 +274,7 @@ TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   for (std::size_t i = 0; i < given.size(); ++i) outcome.figures[i].given = given[i].reached;
   if (!outcome.usable()) {
     if (outcome.search.status == OptimizeStatus::infeasible)
-      outcome.search.reason = "no values tried keep all limits";
+      outcome.search.reason = "none of the designs that were tried keeps all limits";
     outcome.active = missed_of(outcome.figures);
     return outcome;
   }

@@ -80,8 +80,8 @@ struct Tick {
 /// does not.
 bool in_motion(const Tick& tick);
 
-/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() neither allocates
-/// nor frees, locks, logs nor throws.
+/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() does not
+/// allocate, free, lock, log or throw.
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
 ///     axis.step(0, {command::Enable{}});
@@ -101,7 +101,7 @@ bool in_motion(const Tick& tick);
 ///
 /// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new
 /// position, or a new master at the start of a job, may change outputs but passes no edge. Outputs
-/// work in every state, also in disabled and in a fault.
+/// work in every state, even in disabled and in a fault.
 ///
 /// **Drives.** Feedback is in the drive's own coordinate; set_position shifts the axis's coordinate
 /// by `offset` and does not move the drive. A disabled axis takes the drive's position, if

@@ -32,16 +32,16 @@ struct Start {
   double position = 0;     ///< m, for StartAt::master_position
   std::int64_t group = 0;  ///< that of the arm
 };
-/// To rest, on the path if there is one; disarms; only a fault ends it.
+/// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
   StopDynamics dynamics = {};
 };
-/// Stops at once: a fault.
+/// Stops at once and sets a fault.
 struct Abort {
   static constexpr auto kind = CommandKind::abort;
 };
-/// Ends a table that repeats at the end of this pass (Agito StopRep).
+/// Ends a repeating table at the end of its present pass (Agito StopRep).
 struct Finish {
   static constexpr auto kind = CommandKind::finish;
 };
@@ -93,7 +93,7 @@ inline void set_movement(AxisCommand& command, Movement* movement) {
 struct Command {
   AxisCommand what = {};
   std::int64_t at = -1;  ///< tick; -1: at once, the only value for an arm, a start and a coupling
-  std::uint64_t id = 0;  ///< id of the sender, returned with the answer
+  std::uint64_t id = 0;  ///< id that the sender gave to the command; returned with the answer
 
   [[nodiscard]] CommandKind kind() const { return kind_of(what); }
 };

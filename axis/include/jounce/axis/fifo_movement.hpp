@@ -113,7 +113,7 @@ class FifoPath final : public Movement {
 /// cam. It is `broken` if the master is lost.
 class FifoFollow final : public Movement {
  public:
-  /// Throws like FifoPath; also for an event or a direction out of range
+  /// Throws like FifoPath, and for an event or a direction out of range
   /// (jounce/gear/follow_start.hpp).
   FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& run = {});
 

@@ -45,8 +45,8 @@ class LiveGear final : public Movement {
 /// stand at `slave_start` when it begins.
 ///
 /// Its progress is `waiting`, `engaging`, then `running`, even if the master reverses: if the
-/// master turns back before the sync position, the slave moves back with it. This is neither a stop
-/// nor an error (PMC600 error 775 is reported by master_reversed()).
+/// master turns back before the sync position, the slave moves back with it. This is not a stop or
+/// an error (PMC600 error 775 is reported by master_reversed()).
 class LiveGearInPos final : public Movement {
  public:
   /// Throws InputError as gear_in_pos() does, also with the key "master_start_distance" if the gear

@@ -19,13 +19,13 @@ struct Follow {
     nothing,   ///< it has no live master
     master,    ///< one of the machine's masters
     setpoint,  ///< setpoint of another axis in the same tick
-    actual,    ///< actual position of the drive of another axis; lost if it reports no velocity
+    actual,  ///< actual position of the drive of another axis; lost if the drive reports no velocity
   };
   What what = What::nothing;
   std::size_t index = 0;  ///< index of the master, or of the axis
 };
 
-/// One axis of a machine, fixed when it starts.
+/// One axis of a machine. It does not change while the machine runs.
 struct MachineAxis {
   std::string name;  ///< its name in messages
   AxisConfig config;
@@ -62,16 +62,17 @@ struct AxisImage {
 /// therefore brake within their own limits.
 ///
 /// **Groups** (Command::group): the armed movements of one group begin in one tick or not at all.
-/// They begin in that tick if each of them has a start accepted for it before; otherwise none
-/// begins. If a start is rejected, or an axis is stopped or halted, fails, or cannot begin, then
-/// all waiting starts are dropped, later ones are rejected, and all motions stop, in that tick or
-/// the next. An axis that has output only its first point stays there: it has not moved.
+/// They begin in that tick if, for each of them, a start in that tick was accepted earlier;
+/// otherwise none begins. If a start is rejected, or an axis is stopped or halted, fails, or cannot
+/// begin, then all waiting starts are dropped, later ones are rejected, and all motions stop, in
+/// that tick or the next. An axis that has output only its first point stays there: it has not
+/// moved.
 ///
-/// **Masters** are inputs of one Jet a tick each: m, m/s, m/s^2, m/s^3; NaN: lost. An axis as a
-/// master is in its own unit u. The jerk of a setpoint counts as 0, and so does the acceleration of
-/// an actual position.
+/// **Masters** are inputs: one Jet per master and tick, in m, m/s, m/s^2, m/s^3; NaN: lost. An axis
+/// that is a master gives its position in its own unit u. The jerk of a setpoint counts as 0, and
+/// so does the acceleration of an actual position.
 ///
-/// step() neither allocates nor frees, locks, logs nor throws.
+/// step() does not allocate, free, lock, log or throw.
 class Machine {
  public:
   static constexpr std::size_t most_axes = 64;

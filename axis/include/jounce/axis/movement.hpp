@@ -33,7 +33,7 @@ struct Moment {
 
 /// Independent variable of a movement; it determines how the axis holds, slows and stops it.
 enum class Course : std::uint8_t {
-  path,  ///< its own time: the axis slows that time, to rest in the end, and the setpoint never
+  path,  ///< its own time: the axis slows that time, down to standstill, and the setpoint never
          ///< leaves the path. `t` is path time: bit for bit ticks * period at full speed
   live,  ///< a master in free motion: the axis leaves it by a move of its own from its present
          ///< state. `t` is the time since the movement began
@@ -63,7 +63,7 @@ struct Peaks {
 ///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
 ///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
 ///
-/// begin() and at() neither allocate nor free, lock, log nor throw. Moments ascend.
+/// begin() and at() do not allocate, free, lock, log or throw. Moments ascend.
 class Movement {
  public:
   explicit Movement(std::uint64_t id, Course course) : id_(id), course_(course) {}
@@ -97,9 +97,10 @@ class Movement {
   /// True if the axis is a slave: synchronized_motion, not discrete_motion.
   [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
 
-  /// For a path: its available length, s of its own time (infinite: it repeats), and its peaks. For
-  /// a live one: the greatest magnitudes that engaging now adds to the motion of its master.
+  /// For a path: its available length in s of its own time; infinite if it repeats.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
+  /// For a path: its peaks. For a live movement: the greatest magnitudes that an engagement at this
+  /// moment would add to the motion of its master.
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
   /// For a path: the sign of its first motion; 0: no motion, or unknown.
   [[nodiscard]] virtual int direction() const noexcept { return 0; }
@@ -114,18 +115,20 @@ class Movement {
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  /// For a live one: true if the axis keeps the velocity at its end; otherwise the axis comes to
-  /// rest.
+  /// For a live movement: true if the axis keeps the velocity at its end; otherwise the axis comes
+  /// to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
-  /// For a live one: true if it has passes, and the instant between its last moment and this one at
-  /// which a pass ends; nullopt: no pass ends.
+  /// For a live movement: true if it has passes.
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
+  /// For a live movement: the instant, after its previous moment and up to `now`, at which a pass
+  /// ends; nullopt if none ends.
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// For a path: the length of a pass, s of its own time, and the state at its end, at which a swap
-  /// takes place. 0 and nullopt: it has no passes.
+  /// For a path: the length of a pass in s of its own time; 0 if it has no passes.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
+  /// For a path: the state at the end of a pass, at which a swap takes place; nullopt if it has no
+  /// passes.
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 
  private:

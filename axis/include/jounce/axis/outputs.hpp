@@ -34,7 +34,7 @@ struct OutputPlaces {
 ///     outputs.step({.commanded = {p, v}}, dt);
 ///     for (const SwitchEdge& edge : outputs.switches().edges()) ...
 ///
-/// step() neither allocates, locks nor throws.
+/// step() does not allocate, lock or throw.
 class Outputs {
  public:
   /// Throws InputError for bad switches or a bad list, "of" for a compare of the master.

@@ -14,7 +14,7 @@ namespace jounce {
 struct PathRequest {
   std::int64_t tick = 0;
   double rate = 1;                 ///< requested rate; 0: to rest on the path
-  Peaks added = {};                ///< greatest magnitudes of a move on top of the path
+  Peaks added = {};                ///< peaks of a move on top of the path
   const Movement* next = nullptr;  ///< movement with an accepted start; null: none
 };
 
@@ -99,9 +99,10 @@ class PathPlayer {
 
   // ---- its greatest magnitudes
 
-  /// At full speed.
+  /// The peaks at full speed.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
-  /// At the rate to come, and at least at full speed; a step counts as an acceleration.
+  /// The peaks at the rate to come, and at least those at full speed; a step counts as an
+  /// acceleration.
   [[nodiscard]] Peaks peaks_at_rate() const noexcept;
 
  private:

@@ -14,7 +14,7 @@ struct TrackerSpec {
   double acceleration = 0;  ///< m/s^2, > 0: likewise
   double time_constant =
       5e-3;               ///< s, > 0: longer is smoother, and slower. See docs/executor/masters.md
-  int order = 2;          ///< 2: no lag at constant velocity; 3: nor at constant acceleration
+  int order = 2;          ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
   double settle = 10e-3;  ///< s, > 0: time in which the output returns to the estimate
   double latency = 0;     ///< s: additional age of the measurements
   double longest_age = 0.1;  ///< s, > 0: lost after longer without a measurement

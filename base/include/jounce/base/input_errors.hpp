@@ -11,10 +11,10 @@ namespace jounce {
 /// report one.
 class InputErrors : public InputError {
  public:
-  /// At least one, in the order of reading.
+  /// `all`: at least one error, in the order of reading.
   explicit InputErrors(std::vector<InputError> all);
 
-  /// In the order of the document.
+  /// All errors, in the order of the document.
   [[nodiscard]] const std::vector<InputError>& all() const { return all_; }
 
  private:

@@ -17,7 +17,7 @@ namespace jounce {
 enum class CommandSender : std::uint8_t {
   executor,  ///< the executor alone, on behalf of a message of another type
   owner,     ///< the session that owns the axis
-  anyone,    ///< also an operator without a session: it changes the timing of the motion only
+  anyone,    ///< even an operator without a session: it changes the timing of the motion only
 };
 
 /// Everything about a command except its effect. The codec, `jounce order`, the live page, the

@@ -222,7 +222,7 @@ constexpr void each_field(C& c, F f) {
   f(buffer_mode, c.buffer);
 }
 
-/// By a distance from the present setpoint.
+/// Moves by a distance from the present setpoint.
 struct MoveRelative {
   static constexpr auto kind = CommandKind::move_relative;
   double distance = 0;  ///< u
@@ -238,7 +238,7 @@ constexpr void each_field(C& c, F f) {
   f(buffer_mode, c.buffer);
 }
 
-/// By a distance from the target of the present move.
+/// Moves by a distance from the target of the present move.
 struct MoveAdditive {
   static constexpr auto kind = CommandKind::move_additive;
   double distance = 0;  ///< u
@@ -252,7 +252,7 @@ constexpr void each_field(C& c, F f) {
   each_field(c.dynamics, f);
 }
 
-/// By a distance on top of the motion.
+/// Moves by a distance on top of the present motion.
 struct MoveSuperimposed {
   static constexpr auto kind = CommandKind::move_superimposed;
   double distance = 0;         ///< u
@@ -270,7 +270,7 @@ constexpr void each_field(C& c, F f) {
   f(jerk, c.dynamics.jerk);
 }
 
-/// At a velocity, until the next command.
+/// Moves at a velocity, until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
   double velocity = 0;  ///< u/s, signed; 0: to rest
@@ -289,7 +289,7 @@ constexpr void each_field(C& c, F f) {
     c.hold_to_run);
 }
 
-/// To rest. Any command may follow at once.
+/// Brings the axis to rest. Any command may follow at once.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
   StopDynamics dynamics = {};

@@ -22,8 +22,8 @@ struct GearRatio {
 /// Throws InputError "masterEven", "masterSlope" for a value that the manual excludes.
 Gear gear(const GearRatio& ratio);
 
-/// From a ratio (of 0: GT_GearStart) to this one, over masterSlope. The law inside the clutch is not
-/// in the manual: linear, see Clutch.
+/// Changes the ratio from `from` (0: GT_GearStart) to `ratio`, over masterSlope. The law inside the
+/// clutch is not in the manual: linear, see Clutch.
 Clutch set_gear_ratio(const Gear& from, const GearRatio& ratio);
 
 /// GT_PrfGear: dir 0 both, 1 positive, -1 negative. Throws InputError "dir".
@@ -34,8 +34,8 @@ DirectionMask prf_gear(int dir);
 /// The gear of an Agito controller (PCSuite manual 4.8).
 namespace jounce::agito {
 
-/// MasterFact: 65536 is 1 : 1, and 131072 and 196608 are 2 and 3. Any whole number, also negative.
-/// Without a clutch: stop, set it, begin.
+/// MasterFact: 65536 is 1 : 1, and 131072 and 196608 are 2 and 3. Any whole number, even a negative
+/// one. Without a clutch: stop, set it, begin.
 Gear gear(std::int64_t master_fact);
 
 }  // namespace jounce::agito

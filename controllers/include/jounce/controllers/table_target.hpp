@@ -30,7 +30,7 @@ struct ControllerTable {
 /// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (NORMAL segments), hmpl_pvt, sew.
 std::span<const ControllerTable> controller_tables();
 
-/// By name; null if there is none.
+/// The table of this name; null if there is none.
 const ControllerTable* controller_table(const std::string& name);
 
 /// Its target in these units. `x_step`, in units.x: the size of one unit of the controller, such as

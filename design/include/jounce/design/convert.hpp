@@ -29,18 +29,18 @@ struct Converted {
       error;  ///< in the units of the input; nullopt: bit for bit the knots of the input
 };
 
-/// The table of an input with other knots, another interpolation, or other units. Knots are kept where neither the rule
-/// nor the target asks for others. If the controller joins the knots by a spline (KnotJoin), the error is that of this
-/// spline, with numbers rounded as in the file, and a tolerance holds for it. A spline whose ends are not documented is
-/// taken as natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
-/// ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something
-/// else.
+/// The table of an input with other knots, another interpolation, or other units. Knots are kept unless the rule or the
+/// target requires others. If the controller joins the knots by a spline (KnotJoin), the error is that of this spline,
+/// with numbers rounded as in the file, and a tolerance holds for it. A spline whose ends are not documented is taken
+/// as natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target ("tolerance",
+/// "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something else.
 Converted converted(const Input& input, const Conversion& conversion);
 
 /// The parts of the input that a file in this format does not contain, one phrase each.
 std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
-/// The certified error of a conversion as a sentence, "the numbers are unchanged" without one.
+/// The certified error of a conversion as a sentence. Without an error: that the numbers are unchanged, or only
+/// converted between units.
 std::string error_text(const Converted& made, const Labels& labels);
 
 /// The form in which a table is written.

@@ -10,7 +10,7 @@
 namespace jounce {
 
 /// The disc of a spec with [disc], in the spec's units. Throws InputError, placed in the document,
-/// also if the spec has no [disc].
+/// even if the spec has no [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
 
 /// check() of it, with the units of its findings.

@@ -54,8 +54,8 @@ struct EngageState {
 /// and a [drive] whose loop is unstable.
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
-/// Adds the peak of each derivative that the input does not limit, neither in [limits] nor, over time,
-/// in [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
+/// Adds the peak of each derivative that the input does not limit in [limits] or, over time, in
+/// [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
 void add_not_limited(Report& report, const Input& input);
 
 /// Adds the warning `warning/no_limits` to a report that compares the motion with no limit of the machine.

@@ -34,8 +34,8 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 /// any error then has that position. Units are those of the axis, positions those of the drive: the
 /// axis's minus Tick::offset.
 ///
-/// The cyclic thread calls both: they neither allocate nor free, lock, log, throw nor wait. A bus
-/// driver only accesses memory here, and the bus in another thread: docs/executor/drives.md.
+/// The cyclic thread calls both: they do not allocate, free, lock, log, throw or wait. A bus driver
+/// only accesses memory here, and the bus in another thread: docs/executor/drives.md.
 class AxisDrive {
  public:
   AxisDrive() = default;

@@ -34,9 +34,9 @@ class SharedMemory {
     executor,  ///< creates it, or takes over that of an ended executor; removes it at the end
     drive,     ///< opens the memory of an executor
   };
-  /// `name`: 1 to 64 of A-Z a-z 0-9 _ - . Throws InputError for a bad name, or one in use by
-  /// another executor (which holds a lock on it); std::system_error if the system rejects it, or if
-  /// no executor has created it yet.
+  /// `name`: 1 to 64 characters, each a letter A-Z a-z, a digit, `_` or `-`. Throws InputError for
+  /// a bad name, or one in use by another executor (which holds a lock on it); std::system_error if
+  /// the system rejects it, or if no executor has created it yet.
   SharedMemory(const std::string& name, Side side);
   ~SharedMemory();
   SharedMemory(const SharedMemory&) = delete;
@@ -52,7 +52,7 @@ class SharedMemory {
   SharedProcessData* data_ = nullptr;
 };
 
-/// A CiA 402 drive behind shared memory: the example of an adapter. `examples/drive-shm` is the
+/// A CiA 402 drive behind shared memory: an example of an adapter. `examples/drive-shm` is the
 /// other side. An adapter for a field bus has the same structure, with its process image instead of
 /// the memory.
 ///

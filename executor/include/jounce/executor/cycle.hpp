@@ -121,7 +121,7 @@ struct CycleOptions {
 /// receives Inputs::watchdog, because no client could stop it any more. The watchdog counts cycles,
 /// not time: a pause of the whole computer does not trigger it.
 ///
-/// once() neither allocates, locks, logs nor waits for another thread.
+/// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
  public:
   /// All must outlive it.

@@ -83,7 +83,7 @@ struct RecordedRows {
 };
 
 /// One axis in one tick: its command, inputs and outputs. The command's movement is identified by
-/// its number; `tick` contains neither the edges of its switches nor the returned movements.
+/// its number; `tick` does not contain the edges of its switches or the returned movements.
 struct RecordedCycle {
   std::size_t axis = 0;
   Command command = {};

@@ -27,7 +27,7 @@ class RecordBuffer {
  public:
   static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
 
-  /// Neither allocates nor waits; if the ring is full, a cycle is lost and counted.
+  /// Does not allocate or wait; if the ring is full, a cycle is lost and counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
   /// Adds inputs of a master in the step, then its value; before its axes.

@@ -53,7 +53,7 @@ struct Replay {
 /// External masters are executed again from their samples and readings ("master_position", ...).
 /// The value of the master in every follower is compared, too ("live_master").
 ///
-/// `watch` is called with every cycle of the record, also after a difference, and for a black box,
+/// `watch` is called with every cycle of the record, even after a difference, and for a black box,
 /// which begins in the middle of a run and cannot be executed again. A record is read as a stream:
 /// its length does not matter.
 ///

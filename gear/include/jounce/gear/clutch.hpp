@@ -17,16 +17,17 @@ namespace jounce {
 ///     const Clutch next(clutch.ratio(state), Gear::ratio(2, 1), 5000);      // on the fly
 ///     state = next.after(clutch, state);
 ///
-/// With the way u of the master since the clutch began, d the distance, r0 and r1 the ratios:
+/// Let u be the distance of the master since the clutch began, d the length of the clutch, and r0
+/// and r1 the ratios:
 ///
 ///     (1)  ratio = r0 + (r1 - r0) |u| / d
 ///     (2)  slave = r0 u + (r1 - r0) u |u| / (2 d),    d (r0 + r1) / 2 in all
 ///
 /// in either direction of the master, and r1 permanently after that. **A master that reverses
 /// inside the clutch** takes the slave back along the same path: the ratio falls, is r0 again at
-/// the start of the clutch, and rises on the other side. So neither position nor ratio ever steps,
-/// and a trembling master does not make the slave creep. A distance of 0 changes the ratio at once:
-/// the slave's velocity steps.
+/// the start of the clutch, and rises on the other side. So position and ratio never step, and a
+/// trembling master does not make the slave creep. A distance of 0 changes the ratio at once: the
+/// slave's velocity steps.
 ///
 /// Exact: no count is lost or gained in any number of cycles; advance() does not allocate. The
 /// comments of the constructor and after() state the rounding.
@@ -69,7 +70,7 @@ class Clutch {
   std::int64_t denominator_;  // common_ * scale_: the parts of a slave count
 };
 
-/// In which direction of its master a slave follows (Googol GT_PrfGear dir, manual 7.5).
+/// The directions of its master in which a slave follows (Googol GT_PrfGear dir, manual 7.5).
 enum class FollowDirection : std::int8_t { both = 0, positive = 1, negative = -1 };
 
 /// Behavior of a one-way slave when its master reverses.

@@ -26,7 +26,7 @@ struct FollowRun {
   double furthest = 0;   ///< m, travel reached in the one direction
 };
 
-/// At once, or armed for the event; the FIFO was taken.
+/// Begins at once, or arms the run for its event. The FIFO was taken before.
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
 /// The slave's position and its derivatives by the master, for the master's samples of two cycles.

@@ -29,19 +29,20 @@ struct PhaseShift {
 ///     GearCourse course{.master_end = 200000, .changes = {{0, 0.5, 100000}}};   // Googol 7-5
 ///     SyncCam slave = gear_course(course);          // 25000 u in the clutch, 0.5 u/m from there on
 ///
-/// With z the share of the clutch's distance d that has been passed and f the law (0 to 1),
+/// Let z be the share of the clutch's distance d that has been passed, and f the law (0 to 1). Then
 ///
 ///     (1)  ratio = r0 + (r1 - r0) f(z)
 ///     (2)  slave = d (r0 z + (r1 - r0) F(z)),   F(z) the integral of f
 ///
-/// so that the slave covers d (r0 + r1) / 2 with every law that is symmetric, as the line is.
+/// The slave covers d (r0 + r1) / 2 with every symmetric law, such as the line.
 struct GearCourse {
   double master_start = 0;  ///< m
   double master_end = 0;    ///< m, > master_start: as far as the cam goes
   double slave_start = 0;   ///< u, at master_start
   double ratio = 0;         ///< u/m, before the first change; 0: the slave stands still
   std::vector<RatioChange> changes = {};  ///< each begins at the end of the one before, or later
-  std::vector<PhaseShift> shifts = {};    ///< may lie anywhere, also over each other and a clutch
+  std::vector<PhaseShift> shifts =
+      {};  ///< may lie anywhere, even over each other and over a clutch
 };
 
 /// The slave's cam, exactly; a cam that ends at rest holds outside, any other refuses. Segments:

@@ -30,7 +30,7 @@ namespace jounce {
 ///
 ///     (1)  slave = ys + k (master - S)
 ///
-/// This holds permanently, also if the master comes back past S. With h = ys - y0 the curve depends
+/// This holds permanently, even if the master comes back past S. With h = ys - y0 the curve depends
 /// only on rho = k D / h: the quintic (the default) does not reverse if and only if 0 <= rho <=
 /// 5/2, and is not faster than the gear if and only if rho >= 5/3 (example 6.2: rho = 1, peak slope
 /// 0.756 instead of 0.5). engage_window() returns the start distances that satisfy both.
@@ -83,7 +83,7 @@ struct GearInPos {
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
 /// rho of the engagement, and the start distances, in the direction of the given one, for which a
-/// quintic neither reverses nor exceeds the speed of the gear: 5/3 h/k to 5/2 h/k.
+/// quintic does not reverse or exceed the speed of the gear: 5/3 h/k to 5/2 h/k.
 struct EngageWindow {
   double rho = 0;                  ///< k D / h; infinite if h is 0
   bool exists = false;             ///< rho > 0: with a start distance alone it can be had
@@ -120,9 +120,9 @@ struct GearInPosStep {
 ///
 /// The slave stands still until the master passes the start in the engaging direction. A master
 /// that reverses while connecting is reported in each cycle in which it moves back (775). The slave
-/// stays on its curve, back to its start, and engages when the master comes again: without a step,
-/// and without an action of the caller in that cycle. Once in sync, (1) holds for any motion of the
-/// master.
+/// moves back along its curve, to its start, and engages when the master moves forward again:
+/// without a step, and without an action of the caller in that cycle. Once in sync, (1) holds for
+/// any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
 /// The slave's exact motion behind a known master: a Signal.

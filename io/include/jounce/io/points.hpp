@@ -30,7 +30,8 @@ struct PointColumn {
 ///
 /// Reads all or nothing: throws InputError with file, line, key (the column's name), value and rule
 /// for a missing header, a name twice, an unknown unit, a row of another length, an empty cell,
-/// text that is not a finite number, decimal commas beside points, and a file without points.
+/// text that is not a finite number, decimal commas together with points, and a file without
+/// points.
 struct Points {
   std::string document;
   std::vector<PointColumn> columns;

@@ -22,8 +22,8 @@ namespace jounce {
 /// changed.
 class AcceptedVersions {
  public:
-  /// Throws InputError (key "--baseline") for a text that is neither a folder nor a revision, std::system_error if git
-  /// cannot be run.
+  /// Throws InputError (key "--baseline") for a text that is not a folder or a revision,
+  /// std::system_error if git cannot be run.
   explicit AcceptedVersions(std::string folder_or_revision);
   ~AcceptedVersions();
   AcceptedVersions(const AcceptedVersions&) = delete;

@@ -11,7 +11,8 @@
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 
-/// From the inputs of a design to the plans of a streamer: whole tables, rows of one long table, two banks.
+/// Makes the plans of a streamer from the inputs of a design: whole tables, rows of one long table,
+/// two banks.
 namespace jounce {
 
 /// The way in which an axis plays an input.

@@ -58,7 +58,7 @@ struct SearchOutcome : Outcome<std::vector<double>> {
 ///
 /// **One variable** is evaluated at up to 257 equally spaced places; each edge of a feasible range
 /// is bisected to 1e-3 of the tolerance, and each minimum is narrowed down to the tolerance. The
-/// search needs neither monotonicity nor convexity; it can miss an island narrower than a 256th of
+/// search does not need monotonicity or convexity; it can miss an island narrower than a 256th of
 /// the range.
 ///
 /// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the

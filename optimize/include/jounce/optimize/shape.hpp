@@ -63,12 +63,13 @@ struct PowerOf {
 /// behind a master of w (unit of x)/s enters J with the factor w^2.
 struct LoadTorque {
   std::string name = "torque";
-  LinearQuantity linear = {};         ///< J f'' + B f' + K f + F
-  std::vector<Segment> inertia = {};  ///< J(x) over the shape's interval, beside `linear`; no sines
-  double coulomb = 0;                 ///< dry friction, >= 0
-  double gravity = 0;                 ///< gravity of a lever: weight times its length
-  double turn = 0;                    ///< rad/u
-  double angle = 0;                   ///< rad, at f = 0; 0: hanging down
+  LinearQuantity linear = {};  ///< J f'' + B f' + K f + F
+  std::vector<Segment> inertia =
+      {};              ///< J(x) over the shape's interval, in addition to `linear`; no sines
+  double coulomb = 0;  ///< dry friction, >= 0
+  double gravity = 0;  ///< gravity of a lever: weight times its length
+  double turn = 0;     ///< rad/u
+  double angle = 0;    ///< rad, at f = 0; 0: hanging down
 };
 
 /// max |T| at every place; at a change of sign of f', on both sides of it.

@@ -18,18 +18,19 @@ namespace jounce {
 /// rest. Throws InputError "t" outside [0, duration].
 Plan halted(const Plan& plan, double t);
 
-/// From the rest at the end of `held`, which `halted` made of `plan`, to the end of the plan, with the remaining
-/// dwells. No station is passed faster than in the plan. Throws InputError "held" where that is the end already.
+/// Continues from the rest at the end of `held`, which `halted` made of `plan`, to the end of the
+/// plan, with the remaining dwells. No station is passed faster than in the plan. Throws InputError
+/// "held" if `held` already ends at the end of the plan.
 Plan resumed(const Plan& plan, const Plan& held);
 
 /// The same from rest at q = `from`, for example behind a retreat. Throws InputError "from" outside [0, length),
 /// and in a corner.
 Plan resumed(const Plan& plan, double from);
 
-/// From the rest at the end of `held` back along the path to q = `to`: a retreat. The result has the same path in the
-/// other direction: its q counts from the end. Acceleration and deceleration are both the lower of the two of the
-/// plan. It rests where the plan rests. Throws InputError "to" outside [0, the held
-/// place), and in a corner: it is passed at constant velocity.
+/// A retreat: moves from the rest at the end of `held` back along the path to q = `to`. The result has the same path in
+/// the other direction: its q counts from the end. Acceleration and deceleration are both the lower of the two of the
+/// plan. It rests where the plan rests. Throws InputError "to" outside [0, the held place), and in a corner: it is
+/// passed at constant velocity.
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce

@@ -49,7 +49,8 @@ struct Overlapped {
 /// accelerations and jerks are lower, so that their sum keeps the limits for any overlap. The result is never longer
 /// than with stops. Limits of the path hold for each line alone.
 ///
-/// Throws InputError for values out of range, and with the line of a command that is neither a line nor a dwell.
+/// Throws InputError for values out of range, and with the line of a command that is not a line or
+/// a dwell.
 Overlapped overlapped(const Program& program, const GroupLimits& limits,
                       const OverlapOptions& options = {});
 

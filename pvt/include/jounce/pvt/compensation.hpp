@@ -49,10 +49,9 @@ struct CompensationSpec {
 /// output steps wherever a reference passes a grid line, by speed times change of slope. `check`
 /// names it; the cubic rule avoids it (except for the edges).
 ///
-/// at() neither allocates nor throws. Throws InputError, counting from 1 ("values[3]"), for no or
-/// more than three references, an interval that is not positive, fewer than two points, another
-/// number of values than grid points, a value that is not finite or above `most`, and the cubic rule
-/// with three references.
+/// at() does not allocate or throw. Throws InputError, counting from 1 ("values[3]"), for no or more than three
+/// references, an interval that is not positive, fewer than two points, another number of values than grid points, a
+/// value that is not finite or above `most`, and the cubic rule with three references.
 class Compensation {
  public:
   static constexpr std::size_t most_references = 3;

@@ -40,7 +40,7 @@ struct CompareStep {
 /// Before that, and after the last point, nothing fires. A point at the position of the axis when
 /// it is armed fires in that step.
 ///
-/// step() neither allocates, locks nor throws. A position that is not finite is none: time passes, and
+/// step() does not allocate, lock or throw. A position that is not finite is none: time passes, and
 /// pulses end. A velocity that is not finite is taken from the positions.
 class LiveCompare {
  public:

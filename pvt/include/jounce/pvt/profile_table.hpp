@@ -6,9 +6,9 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 
-/// The time tables of PLCopen as a Leadshine PMC600 has them (PMC600 manual, volume 4, 4.1 and 5.2.3;
-/// the blocks are CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s and
-/// u. 5.2.3 calls them PVT; none of them holds more than one column beside the time.
+/// The time tables of PLCopen as a Leadshine PMC600 has them (PMC600 manual, volume 4, 4.1 and 5.2.3; the blocks are
+/// CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s and u. 5.2.3 calls them PVT; none
+/// of them has more than one column in addition to the time.
 ///
 ///     using namespace jounce::pmc600;
 ///     const ProfileTable stages{.points = {{1, 10000}, {2, 40000}, {1, -10000}, {0.5, -5000}},

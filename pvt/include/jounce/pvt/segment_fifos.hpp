@@ -103,9 +103,10 @@ class SegmentFifos {
     double lowest = 0;
     double highest = 0;
   };
-  /// For the pass under way, in the player's thread; infinite if rates are open. For tables.
+  /// The range of positions of the present pass; infinite if rates are open. For tables, in the
+  /// player's thread.
   [[nodiscard]] Reach reach() const;
-  /// For the pass that follows in the present state; nullopt if there is none.
+  /// The range of positions of the pass that follows in the present state; nullopt if none follows.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
   // ---- producer ----------------------------------------------------------------------------------

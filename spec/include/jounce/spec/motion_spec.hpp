@@ -69,7 +69,7 @@ struct AgitoSpec {
   double from = 0;
   agito::Target target;
   agito::Settings settings;
-  std::optional<int> strokes;  ///< repetitive
+  std::optional<int> strokes;  ///< number of strokes of a repetitive motion
   double rpt_wait = 0;         ///< ms
 };
 
@@ -135,7 +135,7 @@ struct MovingAverageSpec {
   double window = 0;
 };
 
-/// To the [limits] of each axis.
+/// Retimes the motion to the [limits] of each axis.
 struct RetimeSpec {};
 
 /// A change in flight, at a time.
@@ -145,10 +145,11 @@ struct ChangeSpec {
   double time = 0;
   double value = 0;  ///< target, velocity or distance
   Dynamics dynamics = {};
-  std::optional<double> abort = {};  ///< abort of superimposed
+  std::optional<double> abort = {};  ///< for superimposed: the time at which the move is aborted
 };
 
-/// A correction of one axis from the positions of axes; several axes are named.
+/// A correction of one axis, computed from the positions of one or more axes. If the spec has several axes, they are
+/// given by name.
 struct CompensateSpec {
   CompensationSpec table;
   std::string axis = {};  ///< the corrected axis; "": the only one

@@ -95,13 +95,13 @@ struct DiscPart {
   DiscLimits limits;
   double tolerance = 0;              ///< tolerance of the contour
   std::optional<double> hub_radius;  ///< a circle of the drawing
-  std::string length;  ///< the unit of all lengths: the slave's, or mm beside an angle
+  std::string length;  ///< unit of all lengths: the slave's unit, or mm if the slave is an angle
 };
 
 /// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
 struct AxisSpec {
-  /// [homing], as jounce/axis/axis_config.hpp: u and the spec's time; velocities and acceleration
-  /// 0: omitted.
+  /// [homing], as in jounce/axis/axis_config.hpp, in u and the spec's unit of time. A velocity or
+  /// acceleration of 0 means that it was omitted.
   struct Homing {
     int method = 37;
     double search_velocity = 0;
@@ -125,7 +125,7 @@ struct AxisSpec {
   double in_position = 0;
   double in_position_time = 0;  ///< s
   double longest_gap = 0;       ///< s; 0: 100 cycles
-  double session_timeout = 1;   ///< s of silence, then its owner has lost the axis
+  double session_timeout = 1;   ///< s without a message, after which the owner loses the axis
   bool require_home = false;
   std::optional<Homing> homing = {};
   std::optional<FollowWhom> follow = {};  ///< its live master
@@ -134,18 +134,18 @@ struct AxisSpec {
 /// A drive alone: for `jounce identify`, and as the drive for optimising a cam.
 struct DriveAlone {};
 
-/// One axis of a spec: the data of this axis. A spec of one axis has one, without a name.
+/// The data of one axis of a spec. A spec with a single axis has one AxisPart, without a name.
 struct AxisPart {
   std::string name;
   Units units;
   TableOptions table;
-  Limits limits;  ///< limits of a cam: per master unit
+  Limits limits;  ///< for a cam: per master unit
   std::optional<DriveSpec> drive;
 };
 
 /// An output that is fired along the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};                 ///< axis of several; "path": the length along the path
+  std::string axis = {};  ///< the axis, if the spec has several; "path": the length along the path
   SwitchesOf of = SwitchesOf::position;  ///< for kind "axis": position, or actual
   PositionCompare compare;
   CompareDevice device;                    ///< in the spec's unit of time
@@ -167,26 +167,26 @@ struct Spec {
       subject;
   std::vector<Operator> then;  ///< operators on the motion, one after another
   std::vector<AxisPart> axes;  ///< axes of kinds "axes" and "path"; empty for the others
-  Boundaries boundaries = Boundaries::rest;  ///< boundaries of a cam
+  Boundaries boundaries = Boundaries::rest;  ///< for a cam
   TableOptions table;
-  Limits limits;  ///< limits of a cam: per master unit
-  Limits slave;   ///< slave of a cam: over time, [limits.slave]; without positions
+  Limits limits;  ///< for a cam: per master unit
+  Limits slave;   ///< for a cam: [limits.slave], over time; without positions
   std::optional<MasterSpec> master;
-  std::optional<CouplingSpec>
-      coupling;  ///< coupling of a cam: how `jounce stream` engages it; in s
+  std::optional<CouplingSpec> coupling;  ///< for a cam: how `jounce stream` engages it; in s
   OptimizeSpec optimize;
   std::optional<ParametersSpec> parameters;  ///< chosen by `jounce optimize`
   std::optional<DriveSpec> drive;
-  std::optional<DiscPart> disc;  ///< disc of a cam
+  std::optional<DiscPart> disc;  ///< for a cam
   std::optional<Mode>
-      polydyne;  ///< polydyne of a cam: its knots define the motion of the load behind this mode (Hz)
-  std::optional<FollowerSpec> follower = {};  ///< follower of a cam with a master
-  AxisSwitches switches;                      ///< switches of kinds "axis" and "cam"
-  std::optional<CompareSpec> compare;         ///< compare of a motion over time
-  bool himc = false;                          ///< himc of kind "pvt": for HIMC's MovePVT
-  Report fill;  ///< fill of kind "pvt": the findings of filling in its velocities
+      polydyne;  ///< for a cam: its knots define the motion of the load behind this mode (Hz)
+  std::optional<FollowerSpec> follower = {};  ///< for a cam with a master
+  AxisSwitches switches;                      ///< for kinds "axis" and "cam"
+  std::optional<CompareSpec> compare;         ///< for a motion over time
+  bool himc = false;                          ///< for kind "pvt": for HIMC's MovePVT
+  Report fill;  ///< for kind "pvt": the findings from filling in omitted velocities
 
-  // Defined in spec.cpp: inline, they take seconds to compile in each file that copies a spec.
+  // Defined in spec.cpp, because inline they would take seconds to compile in every file that copies
+  // a spec.
   Spec();
   Spec(const Spec& other);
   Spec(Spec&& other) noexcept;
@@ -201,7 +201,7 @@ struct Spec {
   [[nodiscard]] bool over_master() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
   }
-  /// For a periodic cam, master unit.
+  /// The period of a periodic cam, in the master's unit.
   [[nodiscard]] std::optional<double> master_period() const;
 };
 

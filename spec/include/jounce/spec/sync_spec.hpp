@@ -31,17 +31,17 @@ struct GearInPosPart {
   double master_start = 0, master_end = 0;  ///< m: extent of the cam
 };
 
-/// kind = "follow": tables as a controller takes them, or their intended motion.
+/// kind = "follow": the tables of a controller, or the motion from which the tables are planned.
 struct FollowPart {
   std::variant<FollowSpec, FollowPlan> slave;
   FollowStart start = {};
 };
 
-/// Kinds "knife", "shear" and "indexer" are the parameters of their generators.
+/// For the kinds "knife", "shear" and "indexer", the spec is the parameter struct of the generator.
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
                               FlyingShear, Indexer>;
 
-/// m after which it repeats; nothing if it runs once.
+/// Master distance (unit m) after which the slave's motion repeats; nullopt if it runs once.
 std::optional<double> master_period(const SyncSpec& spec);
 
 }  // namespace jounce

@@ -44,7 +44,8 @@ using TakeLine = std::function<bool(std::size_t number, const std::string& line)
 using Farm =
     std::function<void(const std::vector<std::size_t>& numbers, const MakeLine&, const TakeLine&)>;
 
-/// On threads of this process, each of which takes the next case; 0: as many as there are cores.
+/// A farm of threads in this process, each of which takes the next case. `jobs` = 0: one thread for
+/// each core.
 Farm on_threads(unsigned jobs = 0);
 
 struct SweepOptions {

@@ -30,7 +30,8 @@ namespace jounce {
 /// cycle must divide the period. The delay of a controller without a cycle is a Pade approximant,
 /// as there.
 ///
-/// step() and rest() neither allocate nor throw. A step of servo_400w() takes about half a microsecond.
+/// step() and rest() do not allocate or throw. A step of servo_400w() takes about half a
+/// microsecond.
 class DriveStepper {
  public:
   /// `period` > 0, s. Throws InputError like require_valid(), for a drive that is not linear

@@ -30,8 +30,8 @@ struct SpringFollower {
   double metres_per_unit = 1;    ///< > 0: of the signal's position unit
 };
 
-/// Throws InputError, with the field's name as key, for a value out of range, and for a follower that
-/// nothing presses on the cam (neither preload nor spring).
+/// Throws InputError, with the field's name as key, for a value out of range, and for a follower that nothing presses
+/// on the cam (no preload and no spring).
 void require_valid(const SpringFollower& follower);
 
 /// Limits of the follower; an omitted value is not limited.

@@ -116,10 +116,10 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 ///
 /// **The controller stays as it was.** The numbers of the machine change, the output of the
 /// controller does not: if inertia is fitted, torque_feed_forward of the result gives the same
-/// feed-forward torque as the start. A friction_feed_forward is refused beside fitted friction.
+/// feed-forward torque as the start. A friction_feed_forward is rejected if friction is fitted.
 ///
-/// **Positive numbers.** Fitted is the logarithm, so that none can change its sign: the start must be
-/// greater than 0 (NumberRule::any: not 0), of the right order of magnitude.
+/// **Positive numbers.** The logarithm is fitted, so no number can change its sign: the start must
+/// be greater than 0 (NumberRule::any: not 0), of the right order of magnitude.
 ///
 /// **Weights.** Each quantity counts by the standard deviation of its own noise, estimated from its
 /// residuals and improved until it does not change.

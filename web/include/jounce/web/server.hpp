@@ -55,7 +55,7 @@ class Listening {
 /// GET / and its script and style, GET /events (server-sent events, 20 a second), POST /order. One
 /// request per connection. A request with an objection() is rejected (403). So is a command without
 /// the header X-Jounce-Token, before its body is read. The page may load nothing from elsewhere,
-/// nor be framed.
+/// and may not be framed.
 ///
 /// Everything is bounded. A request: its size (8 KB of head, 1 KB of body, whose length it must
 /// give) and its total time. Connections without the token: their number; the oldest is closed for

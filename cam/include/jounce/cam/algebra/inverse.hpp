@@ -25,7 +25,7 @@ namespace jounce {
 ///
 /// **Vocabulary.** A *branch* is the longest interval of the master on which the slave does not
 /// reverse: a rise or a fall, or several with only dwells between them. Its interval, start() to
-/// end(), is the slave's, ascending also for a fall; *breaks* are the slave positions at the cam's
+/// end(), is the slave's, ascending even for a fall; *breaks* are the slave positions at the cam's
 /// breaks, at its points of rest and at its dwells.
 ///
 /// **Derivatives** by the slave, from the inverse function's rule: `Transfer` in m/u, m/u^2, m/u^3.

@@ -19,9 +19,9 @@ namespace jounce {
 ///     }
 ///
 /// **Vocabulary.** A *rise* (or a fall) lies between two neighboring breaks at which the slave
-/// rests: its velocity is zero on both sides of each. A dwell is not a rise, nor is an interval
-/// that returns to its start position. Master positions m and slave positions u are the cam's; a
-/// rise through the period's wrap continues beyond the cam's end.
+/// rests: its velocity is zero on both sides of each. A dwell is not a rise. An interval that
+/// returns to its start position is not a rise either. Master positions m and slave positions u are
+/// the cam's; a rise through the period's wrap continues beyond the cam's end.
 ///
 /// "Zero", and "does not step", mean: within 1e-9 of the greatest magnitude that the derivative has
 /// in the rise (the velocity: in the whole cam).
@@ -33,7 +33,7 @@ struct Rise {
   std::array<Range, 5> ranges{};
   /// f', f'', ... up to this order (0 to 4) are zero at both ends and do not step in between.
   int smooth = 0;
-  /// f', f'', ... up to this order (0 to 4) do not step, neither inside nor against the neighbors.
+  /// f', f'', ... up to this order (0 to 4) do not step, inside or against the neighbors.
   int continuous = 0;
 
   [[nodiscard]] double length() const { return cam.length(); }

@@ -89,7 +89,8 @@ class Disc {
   /// (u); for an oscillating one, the angle between the arm and the line of centers (rad).
   [[nodiscard]] double start() const { return start_; }
 
-  /// At any master position. At a step of the velocity there are two points, one for each side.
+  /// The point at any master position. At a step of the velocity there are two points, one for each
+  /// side.
   [[nodiscard]] DiscPoint at(double master, Side side = Side::right) const;
 
  private:

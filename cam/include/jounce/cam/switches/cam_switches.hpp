@@ -48,7 +48,7 @@ struct SwitchStep {
 /// An edge is available in the step after it. For an output terminal that switches by time stamp,
 /// include a lead of one cycle and its own delay in the compensations.
 ///
-/// step() neither allocates, locks nor throws. A step with a number that is not finite changes
+/// step() does not allocate, lock or throw. A step with a number that is not finite changes
 /// nothing; its time counts with the next one. The constructor throws like require_valid.
 class CamSwitches {
  public:

@@ -39,8 +39,9 @@ struct CamFormat {
 /// All formats, in the order of their detection.
 std::span<const CamFormat* const> cam_formats();
 
-/// By its name, by the end of a path (in any letter case), or by the content of a file; null for any
-/// other. A spec, or a table of Jounce in CSV or JSON (see is_table), is in none of these formats.
+/// Finds a format by its name, by the end of a path (in any letter case), or by the content of a
+/// file; null for any other. A spec, or a table of Jounce in CSV or JSON (see is_table), is in none
+/// of these formats.
 const CamFormat* cam_format_named(const std::string& word);
 const CamFormat* cam_format_of_path(const std::string& path);
 const CamFormat* cam_format_of_text(const std::string& text);

@@ -24,6 +24,9 @@ namespace jounce {
 /// comments has empty units and holds outside: whether a cam is periodic is defined at its
 /// selection (MC_CamTableSelect), not in its table.
 
+/// Throws InputError for a table over time: the formats are for cams.
+void require_cam(const CamFormat& format, const Table& table);
+
 /// The table in another maker's format. Throws InputError for a table over time, for another rule
 /// than the format's, and for too few or too many knots.
 std::string exchange_text(const CamFormat& format, const TableFile& file);

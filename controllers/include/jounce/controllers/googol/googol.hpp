@@ -36,8 +36,9 @@ struct Trap {
   int smooth_time = 0;   ///< smoothTime, ms, 0 to 50, in which the acceleration builds up
 };
 
-/// From standstill. The acceleration ramps linearly over smoothTime (jerk = acc / smoothTime, dec /
-/// smoothTime); a start speed steps from rest, the acceleration then starts from zero.
+/// A move from standstill. The acceleration ramps linearly over smoothTime (jerk = acc /
+/// smoothTime, dec / smoothTime); a start speed steps from rest, the acceleration then starts from
+/// zero.
 Profile trap(const Trap& move);
 
 /// Position or velocity changed while moving, effective at t (GT_SetPos, GT_SetVel, GT_Update);

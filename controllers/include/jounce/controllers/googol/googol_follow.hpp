@@ -54,7 +54,7 @@ class FollowFifos {
   /// GT_FollowStart: at once, or armed for the event. wrong_mode, moving, no_master, empty;
   /// bad_argument if a position is not finite
   Refusal follow_start(int fifo, double master, double slave);
-  /// GT_FollowSwitch: queued until the pass ends. wrong_mode, not_moving (also while the axis waits
+  /// GT_FollowSwitch: queued until the pass ends. wrong_mode, not_moving (even while the axis waits
   /// for its event), in_use (already being played), empty
   Refusal follow_switch(int fifo);
 

@@ -27,7 +27,7 @@ struct Wave {
   double gravity = 0;
   Segment angle = {};
 
-  /// At s in [0, 1] of the interval.
+  /// The value at s in [0, 1] of the interval.
   [[nodiscard]] double at(double s) const;
 };
 

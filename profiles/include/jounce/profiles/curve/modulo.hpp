@@ -49,7 +49,7 @@ struct ModuloTarget {
 ///         modulo_target({.position = 350}, 10, Direction::shortest, 360, axis);
 ///     const Move move = move_to({.position = 350}, {.position = target.position}, axis);  // +20
 ///
-/// **Shortest** counts from the present position, also in motion: at most half a turn; exactly half
+/// **Shortest** counts from the present position, even in motion: at most half a turn; exactly half
 /// a turn goes in the positive direction. **Positive** and **negative** never reverse an axis that
 /// moves in the requested direction: a target nearer than the stopping distance is reached one turn
 /// later. An axis that moves in the other direction stops first, and counts from there. At the

@@ -17,8 +17,8 @@ struct PathPoint {
   double curvature_rate = 0;  ///< its derivative
 };
 
-/// Tag of a curve over path length, beside OverTime and OverMaster (decision 0002): a compile-time tag, so
-/// that a shape cannot be played as a motion.
+/// Tag of a curve over path length, in addition to OverTime and OverMaster (decision 0002): a
+/// compile-time tag, so that a shape cannot be played as a motion.
 struct OverLength {
   using Point = PathPoint;
   static constexpr std::array<const char*, 4> names{"position", "direction", "curvature",

@@ -15,7 +15,7 @@ namespace jounce::profiles_detail {
 template <std::size_t n>
 using Bernstein = std::array<double, n + 1>;
 
-/// Those of f's polynomial over the whole segment; f.degree <= n.
+/// The coefficients of f's polynomial over the whole segment; f.degree <= n:
 ///     beta_i = sum over k <= i of C(i, k) / C(n, k) c_k,   by differences of the scaled c_k
 template <std::size_t n>
 Bernstein<n> to_bernstein(const Segment& f) {

@@ -39,8 +39,9 @@ class LimitCheck {
 
   /// Bounds of one derivative stand together.
   [[nodiscard]] const std::vector<Bound>& bounds() const { return bounds_; }
-  /// The range of a bound's derivative on a segment that begins at `start`. Segments ascend; one that
-  /// neither breaks the bound nor comes closer to it than one before may be left out.
+  /// The range of a bound's derivative on a segment that begins at `start`. Segments ascend. A
+  /// segment may be left out if it does not break the bound or come closer to it than an earlier
+  /// one.
   void consider(std::size_t bound, const Range& range, double start, std::size_t segment);
   /// The value that is closest to a bound and keeps it, if there was one.
   [[nodiscard]] std::optional<double> closest(std::size_t bound) const;
@@ -58,8 +59,16 @@ class LimitCheck {
   Report report_;
 };
 
+/// The independent axis of a motion: its ends, and whether it repeats beyond them.
+struct Ends {
+  double start = 0;
+  double end = 0;
+  bool repeats = false;
+};
+
 /// The report of `check_continuity` from all ranges and the largest step of every order.
 Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
-                         const std::array<const char*, 4>& names, int order, double tolerance);
+                         const std::array<const char*, 4>& names, const Ends& extent, int order,
+                         double tolerance);
 
 }  // namespace jounce::profiles_detail

@@ -40,13 +40,14 @@ struct RampLimits {
   bool operator==(const RampLimits&) const = default;
 };
 
-/// From any state to a velocity (signed) without acceleration, as fast as the limits allow; `up`
-/// while the axis speeds up, `down` while it slows down. With a jerk limit, the acceleration of the
-/// state is taken over. It falls first if it would lead past the velocity; if it would reverse the
-/// axis, it falls until the axis rests. If up and down differ, a change through rest is two ramps.
-/// From a state within them the limits hold throughout, except while an acceleration at rest,
-/// permitted in slowing down, falls. The jerks may differ between begin and end, or between up and
-/// down, but not both. Also throws InputError if time or position would overflow.
+/// A motion from any state to a velocity (signed) without acceleration, as fast as the limits
+/// permit; `up` while the axis speeds up, `down` while it slows down. With a jerk limit, the
+/// acceleration of the state is taken over. It falls first if it would lead past the velocity; if
+/// it would reverse the axis, it falls until the axis rests. If up and down differ, a change
+/// through rest is two ramps. From a state within them the limits hold throughout, except while an
+/// acceleration at rest, permitted in slowing down, falls. The jerks may differ between begin and
+/// end, or between up and down, but not both. Also throws InputError if time or position would
+/// overflow.
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
                       const RampLimits& down);
 

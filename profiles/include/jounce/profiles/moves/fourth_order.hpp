@@ -27,10 +27,11 @@ struct FourthOrderSpec {
 
 /// Symmetric in time. Time-optimal while the velocity limit is not reached; a move that reaches it
 /// is within 0.1 % of the least duration, which would take infinitely many phases. Throws
-/// InputError for a value out of range, and for a jounce so high that its phases vanish beside the
-/// move. Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
-/// electromechanical motion systems", Control Engineering Practice 13 (2005), whose profile this is
-/// if there is a cruise; shorter moves are up to 7 % faster than theirs (jounce.cpp).
+/// InputError for a value out of range, and for a jounce so high that its phases vanish in
+/// comparison with the move. Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and
+/// feedforward design for electromechanical motion systems", Control Engineering Practice 13
+/// (2005), whose profile this is if there is a cruise; shorter moves are up to 7 % faster than
+/// theirs (jounce.cpp).
 Trajectory fourth_order(const FourthOrderSpec& spec);
 
 }  // namespace jounce

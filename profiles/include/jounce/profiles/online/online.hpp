@@ -49,8 +49,9 @@ class OnlineGenerator {
   }
   /// An axis that is not enabled comes to rest as fast as possible; the others do not wait for it.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
-  /// By how much a target may differ from that of the motion under way, u and u/s, and the motion is
-  /// still kept. The axis then ends that far from the target at most. 0: by rounding.
+  /// Sets the greatest difference (u and u/s) between a new target and the target of the present
+  /// motion that keeps the present motion. The axis then ends at most that far from the new target.
+  /// 0: only rounding.
   void set_tolerance(std::size_t axis, double position, double velocity = 0) noexcept {
     axes_[axis].set_tolerance(position, velocity);
   }

@@ -9,8 +9,8 @@ namespace jounce {
 
 /// Result of a step.
 struct OnlineStep {
-  /// Why an axis cannot go to its goal; `not_straight` also while the axes are off the line, because
-  /// none on it keeps the bounds.
+  /// Why an axis cannot go to its goal; `not_straight` even while the axes are off the line,
+  /// because none on it keeps the bounds.
   MoveStatus status = MoveStatus::ok;
   std::size_t axis = 0;  ///< the first such axis, if the status is not ok
   bool arrived = false;  ///< every enabled axis is at its goal

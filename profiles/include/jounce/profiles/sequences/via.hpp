@@ -29,7 +29,7 @@ struct ViaRates {
   std::vector<double> acceleration = {};  ///< u/s^2, likewise
 };
 
-/// At most so much of sqrt(x^2 + y^2 + ...) of all axes' rates.
+/// Limits of sqrt(x^2 + y^2 + ...) over the rates of all axes.
 struct ViaNorm {
   double velocity = Bounds::none;      ///< u/s
   double acceleration = Bounds::none;  ///< u/s^2

@@ -20,7 +20,7 @@ namespace jounce {
 /// of a trapezoid becomes a / T).
 ///
 /// **Interval.** f must begin and end at rest; before and after it the axis stands at f's end
-/// values (also if f refuses): the result runs over [start, end + T] and holds. A curve that wraps
+/// values (even if f refuses): the result runs over [start, end + T] and holds. A curve that wraps
 /// is averaged through its seam, over its own interval, and wraps.
 ///
 /// The value is accurate to rounding (about 1e-14 of the stroke): each piece is integrated on its

@@ -33,7 +33,7 @@ struct Notched {
 /// Segment holds: it is represented by its Taylor polynomials of degree 10 over steps of an eighth
 /// of a radian, with a bounded remainder, and ended by a quintic to rest once the rest of the tail
 /// is below `settled` of the travel. `error` bounds both. Continuous in acceleration where f is. f
-/// rests before and after (also if it refuses).
+/// rests before and after (even if it refuses).
 ///
 /// Throws InputError for a value out of range, a motion that wraps or does not move, and one
 /// so long that it needs more than a million steps.

@@ -48,7 +48,7 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
 
 /// The curve through a shaper: the sum of its copies, each delayed and scaled by an impulse. Exact;
 /// longer by the last impulse's time. f must begin and end at rest, and the axis rests before and
-/// after (also if f refuses); a wrapping curve is shaped through its seam. If all impulses are
+/// after (even if f refuses); a wrapping curve is shaped through its seam. If all impulses are
 /// positive, limits that hold for f hold for the result.
 ///
 /// Throws InputError if there is no impulse, times do not ascend from 0 or amplitudes do not add up

@@ -150,7 +150,7 @@ struct Start {
   double position = 0;  ///< m, with master_position
 };
 
-/// In session 0: an operator's stop, which ends the present session.
+/// Stops the axis. In session 0 it is an operator's stop, and ends the present session.
 struct Stop {
   std::int32_t command = 0;
   StopMode mode = StopMode::stop;
@@ -336,5 +336,7 @@ Cut cut(const Header& header);
 
 /// True if this is a valid name of an executor.
 bool is_executor_name(std::string_view name);
+inline constexpr const char* executor_name_rule =
+    "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -";
 
 }  // namespace jounce::wire

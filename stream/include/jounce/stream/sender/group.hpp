@@ -49,7 +49,7 @@ class Group {
   [[nodiscard]] bool ended() const;
   /// True if all have begun.
   [[nodiscard]] bool started() const { return phase_ >= Phase::playing; }
-  /// By axis, in the order of the plans.
+  /// The outcome of each axis, in the order of the plans.
   [[nodiscard]] std::vector<StreamOutcome> outcomes() const;
   [[nodiscard]] std::int64_t tick() const {
     return tick_;

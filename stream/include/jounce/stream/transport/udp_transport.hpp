@@ -33,8 +33,8 @@ class UdpTransport : public Transport {
   UdpTransport(const UdpTransport&) = delete;
   UdpTransport& operator=(const UdpTransport&) = delete;
 
-  /// At most 63 characters, LCM's limit. A * stands for any text without a dot: "JOUNCE2.*.status"
-  /// matches those of all executors.
+  /// `channel`: at most 63 characters, LCM's limit. A * stands for any text without a dot:
+  /// "JOUNCE2.*.status" matches those of all executors.
   void subscribe(const std::string& channel, int capacity) override;
   /// A packet that the network rejects is lost, like others. At most 65 499 bytes with the channel.
   void send(const std::string& channel, std::span<const std::byte> bytes) override;

@@ -28,10 +28,10 @@ class UnixTransport : public Transport {
   UnixTransport(const UnixTransport&) = delete;
   UnixTransport& operator=(const UnixTransport&) = delete;
 
-  /// At most 63 characters. A * stands for any text without a dot.
+  /// `channel`: at most 63 characters. A * stands for any text without a dot.
   void subscribe(const std::string& channel, int capacity) override;
 
-  /// At most 65000 bytes. Throws TransportError once this program's socket is no longer in the
+  /// `bytes`: at most 65000. Throws TransportError once this program's socket is no longer in the
   /// folder: it could no longer receive.
   void send(const std::string& channel, std::span<const std::byte> bytes) override;
   std::optional<Packet> receive(Nanos timeout) override;
