@@ -19,7 +19,7 @@ std::string name_of(const PathPiece& piece) {
 
 /// The source line of each segment, by the piece of the path in its middle. Both ascend.
 std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
-  const auto pieces = plan.path().pieces();
+  const auto pieces = plan.drawn().pieces();
   const auto stretches = plan.law().stretches();
   std::vector<std::string> names;
   names.reserve(curve.segments().size());
@@ -65,7 +65,7 @@ Plan planned(const PathSpec& path) {
                      "spec as --machine "
                      "of a G-code program");
   try {
-    return plan(path.program, path.limits);
+    return plan(path.program, path.limits, {.joints = path.joints});
   } catch (const InputError& error) {
     if (error.line() == 0) throw;
     throw InputError(error.key(), error.value(), error.rule()).at(path.source, error.line());

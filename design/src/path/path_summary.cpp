@@ -105,7 +105,8 @@ PathSummary summary_of(const Spec& spec, const Plan& plan) {
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
-                      .along = along(plan)};
+                      .along = along(plan),
+                      .fit = plan.given().fit};
   summary.cost = cost_of(plan, summary.corners);
   summary.events = places_of(path, plan);
   return summary;

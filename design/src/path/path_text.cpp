@@ -112,6 +112,22 @@ std::string notes_text(const PathSummary& s) {
   return text;
 }
 
+/// Distance of the joints from the kinematics.
+std::string fit_text(const MapFit& fit, const Along& units) {
+  if (fit.pieces == 0) return "joints: exact, linear in the axes\n";
+  const std::string text = fmt::format("joints: within {} of the kinematics by {} polynomials",
+                                       rounded(fit.error), fit.pieces);
+  if (fit.proven) return text + " (proven)\n";
+  return text + fmt::format(": sampled, not proven, in steps of at most {} {}\n",
+                            rounded(fit.sample_step), units.length);
+}
+
+Json json_of(const MapFit& fit) {
+  Json object{{"error", fit.error}, {"proven", fit.proven}, {"pieces", fit.pieces}};
+  if (!fit.proven) object["sample_step"] = fit.sample_step;
+  return object;
+}
+
 Json json_of(const CornerRecord& corner) {
   Json object{{"line", corner.line},
               {"where", corner.where},
@@ -158,6 +174,7 @@ std::string path_text(const Spec& spec, const PathSummary& s) {
                                    [](const CornerRecord& c) { return c.stop; });
   text += fmt::format("\n{} corners: {} rounded, {} stops\n", s.corners.size(), moving, stops);
   text += notes_text(s);
+  if (s.fit) text += fit_text(*s.fit, units);
   if (!s.events.empty())
     text +=
         fmt::format("{} events of M, H, S and T words: --json has their places\n", s.events.size());
@@ -177,18 +194,19 @@ std::string path_json(const Spec& spec, const PathSummary& s) {
   for (const CornerRecord& corner : s.corners) corners.push_back(json_of(corner));
   Json events = Json::array();
   for (const EventPlace& place : s.events) events.push_back(json_of(place, spec));
-  return Json{{"unit", units.length},
-              {"time_unit", units.time},
-              {"duration", s.duration},
-              {"stop_duration", s.stop_duration},
-              {"lower_bound", s.lower_bound},
-              {"length", s.length},
-              {"costs", std::move(costs)},
-              {"places", std::move(places)},
-              {"corners", std::move(corners)},
-              {"events", std::move(events)},
-              {"along", Json::parse(to_json(s.along, labels))}}
-      .dump();
+  Json all{{"unit", units.length},
+           {"time_unit", units.time},
+           {"duration", s.duration},
+           {"stop_duration", s.stop_duration},
+           {"lower_bound", s.lower_bound},
+           {"length", s.length},
+           {"costs", std::move(costs)},
+           {"places", std::move(places)},
+           {"corners", std::move(corners)},
+           {"events", std::move(events)},
+           {"along", Json::parse(to_json(s.along, labels))}};
+  if (s.fit) all["joints"] = json_of(*s.fit);
+  return all.dump();
 }
 
 }  // namespace jounce

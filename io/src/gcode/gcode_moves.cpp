@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "jounce/path/arc.hpp"
+#include "jounce/path/rotary.hpp"
 
 #include "io/src/gcode/interpreter.hpp"
 
@@ -40,21 +42,32 @@ void GcodeInterpreter::move(const GcodeBlock& block) {
     fail_at(block, *(first != nullptr ? first : center), "needs G0, G1, G2 or G3 first");
   if (arc && center == nullptr)
     fail_at(block, *first, "needs a center, I J K, or a radius R: G2, G3");
-  const Point to = target(block);
-  made_.program.set(settings(block, to));
+  const Target to = target(block);
+  made_.program.set(settings(block, to.machine));
   if (arc)
     turn(block, to, *center);
-  else if (to != made_.program.position())
-    made_.program.line(to, block.line);
+  else if (to.machine != made_.program.position())
+    made_.program.line(to.machine, block.line);
+  part_ = to.part;
 }
 
-Point GcodeInterpreter::target(const GcodeBlock& block) const {
-  Point to = made_.program.position();
+GcodeInterpreter::Target GcodeInterpreter::target(const GcodeBlock& block) const {
+  Target to{part_, made_.program.position()};
+  bool turned = false;
   for (const GcodeWord& word : block.words) {
     const std::size_t i = axis_of(word.letters);
     if (i == std::string::npos) continue;
-    to[i] = (relative_ ? to[i] : offset_[i]) + word.value * scale_[i];
-    if (!std::isfinite(to[i])) fail_at(block, word, "is too large");
+    const double step = word.value * scale_[i];
+    const double modulo = relative_ ? 0 : machine_.axes[i].modulo;
+    to.part[i] = shortest_way(to.part[i], (relative_ ? to.part[i] : 0) + step, modulo);
+    to.machine[i] =
+        shortest_way(to.machine[i], (relative_ ? to.machine[i] : frame_.offset[i]) + step, modulo);
+    turned = turned || (i < 3 && !frame_.shifts());
+    if (!std::isfinite(to.machine[i])) fail_at(block, word, "is too large");
+  }
+  if (turned) {
+    const Point machine = placed(frame_, to.part);
+    std::copy_n(machine.begin(), 3, to.machine.begin());
   }
   return to;
 }
@@ -74,7 +87,7 @@ PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to
   return now;
 }
 
-void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const GcodeWord& given) {
+void GcodeInterpreter::turn(const GcodeBlock& block, const Target& target, const GcodeWord& given) {
   const std::size_t first = axis_of(plane_.substr(0, 1));
   const std::size_t second = axis_of(plane_.substr(1, 1));
   if (first == std::string::npos || second == std::string::npos)
@@ -84,7 +97,13 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
   const Plane plane{first, second};
   const ArcRotation rotation =
       motion_ == 2 ? ArcRotation::clockwise : ArcRotation::counterclockwise;
-  const Point from = made_.program.position();
+  // In the machine for a frame that shifts, so that no digit is lost; in the frame where it turns.
+  const bool shifts = frame_.shifts();
+  const Point from = shifts ? made_.program.position() : part_;
+  const Point& to = shifts ? target.machine : target.part;
+  const auto add = [&](const Arc& arc) {
+    made_.program.arc(shifts ? arc : placed(frame_, arc), block.line);
+  };
   const double tolerance = arc_tolerance * gcode_scale("mm", machine_.axes[first].unit);
   try {
     if (const GcodeWord* const r = block.find("R")) {
@@ -93,11 +112,9 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
         if (const auto* const word = block.find({&c, 1}))
           fail_at(block, *word, "must not be beside R");
       const double radius = fitting_radius(r->value * scale_[first], from, to, plane, tolerance);
-      made_.program.arc(arc_of_radius(from, radius, to, plane, rotation), block.line);
-      return;
+      return add(arc_of_radius(from, radius, to, plane, rotation));
     }
-    made_.program.arc(
-        arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance), block.line);
+    add(arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance));
   } catch (const InputError& error) {
     if (error.column() != 0) throw;
     throw InputError(error.key(), error.value(), error.rule()).at({}, block.line, given.column);
@@ -117,7 +134,10 @@ Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane
       fail_at(block, std::string(center_letters.substr(k, 1)),
               "is missing: after G90.1 an arc needs both coordinates of its center");
     if (word != nullptr)
-      center[i] = (center_relative_ ? from[i] : offset_[i]) + word->value * scale_[i];
+      center[i] = (center_relative_  ? from[i]
+                   : frame_.shifts() ? frame_.offset[i]
+                                     : 0) +
+                  word->value * scale_[i];
   }
   return center;
 }

@@ -15,6 +15,7 @@
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/route.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/maps/joined.hpp"
 #include "path/src/timing/laws.hpp"
 #include "path/src/timing/stretch.hpp"
 
@@ -68,22 +69,27 @@ bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop
 }  // namespace
 
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
-  const Rates rates = rates_of(limits, program.axes(), program.path_axes());
+  const Joined joined(program, limits, options.joints);
   require_inside(program, limits);
-  const Route sharp = route_of(program);
-  const auto law_of = [&](const Rounded& r, const Route& route) {
-    return fastest_law(r, rates, program, route);
+  const Route tool = route_of(program);
+  const Route sharp = joined.with_linear(tool);
+  const Rates shaping = joined.corner_rates(sharp);
+  const auto corners_of = [&](const Route& route, const std::vector<bool>& stop) {
+    return joined.with_fitted(rounded(route, program, shaping, stop));
   };
-  Rounded result = rounded(sharp, program, rates, std::vector<bool>(sharp.joints.size(), true));
+  const auto law_of = [&](const Jointed& r, const Route& route) {
+    return fastest_law(r.rounded, joined.rates(), program, route);
+  };
+  Jointed result = corners_of(sharp, std::vector<bool>(sharp.joints.size(), true));
   Laws law = law_of(result, sharp);
   const double stop_duration = law.rests.back().time;
   if (!options.stop_at_corners) {
-    const Route route = with_averages(sharp, program);
+    const Route route = joined.with_linear(with_averages(tool, program));
     std::vector<bool> stop(route.joints.size(), false);
-    Rounded corners = rounded(route, program, rates, stop);
+    Jointed corners = corners_of(route, stop);
     Laws fast = law_of(corners, route);
     if (route.joints.size() == sharp.joints.size() && mark_slower(fast, law, stop)) {
-      corners = rounded(route, program, rates, stop);
+      corners = corners_of(route, stop);
       fast = law_of(corners, route);
     }
     if (fast.rests.back().time <= stop_duration) {
@@ -91,11 +97,15 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
       law = std::move(fast);
     }
   }
-  return {std::move(result.path),
+  return {std::move(result.rounded.path),
           TimingLaw(std::move(law.stretches)),
-          std::move(result.joints),
+          std::move(result.rounded.joints),
           stop_duration,
-          {limits, {program.settings().begin(), program.settings().end()}, program.path_axes()}};
+          {joined.limits(),
+           {program.settings().begin(), program.settings().end()},
+           program.path_axes(),
+           std::move(result.drawn),
+           result.fit}};
 }
 
 Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration,
@@ -134,25 +144,26 @@ void Plan::at(double t, std::span<Motion> out) const {
 
 std::vector<CornerRecord> Plan::corners() const {
   std::vector<CornerRecord> out;
-  const std::size_t n = path_.axes();
+  const Path& path = drawn();
+  const std::size_t n = path.axes();
   const std::size_t m = given_.path_axes;
   for (const JointMark& mark : joints_) {
     CornerRecord c;
     c.line = mark.line;
     c.stop = mark.rests;
     c.note = mark.note;
-    const PathPiece& p = path_.pieces()[mark.piece];
+    const PathPiece& p = path.pieces()[mark.piece];
     const PathSettings& settings = given_.settings[p.settings];
     c.asked = settings.corner;
     c.value = settings.value;
-    const double* data = path_.numbers(mark.piece);
+    const double* data = path.numbers(mark.piece);
     std::array<Jet, max_axes> before{};
     std::array<Jet, max_axes> behind{};
     const bool corner = p.kind == PieceKind::turn || p.kind == PieceKind::blend;
     const std::size_t last = corner ? mark.piece : mark.piece - 1;
     if (mark.note != JointNote::no_distance && (corner || mark.piece > 0)) {
-      path_.jets(last, path_.pieces()[last].length, std::span(behind).first(n));
-      path_.jets(mark.piece, 0, std::span(before).first(n));
+      path.jets(last, path.pieces()[last].length, std::span(behind).first(n));
+      path.jets(mark.piece, 0, std::span(before).first(n));
       if (!corner) std::swap(before, behind);
       Point u{};
       Point w{};
@@ -183,7 +194,7 @@ std::vector<CornerRecord> Plan::corners() const {
         std::vector<Segment> one;
         for (std::size_t i = 0; i < n; ++i) {
           one.clear();
-          path_.segments(mark.piece, i, one);
+          path.segments(mark.piece, i, one);
           axes[i] = one.front();
         }
         c.curvature = greatest_curvature(std::span(axes).first(n), m);

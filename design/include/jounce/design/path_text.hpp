@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct PathSummary {
   /// Velocity, acceleration and jerk along the path within [path.limits]: exact extrema of the timing law. Where
   /// acceleration and deceleration differ, the greater one counts.
   Report along;
+  std::optional<MapFit> fit = {};  ///< joints: how far their motion is from the kinematics
 };
 
 /// `spec` is of kind "path", and `plan` was made of it.
