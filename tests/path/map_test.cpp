@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/path/axis_map.hpp"
+#include "jounce/path/hold.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "tests/path/paths.hpp"
@@ -266,6 +267,24 @@ TEST(Map, AMapWithoutBoundsIsSampledAndTheFitSaysSo) {
   EXPECT_LE(fit.sample_step, 200.0 / 8);
   EXPECT_LE(fit.error, 1e-9 + 2e-12);
   EXPECT_LE(path_tests::worst_ratio(to_axes(motion), motion.given().limits), 1 + 1e-12);
+}
+
+TEST(Map, AHaltKeepsTheLimitsOfTheJointsAndThePath) {
+  const Program program = rectangle({.velocity = 400, .corner = Corner::deviation, .value = 2});
+  const Plan motion = plan(
+      program, none(2),
+      {.joints = JointSpace{scara_map({.arms = {300, 300}}), joint_limits(2, 200, 1500, 20000)}});
+  for (const double share : {0.1, 0.35, 0.6, 0.85}) {
+    const Plan held = halted(motion, share * motion.duration());
+    const PlanAxes axes = to_axes(held);
+    EXPECT_LE(path_tests::worst_ratio(axes, motion.given().limits), 1 + 1e-12) << share;
+    EXPECT_LE(held.duration(), motion.duration() * (1 + 1e-12));
+    const double t = held.duration();
+    const auto tool = scara_tool(300, 300, axes.curves[2].at(t, Side::left).position,
+                                 axes.curves[3].at(t, Side::left).position);
+    EXPECT_NEAR(tool[0], axes.curves[0].at(t, Side::left).position, 1e-7);
+    EXPECT_NEAR(tool[1], axes.curves[1].at(t, Side::left).position, 1e-7);
+  }
 }
 
 InputError error_of(const Program& p, const std::shared_ptr<const AxisMap>& map) {
