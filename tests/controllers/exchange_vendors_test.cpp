@@ -198,6 +198,12 @@ TEST(Rockwell, RejectsAProfileThatJumpsOrIsNotCalculated) {
       HasSubstr("an element of a CAM has 3"));
 }
 
+TEST(Rockwell, RejectsATagWithoutElements) {
+  const std::string empty = "<Tag Name=\"E\" DataType=\"CAM\"><Data Format=\"Decorated\"/></Tag>";
+  EXPECT_THAT(complaint(empty), HasSubstr("t:1: E: has no knots"));
+  EXPECT_THAT(complaint("<Tags>" + empty + empty + "</Tags>"), HasSubstr("has no knots"));
+}
+
 TEST(Rockwell, ReadsACamOfLinesAndOneOfCubics) {
   const auto cam = [](const char* types) {
     return "<Tag Name=\"E\" DataType=\"CAM\"><Data Format=\"Decorated\"><Array>" +

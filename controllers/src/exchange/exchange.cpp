@@ -88,6 +88,9 @@ std::vector<controllers_detail::Line> own_lines(
 std::vector<ExchangeCam> cams_of(std::vector<controllers_detail::Exchanged> all,
                                  const std::vector<controllers_detail::Line>& lines,
                                  const controllers_detail::Place& place) {
+  for (const controllers_detail::Exchanged& cam : all)
+    if (cam.lines.empty())
+      place.fail(lines.front().number, cam.name, "", "has no knots: is the file complete?");
   for (controllers_detail::Exchanged& cam : all)
     cam.notes = controllers_detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
   std::vector<ExchangeCam> cams;
