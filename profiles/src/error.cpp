@@ -58,7 +58,7 @@ std::string six_digits_up(double value) {
   const std::string text = six_digits(value);
   double shown = 0;
   std::from_chars(text.data(), text.data() + text.size(), shown);
-  const double rounding = 1e-12 * std::abs(value);  // of the computation of the value
+  const double rounding = 1e-12 * std::abs(value);  // the value is computed
   if (!std::isfinite(value) || shown >= value - rounding) return text;
   return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
 }

@@ -223,6 +223,19 @@ TEST(Gcode, RefusesAnEndBeyondThePositionLimitsOfAnAxis) {
   EXPECT_EQ(complaint("G0 X9999 Z-100\nZ50\n", limited), "none");
 }
 
+TEST(Gcode, APositionLimitHoldsInTheMachineBehindTheFrame) {
+  GcodeMachine limited = machine();
+  limited.axes[1].position_max = 50;
+  limited.axes[2].position_max = 50;
+  limited.frames[0] = turned_frame({100, 0, 5}, 90);
+  EXPECT_THAT(complaint("G0 X50 Y900 Z45\nX60\n", limited),
+              HasSubstr("part.ngc:2:1: X60: moves axis y to 60 mm, above its position_max, 50 mm"));
+  EXPECT_THAT(complaint("G0 Z46\n", limited), HasSubstr("Z46: moves axis z to 51 mm"));
+  limited.frames[0] = Frame{.offset = {0, 0, -10}};
+  EXPECT_EQ(complaint("G0 X900 Z60\nG91 Z-5\n", limited), "none");
+  EXPECT_THAT(complaint("G0 Z61\n", limited), HasSubstr("Z61: moves axis z to 51 mm"));
+}
+
 TEST(Gcode, NeedsALengthForG20AndLettersForItsAxes) {
   GcodeMachine pulses{.axes = {{"X", "pulse"}}};
   EXPECT_THAT(complaint("G21\n", pulses), HasSubstr("part.ngc:1:1: G21: needs axes"));

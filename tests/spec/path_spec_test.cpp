@@ -319,8 +319,9 @@ TEST(PathSpecFile, ReadsEachKindOfJoints) {
 TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
   const std::string scara = "[kinematics]\ntype = \"scara\"\narms = [300, 250]\n";
   const auto refused = [](const std::string& text) { return complaint(text, ""); };
-  EXPECT_THAT(refused(robot + joints), HasSubstr("joint: needs [kinematics]"));
-  EXPECT_THAT(refused(robot + scara), HasSubstr("joint: is missing: give each joint as [[joint]]"));
+  EXPECT_THAT(refused(robot + joints),
+              HasSubstr("joint: needs [kinematics]: add it, or remove [[joint]]"));
+  EXPECT_THAT(refused(robot + scara), HasSubstr("joint: is missing: add [[joint]] for each joint"));
   EXPECT_THAT(refused(robot + scara + joints + "[[joint]]\nname = \"a2\"\n"),
               HasSubstr("joint = 3: must be 2 joints for this type"));
   EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"scara\"\narms = [300, 0]\n" + joints),
@@ -333,6 +334,10 @@ TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
   EXPECT_THAT(refused(robot + scara +
                       "[[joint]]\nname = \"a0\"\nunit = \"mm\"\n[[joint]]\nname = \"a1\"\n"),
               HasSubstr("must be deg for this joint"));
+  std::string overlap = robot;
+  overlap.replace(overlap.find("start = [300, 100]"), 0, "overlap = { deviation = 1 }\n");
+  EXPECT_THAT(refused(overlap + scara + joints),
+              HasSubstr("kinematics: cannot be combined with an overlap"));
 }
 
 TEST(PathSpecFile, AFramePutsTheCommandsIntoTheMachine) {

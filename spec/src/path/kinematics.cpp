@@ -112,11 +112,11 @@ std::optional<JointSpace> read_kinematics(TomlReader& top, const PathAxes& axes,
                                           std::set<std::string>& taken) {
   auto table = top.optional_table("kinematics");
   if (!table) {
-    if (top.has("joint")) top.fail("joint", "", "needs [kinematics]");
+    if (top.has("joint")) top.fail("joint", "", "needs [kinematics]: add it, or remove [[joint]]");
     return {};
   }
   std::vector<TomlReader> joints = top.tables("joint");
-  if (joints.empty()) top.fail("joint", "", "is missing: give each joint as [[joint]]");
+  if (joints.empty()) top.fail("joint", "", "is missing: add [[joint]] for each joint");
   Kinematics made;
   try {
     made = read_map(*table, axes, joints);

@@ -12,9 +12,9 @@ namespace jounce {
 ///
 /// velocity, acceleration, deceleration and jerk of the law, the normal and the total acceleration. For each limit of
 /// the path one finding, at its worst place; a limit of a command only where it is broken (the finding names the line).
-/// Exact extrema on lines, arcs and turns; on blends upper bounds of the normal and the total acceleration, on curves of
-/// the velocity, too: from the derivatives of the whole piece. A limit is broken if it is exceeded by more than 1e-12 of
-/// it.
+/// Exact extrema on lines, arcs and turns; on blends upper bounds of the normal and the total acceleration, on curves
+/// of the velocity, too: from the derivatives of the whole piece. A limit is broken if it is exceeded by more than
+/// 1e-12 of it.
 Report check_along(const Plan& plan);
 
 }  // namespace jounce
