@@ -27,31 +27,6 @@ struct DiffArguments {
   bool json = false;
 };
 
-/// Pairs of axes of both files: the only axes, or axes of the same name.
-std::vector<std::pair<Input, Input>> pairs(const DiffArguments& options) {
-  std::vector<Input> before = load_axes(options.before, options.axis);
-  std::vector<Input> after = load_axes(options.after, options.axis);
-  std::vector<std::pair<Input, Input>> all;
-  if (before.size() == 1 && after.size() == 1) {
-    all.emplace_back(std::move(before.front()), std::move(after.front()));
-    return all;
-  }
-  for (const auto& [some, others, file] :
-       {std::tuple{&before, &after, &options.after}, {&after, &before, &options.before}})
-    for (const Input& one : *some)
-      if (std::none_of(others->begin(), others->end(),
-                       [&](const Input& other) { return other.axis == one.axis; }))
-        throw InputError("--axis", "",
-                         "is missing: " + *file + " has no axis " +
-                             (one.axis.empty() ? "without a name" : one.axis));
-  for (Input& one : before) {
-    const auto other = std::find_if(after.begin(), after.end(),
-                                    [&](const Input& each) { return each.axis == one.axis; });
-    all.emplace_back(std::move(one), std::move(*other));
-  }
-  return all;
-}
-
 void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
   if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
   const auto& [before, after] = all.front();
