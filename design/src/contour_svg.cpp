@@ -11,7 +11,7 @@ namespace jounce {
 namespace {
 
 /// The rectangle that holds the drawing, mm.
-struct Frame {
+struct DrawingFrame {
   double left = 0;
   double right = 0;
   double bottom = 0;
@@ -25,8 +25,8 @@ struct Frame {
   }
 };
 
-Frame frame_of(const DiscDrawing& d) {
-  Frame frame;
+DrawingFrame frame_of(const DiscDrawing& d) {
+  DrawingFrame frame;
   frame.add({}, std::max(d.base_radius, d.hub_radius.value_or(0)));
   frame.add(d.roller, d.roller_radius);
   if (d.pivot) frame.add(*d.pivot, 3);
@@ -94,7 +94,7 @@ constexpr const char* style_sheet =
 }  // namespace
 
 std::string contour_svg(const DiscDrawing& d) {
-  const Frame f = frame_of(d);
+  const DrawingFrame f = frame_of(d);
   const std::string width = mm(f.right - f.left);
   const std::string height = mm(f.top - f.bottom);
   std::string out = fmt::format(

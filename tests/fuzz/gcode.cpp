@@ -17,7 +17,7 @@ GcodeMachine machine_of(std::size_t kind) {
     machine.axes.push_back({"A", "deg"});
     machine.path_axes = 3;
     machine.settings = {.velocity = 100, .corner = Corner::deviation, .value = 0.05};
-    machine.offsets.fill(Point{1, 2, 3, 4});
+    machine.frames.fill(Frame{.offset = {1, 2, 3, 4}});
   }
   return machine;
 }

@@ -75,8 +75,8 @@ TEST(Gcode, CountsInInchesFromG20On) {
 
 TEST(Gcode, AddsIncrementsAndOffsets) {
   GcodeMachine with = machine();
-  with.offsets[0] = Point{10, 20, 0};
-  with.offsets[2] = Point{-5, 0, 0};
+  with.frames[0] = Frame{.offset = {10, 20, 0}};
+  with.frames[2] = Frame{.offset = {-5, 0, 0}};
   EXPECT_THAT(parsed("G0 X1 Y1\nG91 X2\nG90 G56 Y7\n", with).program.position(),
               ElementsAre(13, 7, 0, 0, 0, 0, 0, 0, 0));
   EXPECT_THAT(complaint("G0 X1\nG55 Y1\n", with), HasSubstr("part.ngc:2:1: G55: needs an offset"));
@@ -223,6 +223,19 @@ TEST(Gcode, RefusesAnEndBeyondThePositionLimitsOfAnAxis) {
   EXPECT_EQ(complaint("G0 X9999 Z-100\nZ50\n", limited), "none");
 }
 
+TEST(Gcode, APositionLimitHoldsInTheMachineBehindTheFrame) {
+  GcodeMachine limited = machine();
+  limited.axes[1].position_max = 50;
+  limited.axes[2].position_max = 50;
+  limited.frames[0] = turned_frame({100, 0, 5}, 90);
+  EXPECT_THAT(complaint("G0 X50 Y900 Z45\nX60\n", limited),
+              HasSubstr("part.ngc:2:1: X60: moves axis y to 60 mm, above its position_max, 50 mm"));
+  EXPECT_THAT(complaint("G0 Z46\n", limited), HasSubstr("Z46: moves axis z to 51 mm"));
+  limited.frames[0] = Frame{.offset = {0, 0, -10}};
+  EXPECT_EQ(complaint("G0 X900 Z60\nG91 Z-5\n", limited), "none");
+  EXPECT_THAT(complaint("G0 Z61\n", limited), HasSubstr("Z61: moves axis z to 51 mm"));
+}
+
 TEST(Gcode, NeedsALengthForG20AndLettersForItsAxes) {
   GcodeMachine pulses{.axes = {{"X", "pulse"}}};
   EXPECT_THAT(complaint("G21\n", pulses), HasSubstr("part.ngc:1:1: G21: needs axes"));
@@ -235,6 +248,39 @@ TEST(Gcode, IsRecognizedByItsFirstWord) {
     EXPECT_TRUE(begins_as_gcode(text)) << text;
   for (const char* text : {"jounce = 1", "", "time,position\n", "# G1", "[path]"})
     EXPECT_FALSE(begins_as_gcode(text)) << text;
+}
+
+TEST(Gcode, AFrameTurnsLinesArcsAndRelativeMoves) {
+  GcodeMachine with = machine();
+  with.frames[0] = turned_frame({100, 0, 5}, 90);
+  with.frames[1] = Frame{.offset = {1, 2, 3}};
+  const Program lines = parsed("G1 X10 Y2 Z1 F600\nG91 X5\nG90 Y0\n", with).program;
+  ASSERT_EQ(lines.commands().size(), 3U);
+  EXPECT_THAT(lines.position(), ElementsAre(100, 15, 6, 0, 0, 0, 0, 0, 0));
+  // A quarter turn counterclockwise from the part's (10, 0) to (0, 10): center the part's origin.
+  const Program arc = parsed("G1 X10 Y0 F600\nG3 X0 Y10 I-10 J0\n", with).program;
+  ASSERT_EQ(arc.arcs().size(), 1U);
+  EXPECT_NEAR(arc.arcs()[0].center[0], 100, 1e-12);
+  EXPECT_NEAR(arc.arcs()[0].center[1], 0, 1e-12);
+  EXPECT_NEAR(arc.arcs()[0].sweep, std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(arc.position()[0], 90, 1e-12);
+  EXPECT_NEAR(arc.position()[1], 0, 1e-12);
+  // Another frame begins where the machine is.
+  const Program both = parsed("G1 X10 Y0 Z0 F600\nG55 X4\n", with).program;
+  EXPECT_THAT(both.position(), ElementsAre(5, 10, 5, 0, 0, 0, 0, 0, 0));
+  // A word of the follower leaves the others where they are.
+  const Program follower = parsed("G1 X3 Y4 F600\nC90\n", with).program;
+  EXPECT_EQ(follower.position()[0], follower.numbers()[0]);
+  EXPECT_EQ(follower.position()[3], 90);
+}
+
+TEST(Gcode, ARotaryAxisTakesTheShortestWayInG90) {
+  GcodeMachine rotary = machine();
+  rotary.axes[3].modulo = 360;
+  EXPECT_EQ(parsed("G1 C350 F600\nC10\n", rotary).program.position()[3], 10);
+  EXPECT_EQ(parsed("G1 C100 F600\nC200\nC350\n", rotary).program.position()[3], 350);
+  EXPECT_EQ(parsed("G1 C100 F600\nC200\nC350\nC10\n", rotary).program.position()[3], 370);
+  EXPECT_EQ(parsed("G91 G1 C720 F600\n", rotary).program.position()[3], 720);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/path/plan.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce::path_spec_test {
@@ -253,6 +255,167 @@ TEST_F(PathBesideFile, TakesAGcodeProgram) {
   EXPECT_EQ(path.program.commands().size(), 2U);
   EXPECT_THAT(complaint("gcode = { file = \"part.ngc\" }\n", "part.ngc", "G1 X10 F600\nQ10\n"),
               HasSubstr("part.ngc:2:1: Q10: a parameter of a cycle"));
+}
+
+const std::string robot = R"(jounce = 1
+kind = "path"
+units = { position = "mm", time = "s" }
+[path]
+velocity = 100
+start = [300, 100]
+[[axis]]
+name = "x"
+[[axis]]
+name = "y"
+[[command]]
+type = "line"
+to = [400, 0]
+)";  // 13 lines
+
+const std::string joints = R"([[joint]]
+name = "a0"
+limits = { velocity = 100 }
+[[joint]]
+name = "a1"
+limits = { velocity = 200 }
+)";
+
+TEST(PathSpecFile, ReadsAScaraBehindItsAxes) {
+  const Spec spec = parse_spec(
+      robot + "[kinematics]\ntype = \"scara\"\narms = [300, 250]\nelbow = \"left\"\n" + joints,
+      "path.toml");
+  ASSERT_EQ(spec.axes.size(), 4U);
+  EXPECT_EQ(spec.axes[2].units.position, "deg");
+  const auto& path = std::get<PathSpec>(spec.subject);
+  EXPECT_EQ(path.limits.axes.size(), 2U);
+  ASSERT_TRUE(path.joints);
+  EXPECT_EQ(path.joints->limits[1].velocity, 200);
+  std::array<Jet, 2> at;
+  ASSERT_EQ(path.joints->map->jets(std::array<Jet, 2>{Jet{250}, Jet{300}}, at), MapState::ok);
+  EXPECT_NEAR(at[0][0], 90, 1e-9);
+  EXPECT_NEAR(at[1][0], -90, 1e-9);
+}
+
+TEST(PathSpecFile, ReadsEachKindOfJoints) {
+  const auto map_of = [](const std::string& text) { return read(text, "").joints->map; };
+  EXPECT_NE(map_of(robot + "[kinematics]\ntype = \"corexy\"\n" + joints)->linear(), nullptr);
+  const auto gantry =
+      map_of(robot + "[kinematics]\ntype = \"gantry\"\n" +
+             "[[joint]]\nname = \"y1\"\naxis = \"y\"\n[[joint]]\nname = \"y2\"\naxis = \"y\"\n" +
+             "[[joint]]\nname = \"beam\"\naxis = \"x\"\n");
+  EXPECT_EQ(gantry->joints(), 3U);
+  std::string delta = robot;
+  delta.replace(delta.find("start = [300, 100]"), 18, "start = [0, 0, 0]");
+  delta.replace(delta.find("to = [400, 0]"), 13, "to = [10, 0, 5]");
+  delta.replace(delta.find("[[command]]"), 0, "[[axis]]\nname = \"z\"\n");
+  EXPECT_EQ(map_of(delta +
+                   "[kinematics]\ntype = \"linear_delta\"\nouter_radius = 200\ninner_radius = "
+                   "40\narm = 320\n" +
+                   joints + "[[joint]]\nname = \"a2\"\n")
+                ->joints(),
+            3U);
+}
+
+TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
+  const std::string scara = "[kinematics]\ntype = \"scara\"\narms = [300, 250]\n";
+  const auto refused = [](const std::string& text) { return complaint(text, ""); };
+  EXPECT_THAT(refused(robot + joints),
+              HasSubstr("joint: needs [kinematics]: add it, or remove [[joint]]"));
+  EXPECT_THAT(refused(robot + scara), HasSubstr("joint: is missing: add [[joint]] for each joint"));
+  EXPECT_THAT(refused(robot + scara + joints + "[[joint]]\nname = \"a2\"\n"),
+              HasSubstr("joint = 3: must be 2 joints for this type"));
+  EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"scara\"\narms = [300, 0]\n" + joints),
+              HasSubstr("kinematics.arms = 0: must be"));
+  EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"scara\"\narms = [300]\n" + joints),
+              HasSubstr("kinematics.arms = 1: must be the lengths"));
+  EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"linear_delta\"\narm = 3\n" + joints),
+              HasSubstr("kinematics.type: needs the axes x, y and z"));
+  EXPECT_THAT(refused(robot + scara + "wrist = 3\n" + joints), HasSubstr("kinematics.wrist"));
+  EXPECT_THAT(refused(robot + scara +
+                      "[[joint]]\nname = \"a0\"\nunit = \"mm\"\n[[joint]]\nname = \"a1\"\n"),
+              HasSubstr("must be deg for this joint"));
+  std::string overlap = robot;
+  overlap.replace(overlap.find("start = [300, 100]"), 0, "overlap = { deviation = 1 }\n");
+  EXPECT_THAT(refused(overlap + scara + joints),
+              HasSubstr("kinematics: cannot be combined with an overlap"));
+}
+
+TEST(PathSpecFile, AFramePutsTheCommandsIntoTheMachine) {
+  const PathSpec turned = read("[frame]\noffset = [10, 20, 5]\nrotation = 90\n" +
+                               command("type = \"line\"\nto = [3, 0, 7]"));
+  EXPECT_THAT(turned.program.start(), ElementsAre(10, 20, 5, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(turned.program.position(), ElementsAre(10, 23, 12, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(complaint("[frame]\nrotation = 90\nzyz = [1, 2, 3]\n" +
+                        command("type = \"line\"\nto = [3, 0, 7]")),
+              HasSubstr("frame.zyz: cannot be combined with rotation"));
+  EXPECT_THAT(complaint("[frame]\nzyz = [1, 2, 3]\n" + command("type = \"line\"\nto = [3, 0, 7]")),
+              HasSubstr("frame.zyz: needs three axes that are not followers"));
+}
+
+TEST(PathSpecFile, ARotaryFollowerTakesTheShortestWay) {
+  std::string rotary = head;
+  rotary.replace(rotary.find("follower = true"), 15, "follower = true\nmodulo = 360");
+  const PathSpec path =
+      read(command("type = \"line\"\nto = [10, 0, 350]") +
+               "[[command]]\ntype = \"line\"\nto = [20, 0, 10]\n" +
+               "[[command]]\ntype = \"line\"\nrelative = true\nto = [20, 0, 720]\n",
+           rotary);
+  EXPECT_EQ(path.program.numbers()[2], -10);
+  EXPECT_EQ(path.program.numbers()[5], 10);
+  EXPECT_EQ(path.program.position()[2], 730);
+  EXPECT_THAT(complaint("",
+                        "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" "
+                        "}\n[path]\n[[axis]]\nname = \"x\"\nmodulo = 360\n"),
+              HasSubstr("needs follower = true"));
+}
+
+TEST(PathSpecFile, ABSplineAndASplineInArcLengthHaveTheirFeed) {
+  const std::string points =
+      "[[command.point]]\nto = [10, 20, 0]\n[[command.point]]\nto = [40, -10, "
+      "0]\n[[command.point]]\nto = [60, 0, 0]\n";
+  const PathSpec b = read(command("type = \"bspline\"\ntolerance = 1e-6") + points);
+  ASSERT_EQ(b.program.curves().size(), 1U);
+  EXPECT_LE(b.program.curves()[0].deviation, 1e-6);
+  EXPECT_LT(b.program.curves()[0].speed_error, 1e-5);
+  const PathSpec even = read(command("type = \"spline\"\ntolerance = 1e-6") + points);
+  const PathSpec chords = read(command("type = \"spline\"") + points);
+  EXPECT_LT(even.program.curves()[0].speed_error, 1e-5);
+  EXPECT_GT(chords.program.curves()[0].speed_error, 1e-2);
+  EXPECT_THAT(complaint(command("type = \"bspline\"\ndegree = 5") + points),
+              HasSubstr("point = 4: a B-spline of degree 5 needs 6 points"));
+}
+
+/// The plan of an example; its joints keep their limits of velocity, acceleration and jerk.
+Plan planned(const std::string& name) {
+  const std::string file = std::string(JOUNCE_SOURCE_DIR) + "/examples/" + name;
+  const Spec spec = parse_spec(read_file(file), file);
+  const auto& path = std::get<PathSpec>(spec.subject);
+  Plan made = plan(path.program, path.limits, {.joints = path.joints});
+  const PlanAxes axes = to_axes(made);
+  EXPECT_EQ(axes.curves.size(), spec.axes.size());
+  for (std::size_t i = 0; i < axes.curves.size(); ++i)
+    EXPECT_TRUE(check(axes.curves[i], made.given().limits.axes[i]).ok())
+        << name << " " << spec.axes[i].name;
+  return made;
+}
+
+TEST(PathSpecFile, TheExamplesOfRobotsKeepTheLimitsOfTheirJoints) {
+  for (const char* name : {"scara", "linear-delta", "corexy"}) {
+    const Plan made = planned(std::string("kinematics/") + name + ".toml");
+    ASSERT_TRUE(made.given().fit) << name;
+    EXPECT_TRUE(made.given().fit->proven) << name;
+    EXPECT_LE(made.given().fit->error, 1.01e-9) << name;
+    EXPECT_LE(made.duration(), made.stop_duration()) << name;
+    RecordProperty(name, std::to_string(made.duration()) + " s, with stops " +
+                             std::to_string(made.stop_duration()) + ", " +
+                             std::to_string(made.given().fit->pieces) + " pieces");
+  }
+}
+
+TEST(PathSpecFile, TheRecordsOfTheManualAreFasterThanWithStops) {
+  const Plan made = planned("pmc600-path/sequence.toml");
+  EXPECT_LT(made.duration(), 7.386350);
+  EXPECT_GT(made.duration(), 7.386350 - 2 * 1000.0 / 2000);
 }
 
 }  // namespace

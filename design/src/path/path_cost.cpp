@@ -45,6 +45,12 @@ double full_speed(const Plan& plan, std::size_t piece, std::vector<Segment>& seg
   return speed;
 }
 
+std::size_t piece_at(std::span<const PathPiece> pieces, double q) {
+  const auto behind = std::upper_bound(pieces.begin(), pieces.end(), q,
+                                       [](double at, const PathPiece& p) { return at < p.start; });
+  return behind == pieces.begin() ? 0 : static_cast<std::size_t>(behind - pieces.begin()) - 1;
+}
+
 /// Time to any place of the path at full speed.
 class FullSpeed {
  public:
@@ -57,18 +63,12 @@ class FullSpeed {
   }
 
   [[nodiscard]] double until(double q) const {
-    const std::size_t k = piece_at(q);
+    const std::size_t k = piece_at(pieces_, q);
     const PathPiece& piece = pieces_[k];
     const double share = std::clamp((q - piece.start) / piece.length, 0.0, 1.0);
     return times_[k] + share * (times_[k + 1] - times_[k]);
   }
   [[nodiscard]] double whole() const { return times_.back(); }
-  [[nodiscard]] std::size_t piece_at(double q) const {
-    const auto behind =
-        std::upper_bound(pieces_.begin(), pieces_.end(), q,
-                         [](double at, const PathPiece& p) { return at < p.start; });
-    return behind == pieces_.begin() ? 0 : static_cast<std::size_t>(behind - pieces_.begin()) - 1;
-  }
 
  private:
   std::span<const PathPiece> pieces_;
@@ -154,10 +154,10 @@ class Corners {
 };
 
 /// Cause and line of the slowest place.
-void explain(const Plan& plan, const FullSpeed& full, const Corners& corners, const LawPlace& a,
-             const LawPlace& b, SpeedLoss& loss) {
-  const auto pieces = plan.path().pieces();
-  const PathPiece& piece = pieces[full.piece_at(loss.where)];
+void explain(const Plan& plan, const Corners& corners, const LawPlace& a, const LawPlace& b,
+             SpeedLoss& loss) {
+  const auto pieces = plan.drawn().pieces();
+  const PathPiece& piece = pieces[piece_at(pieces, loss.where)];
   const bool in_corner = piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
   loss.line = piece.line;
   loss.corner = in_corner ? corners.between(piece.start, piece.start + piece.length)
@@ -218,7 +218,7 @@ PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corner_records)
       loss.cause = LossCause::end;
       loss.line = plan.path().pieces().back().line;
     } else if (k > 0) {
-      explain(plan, full, corners, a, b, loss);
+      explain(plan, corners, a, b, loss);
     }
     cost.losses.push_back(loss);
     if (rest > 1e-12 * plan.duration()) {

@@ -20,7 +20,7 @@ std::string name_of(const PathPiece& piece) {
 
 /// The source line of each segment, by the piece of the path in its middle. Both ascend.
 std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
-  const auto pieces = plan.path().pieces();
+  const auto pieces = plan.drawn().pieces();
   const auto stretches = plan.law().stretches();
   std::vector<std::string> names;
   names.reserve(curve.segments().size());
@@ -120,7 +120,8 @@ PathMotion overlapping(const PathSpec& path) {
 PathMotion motion_of(const PathSpec& path) {
   if (path.overlap) return overlapping(path);
   PathMotion made;
-  const Plan planned = in_source(path, [&] { return plan(path.program, path.limits); });
+  const Plan planned =
+      in_source(path, [&] { return plan(path.program, path.limits, {.joints = path.joints}); });
   made.plan = std::make_shared<const Plan>(played(planned, path.override_steps));
   made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
   for (Trajectory& curve : made.axes.curves) {

@@ -103,7 +103,8 @@ std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan) 
 PathSummary summary_of(const Spec& spec, const Plan& played) {
   const auto& path = std::get<PathSpec>(spec.subject);
   const bool overridden = !path.override_steps.empty();
-  const Plan plan = overridden ? jounce::plan(path.program, path.limits) : played;
+  const Plan plan =
+      overridden ? jounce::plan(path.program, path.limits, {.joints = path.joints}) : played;
   PathSummary summary{.duration = plan.duration(),
                       .played = overridden ? std::optional(played.duration()) : std::nullopt,
                       .stop_duration = plan.stop_duration(),
@@ -112,7 +113,8 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
-                      .along = along(spec, played)};
+                      .along = along(spec, played),
+                      .fit = plan.given().fit};
   summary.cost = cost_of(plan, summary.corners);
   summary.events = places_of(path, played, path.events);
   return summary;

@@ -118,6 +118,22 @@ std::string notes_text(const PathSummary& s, const Along& units) {
   return text;
 }
 
+/// Distance of the joints from the kinematics.
+std::string fit_text(const MapFit& fit, const Along& units) {
+  if (fit.pieces == 0) return "joints: exact, linear in the axes\n";
+  const std::string text = fmt::format("joints: within {} of the kinematics by {} polynomials",
+                                       rounded(fit.error), fit.pieces);
+  if (fit.proven) return text + " (proven)\n";
+  return text + fmt::format(": sampled, not proven, in steps of at most {} {}\n",
+                            rounded(fit.sample_step), units.length);
+}
+
+Json json_of(const MapFit& fit) {
+  Json object{{"error", fit.error}, {"proven", fit.proven}, {"pieces", fit.pieces}};
+  if (!fit.proven) object["sample_step"] = fit.sample_step;
+  return object;
+}
+
 Json json_of(const CornerRecord& corner) {
   Json object{{"line", corner.line},
               {"where", corner.where},
@@ -165,6 +181,7 @@ std::string path_text(const Spec& spec, const PathSummary& s) {
                                    [](const CornerRecord& c) { return c.stop; });
   text += fmt::format("\n{} corners: {} rounded, {} stops\n", s.corners.size(), moving, stops);
   text += notes_text(s, units);
+  if (s.fit) text += fit_text(*s.fit, units);
   if (!s.events.empty())
     text +=
         fmt::format("{} events of M, H, S and T words: --json has their places\n", s.events.size());
@@ -196,6 +213,7 @@ std::string path_json(const Spec& spec, const PathSummary& s) {
                 {"events", std::move(events)},
                 {"along", Json::parse(to_json(s.along, labels))}};
   if (s.played) document["played"] = *s.played;
+  if (s.fit) document["joints"] = json_of(*s.fit);
   return document.dump();
 }
 

@@ -116,7 +116,7 @@ void GcodeInterpreter::set_mode(const GcodeBlock& block, const GcodeWord& word, 
     case 570:
     case 580:
     case 590:
-      set_offset(block, word, static_cast<std::size_t>(code / 10 - 54));
+      set_frame(block, word, static_cast<std::size_t>(code / 10 - 54));
       break;
     case 610:
     case 611:  // exact stop: at tangent joints, too
@@ -155,13 +155,14 @@ void GcodeInterpreter::set_length(const GcodeBlock& block, const GcodeWord& word
   set_units(length);
 }
 
-void GcodeInterpreter::set_offset(const GcodeBlock& block, const GcodeWord& word,
-                                  std::size_t number) {
-  const auto& offset = machine_.offsets[number];
-  if (!offset && number > 0)
+void GcodeInterpreter::set_frame(const GcodeBlock& block, const GcodeWord& word,
+                                 std::size_t number) {
+  const auto& frame = machine_.frames[number];
+  if (!frame && number > 0)
     fail_at(block, word,
             "needs an offset: add G" + word.text + " = [...] to [gcode] of the machine");
-  offset_ = offset.value_or(Point{});
+  frame_ = frame.value_or(Frame{});
+  part_ = within(frame_, made_.program.position());
 }
 
 void GcodeInterpreter::set_tolerance(const GcodeBlock& block, const GcodeWord& word) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "jounce/path/arc.hpp"
+#include "jounce/path/rotary.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 #include "io/src/gcode/interpreter.hpp"
@@ -44,12 +46,13 @@ void GcodeInterpreter::move(const GcodeBlock& block) {
             "needs a motion: write G0, G1, G2 or G3 before it");
   if (arc && center == nullptr)
     fail_at(block, *first, "needs the center (I J K) or the radius (R) of the arc in this block");
-  const Point to = target(block);
-  made_.program.set(settings(block, to));
+  const Target to = target(block);
+  made_.program.set(settings(block, to.machine));
   if (arc)
     turn(block, to, *center);
-  else if (to != made_.program.position())
-    made_.program.line(to, block.line);
+  else if (to.machine != made_.program.position())
+    made_.program.line(to.machine, block.line);
+  part_ = to.part;
 }
 
 void GcodeInterpreter::require_inside(const GcodeBlock& block, const GcodeWord& word, std::size_t i,
@@ -64,14 +67,31 @@ void GcodeInterpreter::require_inside(const GcodeBlock& block, const GcodeWord& 
               ": change the program or its offset");
 }
 
-Point GcodeInterpreter::target(const GcodeBlock& block) const {
-  Point to = made_.program.position();
+GcodeInterpreter::Target GcodeInterpreter::target(const GcodeBlock& block) const {
+  Target to{part_, made_.program.position()};
+  bool turned = false;
   for (const GcodeWord& word : block.words) {
     const std::size_t i = axis_of(word.letters);
     if (i == std::string::npos) continue;
-    to[i] = (relative_ ? to[i] : offset_[i]) + word.value * scale_[i];
-    if (!std::isfinite(to[i])) fail_at(block, word, "is too large for a double");
-    require_inside(block, word, i, to[i]);
+    const double step = word.value * scale_[i];
+    const double modulo = relative_ ? 0 : machine_.axes[i].modulo;
+    to.part[i] = shortest_way(to.part[i], (relative_ ? to.part[i] : 0) + step, modulo);
+    to.machine[i] =
+        shortest_way(to.machine[i], (relative_ ? to.machine[i] : frame_.offset[i]) + step, modulo);
+    turned = turned || (i < 3 && !frame_.shifts());
+    if (!std::isfinite(to.machine[i])) fail_at(block, word, "is too large for a double");
+  }
+  if (turned) {
+    const Point machine = placed(frame_, to.part);
+    std::copy_n(machine.begin(), 3, to.machine.begin());
+  }
+  for (const GcodeWord& word : block.words) {
+    const std::size_t i = axis_of(word.letters);
+    if (i == std::string::npos) continue;
+    const bool all = turned && i < 3;  // a word of a turned frame may move each of the first axes
+    const std::size_t first = all ? 0 : i;
+    const std::size_t last = all ? std::min<std::size_t>(2, machine_.axes.size() - 1) : i;
+    for (std::size_t k = first; k <= last; ++k) require_inside(block, word, k, to.machine[k]);
   }
   return to;
 }
@@ -93,7 +113,7 @@ PathSettings GcodeInterpreter::settings(const GcodeBlock& block, const Point& to
   return now;
 }
 
-void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const GcodeWord& given) {
+void GcodeInterpreter::turn(const GcodeBlock& block, const Target& target, const GcodeWord& given) {
   const std::size_t first = axis_of(plane_.substr(0, 1));
   const std::size_t second = axis_of(plane_.substr(1, 1));
   if (first == std::string::npos || second == std::string::npos)
@@ -103,7 +123,13 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
   const Plane plane{first, second};
   const ArcRotation rotation =
       motion_ == 2 ? ArcRotation::clockwise : ArcRotation::counterclockwise;
-  const Point from = made_.program.position();
+  // In the machine for a frame that shifts, so that no digit is lost; in the frame where it turns.
+  const bool shifts = frame_.shifts();
+  const Point from = shifts ? made_.program.position() : part_;
+  const Point& to = shifts ? target.machine : target.part;
+  const auto add = [&](const Arc& arc) {
+    made_.program.arc(shifts ? arc : placed(frame_, arc), block.line);
+  };
   const double tolerance = arc_tolerance * gcode_scale("mm", machine_.axes[first].unit);
   try {
     if (const GcodeWord* const r = block.find("R")) {
@@ -113,11 +139,9 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Point& to, const Gcod
         if (const auto* const word = block.find({&c, 1}))
           fail_at(block, *word, "cannot be combined with R: write the center or the radius");
       const double radius = fitting_radius(r->value * scale_[first], from, to, plane, tolerance);
-      made_.program.arc(arc_of_radius(from, radius, to, plane, rotation), block.line);
-      return;
+      return add(arc_of_radius(from, radius, to, plane, rotation));
     }
-    made_.program.arc(
-        arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance), block.line);
+    add(arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance));
   } catch (const InputError& error) {
     if (error.column() != 0) throw;
     throw InputError(error.key(), error.value(), error.rule()).at({}, block.line, given.column);
@@ -139,7 +163,10 @@ Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane
       fail_at(block, std::string(center_letters.substr(k, 1)),
               "is missing: after G90.1 an arc needs both coordinates of its center");
     if (word != nullptr)
-      center[i] = (center_relative_ ? from[i] : offset_[i]) + word->value * scale_[i];
+      center[i] = (center_relative_  ? from[i]
+                   : frame_.shifts() ? frame_.offset[i]
+                                     : 0) +
+                  word->value * scale_[i];
   }
   return center;
 }

@@ -30,7 +30,8 @@ GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
     letters_ += c;
   }
   set_units("");
-  if (const auto& offset = machine.offsets[0]) offset_ = *offset;
+  if (const auto& frame = machine.frames[0]) frame_ = *frame;
+  part_ = within(frame_, machine.start);
 }
 
 bool GcodeInterpreter::execute(const GcodeBlock& block) {

@@ -41,7 +41,7 @@ class GcodeInterpreter {
   bool set_modes(const GcodeBlock& block);
   void set_mode(const GcodeBlock& block, const GcodeWord& word, int code);
   void set_length(const GcodeBlock& block, const GcodeWord& word, const char* length);
-  void set_offset(const GcodeBlock& block, const GcodeWord& word, std::size_t number);
+  void set_frame(const GcodeBlock& block, const GcodeWord& word, std::size_t number);
   void set_tolerance(const GcodeBlock& block, const GcodeWord& word);
   void set_rates(const GcodeBlock& block);
   /// Time in which F and FF count, in the program's unit.
@@ -49,13 +49,17 @@ class GcodeInterpreter {
 
   // gcode_moves.cpp: lines and arcs.
   void move(const GcodeBlock& block);
-  /// Throws if the word moves the axis beyond its position limits.
+  /// The end of a block in its frame, and in the machine.
+  struct Target {
+    Point part{}, machine{};
+  };
+  /// Throws if the word moves the axis beyond its position limits in the machine.
   void require_inside(const GcodeBlock& block, const GcodeWord& word, std::size_t axis,
                       double position) const;
-  [[nodiscard]] Point target(const GcodeBlock& block) const;
+  [[nodiscard]] Target target(const GcodeBlock& block) const;
   /// Feed and corner of the next command. Where only followers move, F counts in their unit.
   [[nodiscard]] PathSettings settings(const GcodeBlock& block, const Point& to) const;
-  void turn(const GcodeBlock& block, const Point& to, const GcodeWord& given);
+  void turn(const GcodeBlock& block, const Target& to, const GcodeWord& given);
   /// From I, J, K: a word outside the plane is an error; where they are relative, a missing one is 0.
   [[nodiscard]] Point center(const GcodeBlock& block, const Point& from, Plane plane) const;
 
@@ -63,7 +67,8 @@ class GcodeInterpreter {
   GcodeProgram made_;
   std::string letters_;                   ///< letters of the axes
   std::array<double, max_axes> scale_{};  ///< unit of the axis per unit of its word
-  Point offset_{};
+  Frame frame_{};
+  Point part_{};     ///< position in the frame
   int motion_ = -1;  ///< 0 to 3: G0 to G3; -1: none
   std::string_view plane_ = "XY";
   bool relative_ = false;

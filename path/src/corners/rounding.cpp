@@ -169,7 +169,9 @@ class Rounding {
     const double step = vec::distance(both.bend_before, both.bend_behind, n_);
     const double larger =
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
-    if (step <= tangent * larger) return {};
+    // Rounding: less than this turns nothing over the shorter side.
+    const double shorter = std::min(piece(k - 1).length, piece(k).length);
+    if (step <= std::max(tangent * larger, 1e-12 / shorter)) return {};
     Shape s;
     if (settings(k).corner == Corner::stop) {
       s.note = JointNote::steps;

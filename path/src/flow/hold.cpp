@@ -11,9 +11,10 @@
 #include "path/src/flow/partial_law.hpp"
 
 // A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
-// D(v, 0) <= L; otherwise D(v, v - x) > L for x >= 2 v / 3, below which D grows with x: one root. If the plan goes
-// from V to e over L and v <= V, then D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the
-// plan, and it rests where the plan rests, at the latest.
+// D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2 j), d the deceleration and j the jerk,
+// and then falls to D(v, 0) > L: one root before that. If the plan goes from V to e over L and v <= V, then
+// D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the plan, and it rests where the plan rests, at
+// the latest.
 
 namespace jounce {
 

@@ -11,6 +11,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/flow/partial_law.hpp"
+#include "path/src/plan/drawn.hpp"
 #include "path/src/timing/not_limited.hpp"
 
 // The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes keeps all limits. An
@@ -99,12 +100,14 @@ class Player {
     const Rates rates = rates_of(given.limits, path.axes(), given.path_axes);
     std::vector<double> feeds;
     std::vector<double> limits;
+    const auto drawn = base_.drawn().pieces();
+    const std::vector<std::size_t> drawn_of = drawn_pieces(base_);
     for (std::size_t k = 0; k < path.pieces().size(); ++k) {
-      const PathPiece& p = path.pieces()[k];
+      const std::size_t d = drawn_of[k];
+      const PathPiece& p = drawn[d];
       double feed = given.settings[p.settings].velocity;
       const bool corner = p.kind == PieceKind::turn || p.kind == PieceKind::blend;
-      if (corner && k > 0)
-        feed = std::min(feed, given.settings[path.pieces()[k - 1].settings].velocity);
+      if (corner && d > 0) feed = std::min(feed, given.settings[drawn[d - 1].settings].velocity);
       const Derivatives bounds = derivatives_of(path, k, given.path_axes);
       double limit = rates.path.velocity;
       for (std::size_t i = 0; i < path.axes(); ++i)
@@ -220,13 +223,14 @@ class Player {
                  rest.length;
         };
         if (!(v > to) || !reaches(to)) to = next;
-        if (!(v > to) || !(down(to) <= rest.length)) {
+        const bool whole = !(v > to) || !(down(to) <= rest.length);
+        if (whole) {
           to = lowest_end(planned.box, rest.length, v);
           const double most = k + 1 < all_.units.size() ? all_.units[k + 1].entry : 0;
           if (to <= most * (1 + rounding)) to = std::min(to, most);
         }
         Unit ramp = rest;
-        ramp.length = std::min(rest.length, down(to));
+        if (!whole || to == 0) ramp.length = std::min(rest.length, down(to));
         ramp.box.velocity = v;
         const double left = rest.length - ramp.length;
         add_ramp(ramp, v, to, q, law);

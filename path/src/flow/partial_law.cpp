@@ -5,6 +5,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "path/src/plan/drawn.hpp"
+
 namespace jounce {
 
 double lowest_end(const Box& box, double length, double v) {
@@ -12,9 +14,8 @@ double lowest_end(const Box& box, double length, double v) {
     return ramp_distance(v, v - drop, box.deceleration, box.jerk);
   };
   if (way(v) <= length * (1 + 1e-13)) return 0;  // but for rounding
-  double low = 0;
-  double high = 2 * v / 3;
-  if (way(high) <= length) return v - high;
+  double low = 0;                                // the way grows with the drop up to here:
+  double high = std::max(2 * v / 3, v - box.deceleration * box.deceleration / (2 * box.jerk));
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2;
     if (middle == low || middle == high) break;
@@ -62,7 +63,7 @@ void PartialLaw::rest(const Path& path, double q, double duration) {
 }
 
 void require_no_corner(const Plan& plan, const char* key, double q) {
-  for (const PathPiece& p : plan.path().pieces())
+  for (const PathPiece& p : plan.drawn().pieces())
     if ((p.kind == PieceKind::turn || p.kind == PieceKind::blend) && q >= p.start &&
         q < p.start + p.length)
       throw InputError(key, q,
@@ -111,7 +112,8 @@ class Replanned {
         n_(path_.axes()),
         rates_(rates_of(plan.given().limits, n_, plan.given().path_axes)),
         curved_(reserved(rates_)),
-        settings_(plan.given().settings) {
+        settings_(plan.given().settings),
+        drawn_(drawn_pieces(plan)) {
     for (PathSettings& s : settings_) {
       s.velocity *= factor;
       if (s.corner == Corner::velocity) s.value *= factor;
@@ -160,7 +162,8 @@ class Replanned {
  private:
   [[nodiscard]] const PathPiece& piece(std::size_t k) const { return path_.pieces()[k]; }
   [[nodiscard]] bool is_corner_piece(std::size_t k) const {
-    return piece(k).kind == PieceKind::turn || piece(k).kind == PieceKind::blend;
+    const PieceKind kind = plan_.drawn().pieces()[drawn_[k]].kind;
+    return kind == PieceKind::turn || kind == PieceKind::blend;
   }
 
   void find_rests() {
@@ -179,9 +182,14 @@ class Replanned {
     }
   }
 
-  /// The lower feed of both sides of the start of piece k.
+  /// The lower feed of both sides of the start of piece k, or of its corner.
   [[nodiscard]] double feed_before(std::size_t k) const {
-    const double before = k > 0 ? settings_[piece(k - 1).settings].velocity : PathSettings::none;
+    double before = PathSettings::none;
+    if (!is_corner_piece(k)) {
+      if (k > 0) before = settings_[piece(k - 1).settings].velocity;
+    } else if (drawn_[k] > 0) {
+      before = settings_[plan_.drawn().pieces()[drawn_[k] - 1].settings].velocity;
+    }
     return std::min({before, settings_[piece(k).settings].velocity, rates_.path.velocity});
   }
 
@@ -253,8 +261,9 @@ class Replanned {
   Rates rates_;
   Rates curved_;
   std::vector<PathSettings> settings_;
-  std::vector<double> velocity_;  ///< of corners
-  std::vector<bool> rests_;       ///< at the start of each piece, and at the end
+  std::vector<std::size_t> drawn_;  ///< the drawn piece of each piece
+  std::vector<double> velocity_;    ///< of corners
+  std::vector<bool> rests_;         ///< at the start of each piece, and at the end
   std::vector<double> dwells_;
 };
 

@@ -129,6 +129,8 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
     back.push_back(unit);
   }
   const Path path = reversed(base.path());
+  Plan::Given given = plan.given();
+  if (given.drawn) given.drawn = reversed(*given.drawn);
   PartialLaw law;
   const double start = path.length() - from;
   for (LawStretch s : stations(back)) {
@@ -139,7 +141,7 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
           TimingLaw(std::move(law.law)),
           {plan.joints().begin(), plan.joints().end()},
           plan.stop_duration(),
-          plan.given()};
+          std::move(given)};
 }
 
 }  // namespace jounce

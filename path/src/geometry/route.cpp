@@ -56,7 +56,8 @@ bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
   return change <= 1e-20 * size;
 }
 
-/// The numbers of a curve: all axes have the degree of the highest.
+}  // namespace
+
 void append_curve(std::span<const Segment> axes, std::vector<double>& numbers) {
   int degree = 1;
   for (const Segment& f : axes) degree = std::max(degree, f.degree);
@@ -64,8 +65,6 @@ void append_curve(std::span<const Segment> axes, std::vector<double>& numbers) {
   for (const Segment& f : axes)
     numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + degree + 1);
 }
-
-}  // namespace
 
 Route route_of(const Program& program) {
   const std::size_t n = program.axes();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "jounce/path/path.hpp"
@@ -29,5 +30,8 @@ Route route_of(const Program& program);
 /// Appends piece k of `from` between u0 and u1 to `pieces`; nothing if u1 - u0 is within rounding.
 void append_part(const Path& from, std::size_t k, double u0, double u1,
                  std::vector<PathPiece>& pieces, std::vector<double>& numbers);
+
+/// Appends the numbers of a curve: all axes have the degree of the highest.
+void append_curve(std::span<const Segment> axes, std::vector<double>& numbers);
 
 }  // namespace jounce

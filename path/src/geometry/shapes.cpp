@@ -12,6 +12,7 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "path/src/geometry/gauss.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/vector.hpp"
 
@@ -91,17 +92,10 @@ struct Halves {
 
   /// Arc length between two angles a thirty-second of a turn apart: Gauss, ten nodes on each of two halves.
   [[nodiscard]] double length(double t0, double t1) const {
-    static constexpr double x[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
-                                   0.8650633666889845, 0.9739065285171717};
-    static constexpr double w[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820,
-                                   0.1494513491505806, 0.0666713443086881};
     double sum = 0;
-    for (const double part : {0.25, 0.75})
-      for (std::size_t i = 0; i < 5; ++i) {
-        const double middle = t0 + part * (t1 - t0);
-        const double off = x[i] * (t1 - t0) / 4;
-        sum += w[i] * (speed(middle - off) + speed(middle + off));
-      }
+    for (const double share : {0.25, 0.75})
+      add_gauss(
+          sum, [&](double t) { return speed(t); }, t0 + share * (t1 - t0), (t1 - t0) / 4);
     return sum * std::abs(t1 - t0) / 4;
   }
 };

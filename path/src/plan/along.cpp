@@ -13,6 +13,7 @@
 #include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/plan/drawn.hpp"
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
@@ -96,7 +97,7 @@ constexpr Uses unused{{{"velocity"},
 
 class Along {
  public:
-  explicit Along(const Plan& plan) : plan_(plan) {}
+  explicit Along(const Plan& plan) : plan_(plan), drawn_(drawn_pieces(plan)) {}
 
   Report run() {
     std::array<LawPhase, 7> phase;
@@ -143,12 +144,13 @@ class Along {
   void consider(std::size_t piece, const LawPhase& p, double t) {
     if (!(p.duration > 0)) return;
     if (piece != shaped_) shape_ = shape_of(plan_, shaped_ = piece);
-    const PathPiece& of = plan_.path().pieces()[piece];
+    const auto drawn = plan_.drawn().pieces();
+    const std::size_t k = drawn_[piece];
+    const PathPiece& of = drawn[k];
     const PathLimits& limits = plan_.given().limits.path;
     PathSettings own = plan_.given().settings[of.settings];
-    if ((of.kind == PieceKind::turn || of.kind == PieceKind::blend) && piece > 0)
-      own.velocity = std::min(
-          own.velocity, plan_.given().settings[plan_.path().pieces()[piece - 1].settings].velocity);
+    if ((of.kind == PieceKind::turn || of.kind == PieceKind::blend) && k > 0)
+      own.velocity = std::min(own.velocity, plan_.given().settings[drawn[k - 1].settings].velocity);
     const double h = p.duration;
     // The fastest place: an end, or where a changes its sign.
     const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
@@ -159,9 +161,9 @@ class Along {
     const double end = p.acceleration + h * p.jerk;
     const double up = std::max(p.acceleration, end);
     const double down = -std::min(p.acceleration, end);
-    const auto add = [&](std::size_t k, double value, double limit, double command, double x) {
-      path_[k].consider(value, limit, t + x, of.line);
-      command_[k].consider(value, command, t + x, of.line);
+    const auto add = [&](std::size_t use, double value, double limit, double command, double x) {
+      path_[use].consider(value, limit, t + x, of.line);
+      command_[use].consider(value, command, t + x, of.line);
     };
     add(velocity, v * shape_.speed, limits.velocity, own.velocity, fastest);
     if (up > 0) add(acceleration, up, limits.acceleration, own.acceleration, up == end ? h : 0);
@@ -226,6 +228,7 @@ class Along {
   }
 
   const Plan& plan_;
+  std::vector<std::size_t> drawn_;
   std::size_t shaped_ = static_cast<std::size_t>(-1);
   PieceShape shape_;
   Uses path_ = unused, command_ = unused;

@@ -92,6 +92,10 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
 std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to) {
   if (!(t >= 0 && t <= plan.duration()))
     throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
+  if (plan.given().fit)
+    throw InputError("plan", "",
+                     "has joints: on the way to a point all axes move on their own, and the joints "
+                     "would leave their map. Use halted()");
   const std::size_t n = plan.path().axes();
   const PlanAxes planned = to_axes(plan);
   std::array<AxisMove, max_axes> moves{};

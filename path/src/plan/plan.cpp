@@ -8,6 +8,7 @@
 #include "path/src/corners/rounding.hpp"
 #include "path/src/geometry/average.hpp"
 #include "path/src/geometry/route.hpp"
+#include "path/src/maps/joined.hpp"
 #include "path/src/timing/laws.hpp"
 
 namespace jounce {
@@ -59,42 +60,57 @@ bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop
 }  // namespace
 
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
-  const Rates rates = rates_of(limits, program.axes(), program.path_axes());
+  const Joined joined(program, limits, options.joints);
   require_inside(program, limits);
-  Route sharp = route_of(program);
-  const Lines lines = lines_of(sharp, program, rates);
+  Route tool = route_of(program);
+  std::optional<Route> averaged;
+  if (!options.stop_at_corners) averaged = with_averages(tool, program);
+  Route sharp = joined.with_linear(std::move(tool));
+  if (averaged) averaged = joined.with_linear(std::move(*averaged));
+  const Rates shaping = joined.corner_rates(sharp);
+  const auto corners_of = [&](const Route& route, const Lines& lines,
+                              const std::vector<bool>& stop) {
+    return joined.with_fitted(rounded(route, lines, program, shaping, stop), route);
+  };
+  const auto law_of = [&](Jointed& path, const Route& route, bool times_only = false) {
+    return fastest_law(path.rounded, joined.rates(), program, route, times_only);
+  };
+  const Lines lines = lines_of(sharp, program, shaping);
   const std::vector<bool> everywhere(sharp.joints.size(), true);
-  Rounded stops = rounded(sharp, lines, program, rates, everywhere);
-  const Laws stopping = fastest_law(stops, rates, program, sharp, true);
+  Jointed stops = corners_of(sharp, lines, everywhere);
+  const Laws stopping = law_of(stops, sharp, true);
   const double stop_duration = stopping.rests.back().time;
-  Rounded result;
+  Jointed result;
   Laws law;
   Route* from = nullptr;  // of the result
-  std::optional<Route> averaged;
   if (!options.stop_at_corners) {
-    averaged = with_averages(sharp, program);
     Route& route = averaged ? *averaged : sharp;
-    const Lines other = averaged ? lines_of(route, program, rates) : Lines{};
+    const Lines other = averaged ? lines_of(route, program, shaping) : Lines{};
     const Lines& lines_there = averaged ? other : lines;
     std::vector<bool> stop(route.joints.size(), false);
-    result = rounded(route, lines_there, program, rates, stop);
-    law = fastest_law(result, rates, program, route);
+    result = corners_of(route, lines_there, stop);
+    law = law_of(result, route);
     if (route.joints.size() == sharp.joints.size() && mark_slower(law, stopping, stop)) {
-      result = rounded(route, lines_there, program, rates, stop);
-      law = fastest_law(result, rates, program, route);
+      result = corners_of(route, lines_there, stop);
+      law = law_of(result, route);
     }
     if (law.rests.back().time <= stop_duration) from = &route;
   }
   if (from == nullptr) {
     from = &sharp;
-    result = rounded(sharp, lines, program, rates, everywhere);
-    law = fastest_law(result, rates, program, sharp);
+    result = corners_of(sharp, lines, everywhere);
+    law = law_of(result, sharp);
   }
-  return {result.path ? std::move(*result.path) : std::move(from->path),
+  Rounded& made = result.rounded;
+  return {made.path ? std::move(*made.path) : std::move(from->path),
           TimingLaw(std::move(law.stretches)),
-          std::move(result.joints),
+          std::move(made.joints),
           stop_duration,
-          {limits, {program.settings().begin(), program.settings().end()}, program.path_axes()}};
+          {joined.limits(),
+           {program.settings().begin(), program.settings().end()},
+           program.path_axes(),
+           std::move(result.drawn),
+           result.fit}};
 }
 
 Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration,

@@ -11,6 +11,7 @@
 #include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/plan/drawn.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
@@ -23,7 +24,7 @@ bool is_corner(const PathPiece& piece) {
 class Records {
  public:
   explicit Records(const Plan& plan)
-      : plan_(plan), path_(plan.path()), n_(path_.axes()), m_(plan.given().path_axes) {}
+      : plan_(plan), path_(plan.drawn()), n_(path_.axes()), m_(plan.given().path_axes) {}
 
   [[nodiscard]] CornerRecord record(const JointMark& mark) const {
     const PathPiece& piece = path_.pieces()[mark.piece];
@@ -169,6 +170,23 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit) {
       return "The command covers no distance: it is left out.";
   }
   return "";
+}
+
+std::vector<std::size_t> drawn_pieces(const Plan& plan) {
+  const auto drawn = plan.drawn().pieces();
+  std::vector<std::size_t> all;
+  all.reserve(plan.path().pieces().size());
+  std::size_t d = 0;
+  for (const PathPiece& piece : plan.path().pieces()) {
+    if (!plan.given().drawn) {
+      all.push_back(all.size());
+      continue;
+    }
+    const double middle = piece.start + piece.length / 2;
+    while (d + 1 < drawn.size() && drawn[d + 1].start <= middle) ++d;
+    all.push_back(d);
+  }
+  return all;
 }
 
 std::vector<CornerRecord> Plan::corners() const {

@@ -43,7 +43,7 @@ std::string color_of(std::size_t bin) {
 }
 
 /// The plot's frame, and the scale of both axes.
-struct Frame {
+struct PlotFrame {
   PlotRange x, y;
   double left = 0, top = 0, width = 0, height = 0;
 
@@ -58,12 +58,12 @@ PlotRange widened(PlotRange range, double least) {
   return {range.lo - more, range.hi + more};
 }
 
-Frame frame_of(const PathFigure& figure, const SvgOptions& options) {
+PlotFrame frame_of(const PathFigure& figure, const SvgOptions& options) {
   PlotRange x;
   PlotRange y;
   for (const double v : figure.x) x.add(v);
   for (const double v : figure.y) y.add(v);
-  Frame frame;
+  PlotFrame frame;
   frame.left = edge + 56;
   frame.top = edge + (figure.title.empty() ? 0 : heading);
   frame.width = options.width - frame.left - bar_space - edge;
@@ -80,7 +80,7 @@ void write(std::string& out, const char* kind, double x, double y, const std::st
                      coordinate(y), escaped(content));
 }
 
-void draw_frame(std::string& out, const PathFigure& figure, const Frame& frame) {
+void draw_frame(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
   const Ticks across = ticks(frame.x, 8);
   const Ticks up = ticks(frame.y, std::max(2, static_cast<int>(frame.height / 60)));
   std::string grid;
@@ -114,7 +114,7 @@ std::size_t bin_of(double speed, double fastest) {
 }
 
 /// One element for each color: the lines between the points, by their mean speed.
-void draw_path(std::string& out, const PathFigure& figure, const Frame& frame, double fastest) {
+void draw_path(std::string& out, const PathFigure& figure, const PlotFrame& frame, double fastest) {
   std::array<std::string, colors> data;
   std::vector<Pixel> line;
   std::size_t bin = 0;
@@ -141,7 +141,8 @@ void draw_path(std::string& out, const PathFigure& figure, const Frame& frame, d
           color_of(k), data[k]);
 }
 
-void draw_scale(std::string& out, const PathFigure& figure, const Frame& frame, double fastest) {
+void draw_scale(std::string& out, const PathFigure& figure, const PlotFrame& frame,
+                double fastest) {
   const double left = frame.left + frame.width + 20;
   const double height = std::min(frame.height, 240.0);
   const double step = height / static_cast<double>(colors);
@@ -162,7 +163,7 @@ void draw_scale(std::string& out, const PathFigure& figure, const Frame& frame, 
       coordinate(left + bar_width + 58), coordinate(frame.top + height / 2), escaped(label));
 }
 
-void draw_marks(std::string& out, const PathFigure& figure, const Frame& frame) {
+void draw_marks(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
   std::vector<Pixel> taken;
   for (const PathFigure::Mark& mark : figure.marks) {
     const Pixel at = frame(mark.x, mark.y);
@@ -181,7 +182,7 @@ void draw_marks(std::string& out, const PathFigure& figure, const Frame& frame) 
 }  // namespace
 
 std::string svg(const PathFigure& figure, const SvgOptions& options) {
-  const Frame frame = frame_of(figure, options);
+  const PlotFrame frame = frame_of(figure, options);
   const double height = frame.top + frame.height + below;
   const double fastest = *std::max_element(figure.speed.begin(), figure.speed.end());
   const std::string size = options.inlined

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,14 @@
 namespace jounce::spec_detail {
 namespace {
 
-const std::vector<std::string> command_types{"line", "arc", "ellipse", "spline", "dwell"};
+const std::vector<std::string> command_types{"line",   "arc",     "ellipse",
+                                             "spline", "bspline", "dwell"};
 const std::vector<std::string> rotations{"clockwise", "counterclockwise"};
+
+/// Positions count from the start of a relative command, from 0 otherwise.
+Point base(const Point* origin) {
+  return origin != nullptr ? *origin : Point{};
+}
 
 /// The rates of a command along the path; without them those of [path.limits].
 void read_rates_along(TomlReader& command, const PathAxes& axes, PathSettings& settings) {
@@ -48,12 +55,12 @@ int read_turns(TomlReader& command) {
 }
 
 Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
-                   const Point& origin) {
+                   const Point* origin) {
   const Plane plane = read_plane(command, axes);
-  const Point center = read_position(command, "center", axes, origin);
+  const Point center = read_position(command, "center", axes, base(origin));
   if (const auto angle = command.optional_number("angle", "deg"))
     return arc_by_angle(from, center, *angle, from, plane);
-  const Point to = read_position(command, "to", axes, origin);
+  const Point to = read_end(command, axes, from, origin);
   const ArcRotation rotation = read_rotation(command);
   const int turns = read_turns(command);
   const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
@@ -62,16 +69,16 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
 }
 
 /// By one of its definitions. finish() then refuses the keys of the others, which were not read.
-Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point& origin) {
+Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point* origin) {
   if (command.has("via")) {
-    const Point via = read_position(command, "via", axes, origin);
-    const Point to = read_position(command, "to", axes, origin);
+    const Point via = read_position(command, "via", axes, base(origin));
+    const Point to = read_end(command, axes, from, origin);
     return arc_through(from, via, to, axes.path_axes, read_turns(command));
   }
   if (command.has("radius")) {
     const Plane plane = read_plane(command, axes);
     const double radius = command.number("radius", axes.unit(0));
-    const Point to = read_position(command, "to", axes, origin);
+    const Point to = read_end(command, axes, from, origin);
     const ArcRotation rotation = read_rotation(command);
     return arc_of_radius(from, radius, to, plane, rotation, read_turns(command));
   }
@@ -87,42 +94,68 @@ void read_dwell(TomlReader& command, const PathAxes& axes, Program& program) {
 }
 
 PathCurve read_ellipse(TomlReader& command, const PathAxes& axes, const Point& from,
-                       const Point& origin) {
+                       const Point* origin) {
   const Plane plane = read_plane(command, axes);
-  const Point center = read_position(command, "center", axes, origin);
-  const Point to = read_position(command, "to", axes, origin);
+  const Point center = read_position(command, "center", axes, base(origin));
+  const Point to = read_end(command, axes, from, origin);
   const double major = command.optional_number("major", "deg").value_or(0);
   const double ratio = command.number("ratio", "1");
   const ArcRotation rotation = read_rotation(command);
   return ellipse(from, center, to, plane, major, ratio, rotation, axes.size(), read_turns(command));
 }
 
-/// The spline through the start and each [[command.point]].
-PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& from,
-                      const Point& origin) {
+/// The start and each [[command.point]].
+std::vector<Point> read_curve_points(TomlReader& command, const PathAxes& axes, const Point& from,
+                                     const Point* origin) {
   std::vector<Point> points{from};
   for (TomlReader& point : command.tables("point")) {
-    points.push_back(read_position(point, "to", axes, origin));
+    points.push_back(read_end(point, axes, points.back(), origin));
     point.finish();
   }
+  return points;
+}
+
+PathCurve read_b_spline(TomlReader& command, const PathAxes& axes, const Point& from,
+                        const Point* origin) {
+  const std::vector<Point> points = read_curve_points(command, axes, from, origin);
+  const std::size_t degree = command.optional_count("degree").value_or(3);
+  std::vector<double> knots;
+  if (command.has("knots")) knots = command.number_list("knots", "1");
+  const PathCurve curve = b_spline(points, axes.size(), degree, knots);
+  double size = 0;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    for (std::size_t i = 0; i < axes.path_axes; ++i)
+      size += std::abs(points[k][i] - points[k - 1][i]);
+  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  return over_length(curve, tolerance.value_or(1e-9 * size), axes.path_axes);
+}
+
+/// The spline through the start and each point; with a tolerance over its arc length.
+PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& from,
+                      const Point* origin) {
+  const std::vector<Point> points = read_curve_points(command, axes, from, origin);
   SplineDirections ends;
   if (command.has("start_direction"))
     ends.start = read_position(command, "start_direction", axes, {});
   if (command.has("end_direction")) ends.end = read_position(command, "end_direction", axes, {});
-  return spline_through(points, axes.size(), ends);
+  const PathCurve curve = spline_through(points, axes.size(), ends);
+  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  return tolerance ? over_length(curve, *tolerance, axes.path_axes) : curve;
 }
 
 void read_movement(TomlReader& command, const PathAxes& axes, std::size_t type, Program& program) {
   const Point from = program.position();
   const bool relative = command.optional_flag("relative").value_or(false);
-  const Point origin = relative ? from : Point{};
+  const Point* const origin = relative ? &from : nullptr;
   switch (type) {
     case 0:
-      return program.line(read_position(command, "to", axes, origin), command.line());
+      return program.line(read_end(command, axes, from, origin), command.line());
     case 1:
       return program.arc(read_arc(command, axes, from, origin), command.line());
     case 2:
       return program.curve(read_ellipse(command, axes, from, origin), command.line());
+    case 4:
+      return program.curve(read_b_spline(command, axes, from, origin), command.line());
     default:
       return program.curve(read_spline(command, axes, from, origin), command.line());
   }
@@ -133,7 +166,7 @@ void read_movement(TomlReader& command, const PathAxes& axes, std::size_t type, 
 void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
                        Program& program) {
   const std::size_t type = command.choice("type", command_types);
-  if (type == 4) {
+  if (type == 5) {
     read_dwell(command, axes, program);
   } else {
     read_path_settings(command, axes, settings);

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "jounce/base/units.hpp"
+#include "jounce/path/frame.hpp"
 #include "jounce/path/program.hpp"
 #include "jounce/spec/path_spec.hpp"
 
@@ -19,6 +21,7 @@ struct PathAxes {
   Units units;  ///< units of the path axes
   std::vector<std::string> names = {};
   std::vector<std::string> position_units = {};
+  std::vector<double> modulo = {};  ///< > 0: a rotary axis
   std::size_t path_axes = 0;
 
   [[nodiscard]] std::size_t size() const { return names.size(); }
@@ -30,6 +33,9 @@ struct PathAxes {
 /// key = [a, b, ...]: one number for each axis, counted from `origin`. Required.
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin);
 
+/// `to`: absolute positions of rotary axes are the nearest ones that show them.
+Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, const Point* origin);
+
 /// A number greater than 0.
 std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit);
 
@@ -39,6 +45,13 @@ void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& s
 /// [[command]].
 void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
                        Program& program);
+
+/// offset, and rotation or zyz: of [frame], or of G54 to G59.
+Frame read_frame(TomlReader frame, const PathAxes& axes);
+
+/// [kinematics] and [[joint]]: joints go behind the axes of the path in spec.axes. `taken`: names of the axes.
+std::optional<JointSpace> read_kinematics(TomlReader& top, const PathAxes& axes, Spec& spec,
+                                          std::set<std::string>& taken);
 
 /// [[command]], points, or [gcode] with a file. Without any of them the path is a machine for a program.
 void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/path/rotary.hpp"
+
 #include "spec/src/path/parts.hpp"
 
 namespace jounce::spec_detail {
@@ -28,15 +30,18 @@ bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::
         "unit", '"' + part.units.position + '"',
         "must be " + spec.units.position +
             ", the unit of the path's length; an axis with another unit needs follower = true");
+  const auto modulo = read_magnitude(axis, "modulo", part.units.position);
+  if (modulo && !follower)
+    axis.fail("modulo", number(*modulo), "needs follower = true: a rotary axis has no length");
+  axes.modulo.push_back(modulo.value_or(0));
   axes.names.push_back(part.name);
   axes.position_units.push_back(part.units.position);
   axis.finish();
   return follower;
 }
 
-PathAxes read_path_axes(TomlReader& top, Spec& spec) {
+PathAxes read_path_axes(TomlReader& top, Spec& spec, std::set<std::string>& taken) {
   PathAxes axes{.units = spec.units};
-  std::set<std::string> taken;
   top.for_each("axis", [&](TomlReader& axis) {
     if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
   });
@@ -135,6 +140,13 @@ Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
   return p;
 }
 
+Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, const Point* origin) {
+  Point to = read_position(reader, "to", axes, origin != nullptr ? *origin : Point{});
+  for (std::size_t i = 0; origin == nullptr && i < axes.size(); ++i)
+    to[i] = shortest_way(from[i], to[i], axes.modulo[i]);
+  return to;
+}
+
 std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit) {
   const auto value = reader.optional_number(key, unit);
   if (value && !(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
@@ -148,8 +160,28 @@ void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& s
     settings.junction = static_cast<Junction>(*junction);
 }
 
+Frame read_frame(TomlReader frame, const PathAxes& axes) {
+  Frame made;
+  const Point offset = frame.has("offset") ? read_position(frame, "offset", axes, {}) : Point{};
+  const auto rotation = frame.optional_number("rotation", "deg");
+  if (frame.has("zyz")) {
+    if (rotation) frame.fail("zyz", "", "cannot be combined with rotation");
+    const std::vector<double> zyz = frame.number_list("zyz", "deg");
+    if (zyz.size() != 3) frame.fail("zyz", std::to_string(zyz.size()), "must be three angles");
+    if (axes.path_axes < 3) frame.fail("zyz", "", "needs three axes that are not followers");
+    made = euler_frame(offset, {zyz[0], zyz[1], zyz[2]});
+  } else {
+    if (rotation && axes.path_axes < 2)
+      frame.fail("rotation", number(*rotation), "needs two axes that are not followers");
+    made = turned_frame(offset, rotation.value_or(0));
+  }
+  frame.finish();
+  return made;
+}
+
 PathSpec read_path(TomlReader& top, Spec& spec) {
-  const PathAxes axes = read_path_axes(top, spec);
+  std::set<std::string> taken;
+  const PathAxes axes = read_path_axes(top, spec, taken);
   TomlReader table = top.table("path");
   PathSpec path;
   GcodeMachine& machine = path.machine;
@@ -164,9 +196,12 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   if (table.has("start")) machine.start = read_position(table, "start", axes, {});
   for (const AxisPart& part : spec.axes) {
     path.limits.axes.push_back(part.limits);
-    machine.axes.push_back(
-        {part.name, part.units.position, part.limits.position_min, part.limits.position_max});
+    machine.axes.push_back({part.name, part.units.position, part.limits.position_min,
+                            part.limits.position_max, axes.modulo[machine.axes.size()]});
   }
+  path.joints = read_kinematics(top, axes, spec, taken);
+  if (path.overlap && path.joints)
+    top.fail("kinematics", "", "cannot be combined with an overlap, which moves the axes alone");
   machine.path_axes = axes.path_axes;
   machine.second = conversion("s", spec.time_unit);
   path.program = Program(axes.size(), machine.start, axes.path_axes);

@@ -8,6 +8,8 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/io/points.hpp"
+#include "jounce/io/records.hpp"
+#include "jounce/path/rotary.hpp"
 
 #include "spec/src/path/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
@@ -41,7 +43,8 @@ std::vector<Point> positions_of(const Points& points, const PathAxes& axes) {
   std::vector<Point> all(points.size(), Point{});
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto column = points.in_unit(column_of(axes.names[i]), axes.position_units[i]);
-    for (std::size_t k = 0; k < all.size(); ++k) all[k][i] = column[k];
+    for (std::size_t k = 0; k < all.size(); ++k)
+      all[k][i] = k > 0 ? shortest_way(all[k - 1][i], column[k], axes.modulo[i]) : column[k];
   }
   return all;
 }
@@ -68,18 +71,38 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
   return program;
 }
 
+/// G54 = [x, y, ...], or a table as [frame].
+Frame read_frame_of(TomlReader& gcode, const char* key, const PathAxes& axes) {
+  if (!gcode.is_table(key)) return {.offset = read_position(gcode, key, axes, {})};
+  return read_frame(*gcode.optional_table(key), axes);
+}
+
+/// Records of MoveSequence; RoundDiameter is the least diameter of a corner.
+void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
+  const std::string file = records.text("file");
+  if (const auto diameter = read_magnitude(records, "round_diameter", axes.unit(0))) {
+    path.machine.settings.corner = Corner::curvature;
+    path.machine.settings.value = 2 / *diameter;
+  }
+  records.finish();
+  const Points points =
+      read_points((std::filesystem::path(records.document().name).parent_path() / file).string());
+  path.source = points.document;
+  path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
+}
+
 /// [gcode]; returns the name of the program's file, "" without one.
 std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine& machine) {
   auto gcode = top.optional_table("gcode");
   if (!gcode) return "";
-  for (const char* other : {"command", "points"})
+  for (const char* other : {"command", "points", "records", "frame"})
     if (top.has(other)) top.fail("gcode", "", std::string("cannot be combined with ") + other);
   if (const auto v = read_magnitude(*gcode, "rapid", axes.unit(1))) machine.rapid = *v;
   if (const auto time = gcode->optional_choice("feed_time", feed_times))
     machine.feed_time = *time == 0 ? 60 : 1;
   std::size_t k = 0;
   for (const char* key : {"G54", "G55", "G56", "G57", "G58", "G59"}) {
-    if (gcode->has(key)) machine.offsets[k] = read_position(*gcode, key, axes, {});
+    if (gcode->has(key)) machine.frames[k] = read_frame_of(*gcode, key, axes);
     ++k;
   }
   const std::string file = gcode->optional_text("file").value_or("");
@@ -93,6 +116,10 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
 void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path) {
   if (const std::string file = read_gcode_table(top, axes, path.machine); !file.empty()) {
     set_gcode(path, read_file(file), file);
+  } else if (auto records = top.optional_table("records")) {
+    for (const char* other : {"command", "points"})
+      if (top.has(other)) top.fail("records", "", std::string("cannot be combined with ") + other);
+    read_records(std::move(*records), axes, path);
   } else if (top.has("points")) {
     const auto points = read_point_file(top, "command", columns_of(top, axes));
     path.source = points->document;
@@ -101,6 +128,16 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
     top.for_each("command", [&](TomlReader& command) {
       read_path_command(command, axes, settings, path.program);
     });
+  }
+  if (auto frame = top.optional_table("frame")) {
+    const int line = frame->line();
+    try {
+      path.program = placed(read_frame(std::move(*frame), axes), path.program);
+    } catch (const InputError& error) {
+      if (!error.document().empty()) throw;
+      throw InputError("frame." + error.key(), error.value(), error.rule())
+          .at(top.document().name, line);
+    }
   }
 }
 

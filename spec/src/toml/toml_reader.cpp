@@ -330,6 +330,11 @@ bool TomlReader::is_text(const char* key) const {
   return node != nullptr && node->is_string();
 }
 
+bool TomlReader::is_table(const char* key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_table();
+}
+
 std::vector<std::string> TomlReader::keys() const {
   std::vector<std::string> all;
   for (const auto& [key, node] : *table_) all.emplace_back(key.str());

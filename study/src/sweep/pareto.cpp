@@ -9,9 +9,9 @@
 namespace jounce {
 namespace {
 
-using FigurePoint = std::vector<double>;
+using Objectives = std::vector<double>;
 
-bool dominates(const FigurePoint& a, const FigurePoint& b) {
+bool dominates(const Objectives& a, const Objectives& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a[i] > b[i]) return false;
   return a != b;
@@ -20,7 +20,7 @@ bool dominates(const FigurePoint& a, const FigurePoint& b) {
 /// In lexicographic order a point is dominated only by points before it. With two objectives those
 /// have no larger first one, so that the least second one so far decides: H. T. Kung, F. Luccio and
 /// F. P. Preparata, "On finding the maxima of a set of vectors", J. ACM 22 (1975).
-std::vector<std::size_t> front_of_two(std::span<const FigurePoint> points,
+std::vector<std::size_t> front_of_two(std::span<const Objectives> points,
                                       const std::vector<std::size_t>& order) {
   std::vector<std::size_t> front;
   double least = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ std::vector<std::size_t> front_of_two(std::span<const FigurePoint> points,
   return front;
 }
 
-std::vector<std::size_t> front_of_many(std::span<const FigurePoint> points,
+std::vector<std::size_t> front_of_many(std::span<const Objectives> points,
                                        const std::vector<std::size_t>& order) {
   std::vector<std::size_t> front;
   for (const std::size_t i : order)

@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-using Point = std::vector<double>;
+using Numbers = std::vector<double>;
 
 std::string parameter_key(std::size_t i, const char* field) {
   return "optimize.parameter[" + std::to_string(i + 1) + "]." + field;
@@ -39,18 +39,18 @@ class Tuned {
 
   [[nodiscard]] const std::string& unit(std::size_t i) const { return units_[i]; }
 
-  [[nodiscard]] std::string text(const Point& x) const {
+  [[nodiscard]] std::string text(const Numbers& x) const {
     std::vector<SpecNumbers::Change> changes;
     for (std::size_t i = 0; i < x.size(); ++i)
       if (x[i] != variables_[i].start) changes.push_back({variables_[i].name, x[i]});
     return numbers_.text(changes);
   }
 
-  [[nodiscard]] Assessment assessed(const Point& x) const {
+  [[nodiscard]] Assessment assessed(const Numbers& x) const {
     return assess_by_segment(parse_spec(text(x), spec_.document.name), names_);
   }
 
-  SearchAnswer operator()(const Point& x) {
+  SearchAnswer operator()(const Numbers& x) {
     try {
       return answer_of(assessed(x));
     } catch (const InputError& error) {
@@ -150,9 +150,9 @@ bool meets(const SearchAnswer& answer) {
 }
 
 /// Rounds x to a number of digits, each entry up or down according to the bits of `how`.
-Point rounded_to(const std::vector<SearchVariable>& variables, const Point& x, int digits,
-                 unsigned how) {
-  Point y = x;
+Numbers rounded_to(const std::vector<SearchVariable>& variables, const Numbers& x, int digits,
+                   unsigned how) {
+  Numbers y = x;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double range = variables[i].upper - variables[i].lower;
     const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(range)));
@@ -173,7 +173,7 @@ void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
   for (int digits = 3; digits < 10; ++digits)
     for (unsigned how = 0; how < 1U << combinations; ++how) {
-      const Point x = rounded_to(tuned.variables(), best.best, digits, how);
+      const Numbers x = rounded_to(tuned.variables(), best.best, digits, how);
       const SearchAnswer answer = tuned(x);
       ++best.evaluations;
       if (!meets(answer)) continue;
@@ -245,7 +245,7 @@ std::vector<std::string> missed_of(const std::vector<TunedFigure>& figures) {
 
 /// The figures of the given spec; none if it cannot be made.
 std::vector<TunedFigure> given_figures(Tuned& tuned) {
-  Point start;
+  Numbers start;
   for (const SearchVariable& v : tuned.variables()) start.push_back(v.start);
   if (!tuned(start).possible) return {};
   return tuned.figures(tuned.assessed(start));

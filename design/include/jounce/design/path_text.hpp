@@ -33,6 +33,7 @@ struct PathSummary {
   std::vector<EventPlace> events;
   /// The motion along the path within [path.limits] and the limits of the commands: check_along().
   Report along;
+  std::optional<MapFit> fit = {};  ///< joints: how far their motion is from the kinematics
 };
 
 /// The places of events, which are in the order of the program: where the first command in or behind the line of an

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "jounce/path/frame.hpp"
 #include "jounce/path/program.hpp"
 
 namespace jounce {
@@ -19,6 +20,7 @@ struct GcodeMachine {
     std::string unit;  ///< unit of its positions in the Program
     std::optional<double> position_min = {},
                           position_max = {};  ///< limits of the ends of lines and arcs
+    double modulo = 0;  ///< > 0: a rotary axis, whose absolute positions it takes the shortest way
   };
 
   std::vector<Axis> axes;     ///< axes, in the order of the Program
@@ -26,11 +28,10 @@ struct GcodeMachine {
   Point start{};              ///< position before the program
   PathSettings
       settings{};  ///< feed of G1, G2 and G3 before an F; corner before G61 or G64; junction
-  double rapid = PathSettings::none;  ///< velocity of G0 before an FF, > 0
-  std::array<std::optional<Point>, 6> offsets =
-      {};                 ///< G54 ... G59, one an axis; G54 without one: 0
-  double second = 1;      ///< one second in the Program's unit of time
-  double feed_time = 60;  ///< F and FF count lengths in this time, s
+  double rapid = PathSettings::none;                ///< velocity of G0 before an FF, > 0
+  std::array<std::optional<Frame>, 6> frames = {};  ///< G54 ... G59; G54 without one: no offset
+  double second = 1;                                ///< one second in the Program's unit of time
+  double feed_time = 60;                            ///< F and FF count lengths in this time, s
 };
 
 /// A word that does not move the axes: M, H, S or T.
@@ -51,12 +52,12 @@ bool begins_as_gcode(std::string_view text);
 ///
 /// **Words**: N; G0 and G1 lines; G2 clockwise and G3 counterclockwise arcs and helices, by I, J, K or by R
 /// (positive: up to half a turn, negative: more), in the plane of G17, G18 or G19; G4 P dwell in s; G20 in, G21 mm
-/// (before either: the unit of each axis); G54 to G59 offsets; G61 stop at each corner; G64 P greatest deviation
-/// (0: stop), of averaged lines where the machine's settings have Corner::average, of corners otherwise; G90
-/// absolute, G91 relative; G90.1 and G91.1 the same for I, J and K (at first relative); X Y Z A B C U V W positions;
-/// F feed and E acceleration of G1 to G3, FF and EF of G0; M, H, S and T as events. M0 and M1 rest, M2 and M30 end the
-/// program. G40, G49, G80 and G94 switch off what is not supported, so they are accepted. Comments in ( ) and
-/// after a semicolon.
+/// (before either: the unit of each axis); G54 to G59 frames: offsets, with a rotation or without; G61 stop at each
+/// corner; G64 P greatest deviation (0: stop), of averaged lines where the machine's settings have Corner::average,
+/// of corners otherwise; G90 absolute, G91 relative; G90.1 and G91.1 the same for I, J and K (at first relative); X
+/// Y Z A B C U V W positions; F feed and E acceleration of G1 to G3, FF and EF of G0; M, H, S and T as events. M0
+/// and M1 rest, M2 and M30 end the program. G40, G49, G80 and G94 switch off what is not supported, so they are
+/// accepted. Comments in ( ) and after a semicolon.
 ///
 /// **Units**: F and FF in length per `feed_time`, E and EF in length per s^2; A, B and C in deg.
 ///

@@ -32,7 +32,7 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
 /// acceleration are continuous, so the way from the path to `to` is curved and depends on the limits: those of the
 /// plan's axes, which hold at every instant. Limits of the path do not apply behind t.
 ///
-/// Throws InputError "t" outside [0, duration], and "to" where the axes cannot get there.
+/// Throws InputError "t" outside [0, duration], "to" where the axes cannot get there, and "plan" for one with joints.
 std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to);
 
 }  // namespace jounce

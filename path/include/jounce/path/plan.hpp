@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "jounce/path/axis_map.hpp"
 #include "jounce/path/group_limits.hpp"
 #include "jounce/path/law.hpp"
 #include "jounce/path/path.hpp"
@@ -21,6 +23,8 @@ namespace jounce {
 struct PlanOptions {
   /// Stop at every corner: the program time that rounding is compared with.
   bool stop_at_corners = false;
+  /// Joints behind the axes of the program: they are further axes of the plan.
+  std::optional<JointSpace> joints = {};
 };
 
 /// Outcome of a joint, in short.
@@ -76,14 +80,20 @@ class Plan {
  public:
   /// Input of a plan.
   struct Given {
-    GroupLimits limits;
+    GroupLimits limits;  ///< limits of the axes, then of the joints
     std::vector<PathSettings> settings;
     std::size_t path_axes = 0;
+    std::optional<Path> drawn = {};  ///< see Plan::drawn()
+    std::optional<MapFit> fit = {};  ///< joints: how far they are from their map
   };
 
   Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
 
+  /// All axes: those of the program, then the joints.
   [[nodiscard]] const Path& path() const { return path_; }
+  /// The path with its lines, arcs and corners, which joints() and corners() count in. It is path(), unless joints are
+  /// fitted: then it has the axes of the program alone, over the same q.
+  [[nodiscard]] const Path& drawn() const { return given_.drawn ? *given_.drawn : path_; }
   [[nodiscard]] const TimingLaw& law() const { return law_; }
   [[nodiscard]] double duration() const { return law_.duration(); }
   /// Program time with a stop at each corner, s.

@@ -42,6 +42,19 @@ struct SplineDirections {
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
                          const SplineDirections& ends = {});
 
+/// The B-spline of control points, the first of which is the start: degree 3 to 7, its curvature does not step.
+/// `knots`: one for each point, and degree + 1 more; the ends occur degree + 1 times, so the curve begins and ends
+/// at its points; empty: evenly spaced. Over its knots, which are far from arc length: see over_length(). Throws
+/// "degree", "point", "knots".
+PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t degree = 3,
+                   std::span<const double> knots = {});
+
+/// A polynomial curve over its arc length, by pieces of degree 7: `deviation` is at most `tolerance` more, by an
+/// enclosure of the eighth derivative, and the length of each piece is that of two orders of Gauss. `path_axes`:
+/// the first axes, whose length counts; 0: all. Tangent neighbors are then passed without a corner. Throws
+/// "tolerance", and "point" at a cusp.
+PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes = 0);
+
 /// Part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses): `degrees` is the angle of the major axis in the
 /// plane, `ratio` that of minor to major axis, in (0, 1]; the size follows from the start. Equal ends are one turn;
 /// `extra_turns` come on top. All other axes run in proportion to the length. Fitted in arc length, 32 pieces a

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/io/gcode.hpp"
+#include "jounce/path/axis_map.hpp"
 #include "jounce/path/group_limits.hpp"
 #include "jounce/path/overlap.hpp"
 #include "jounce/path/override.hpp"
@@ -18,6 +19,8 @@ namespace jounce {
 struct PathSpec {
   Program program{1};
   GroupLimits limits;
+  /// [kinematics]: the joints behind the axes. Spec::axes has them behind the axes of the program.
+  std::optional<JointSpace> joints = {};
   std::string source;              ///< document that the lines of the commands count in
   std::vector<GcodeEvent> events;  ///< events of a G-code program
   GcodeMachine machine;            ///< for a G-code program from elsewhere

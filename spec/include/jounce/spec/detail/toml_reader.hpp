@@ -107,6 +107,7 @@ class TomlReader {
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
   [[nodiscard]] bool is_text(const char* key) const;
+  [[nodiscard]] bool is_table(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
   /// The full name of a key, as messages show it: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "jounce/path/axis_map.hpp"
+#include "jounce/path/plan.hpp"
+
+#include "path/src/corners/rounding.hpp"
+
+namespace jounce {
+
+/// A rounded path with the joints behind the axes of the tool.
+struct Jointed {
+  Rounded rounded;
+  std::optional<Path>
+      drawn;  ///< path of the tool with its corners, where the pieces of `rounded` are others
+  std::optional<MapFit> fit;
+};
+
+/// The joints of a plan, before and behind the rounding of its corners.
+///
+/// Joints that are linear in the axes go along with the route, as further axes: exact on every piece. All others are
+/// fitted to the rounded path by polynomials, which then are the path: their limits are those of exact extrema.
+class Joined {
+ public:
+  /// Throws InputError for joints that do not fit the program or their map.
+  Joined(const Program& program, const GroupLimits& limits,
+         const std::optional<JointSpace>& joints);
+
+  /// Limits of the axes of the tool, then of the joints.
+  [[nodiscard]] const GroupLimits& limits() const { return limits_; }
+  [[nodiscard]] const Rates& rates() const { return rates_; }
+
+  /// The route with its linear joints.
+  [[nodiscard]] Route with_linear(Route route) const;
+  /// Rates that shape the corners: of the tool, and where joints are fitted later, as much as these allow it in the
+  /// middle of some places of the route. An estimate: the limits are kept by with_fitted().
+  [[nodiscard]] Rates corner_rates(const Route& route) const;
+  /// The path of a rounded `route` with its fitted joints. Throws InputError with the line where it is out of reach or singular.
+  [[nodiscard]] Jointed with_fitted(Rounded rounded, const Route& route) const;
+
+ private:
+  [[nodiscard]] bool fitted() const { return joints_ && joints_->map->linear() == nullptr; }
+
+  const Program& program_;
+  const std::optional<JointSpace>& joints_;
+  GroupLimits limits_;
+  Rates tool_, rates_;
+};
+
+}  // namespace jounce

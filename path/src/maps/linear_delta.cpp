@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "jounce/profiles/error.hpp"
+
+#include "path/src/maps/series_map.hpp"
+
+// With the rail's direction d, |d| = 1, and w from the rail's start to the tool, less the platform's radius,
+//
+//   (1)  |w - joint d| = arm:   joint = w d + sqrt(arm^2 - |w|^2 + (w d)^2)
+//
+// The larger root has the carriage above the tool.
+
+namespace jounce {
+namespace {
+
+struct LinearDelta {
+  std::size_t axes = 3, joints = 3;
+  double radius = 0;  ///< outer less inner
+  double arm = 0, distance = 0;
+  double sn = 0, cs = 1;                            ///< sine and cosine of the rail's angle
+  std::array<std::array<double, 2>, 3> outwards{};  ///< direction of each rail
+
+  [[nodiscard]] double turn(std::size_t) const { return 0; }
+
+  /// w d, and the square of the root in (1).
+  template <class S>
+  void terms(const S* p, std::size_t i, S& along, S& left) const {
+    const auto [ex, ey] = outwards[i];
+    const S wx = p[0] - S(radius * ex);
+    const S wy = p[1] - S(radius * ey);
+    const S wz = p[2] - S(distance);
+    const S out = ex * wx + ey * wy;
+    const S side = ex * wy - ey * wx;
+    along = cs * wz - sn * out;
+    const S across = sn * wz + cs * out;  // perpendicular to d in the rail's plane
+    left = S(arm * arm) - across * across - side * side;
+  }
+
+  [[nodiscard]] MapState state(const double* p) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      double along = 0;
+      double left = 0;
+      terms(p, i, along, left);
+      if (left < 0) return MapState::out_of_reach;
+      if (left <= 1e-24 * arm * arm) return MapState::singular;
+    }
+    return MapState::ok;
+  }
+
+  template <class S>
+  void joints_of(const S* p, S* joint) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      S along;
+      S left;
+      terms(p, i, along, left);
+      joint[i] = along + root(left);  // (1)
+    }
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec) {
+  require_not_negative("outer_radius", spec.outer_radius);
+  require_not_negative("inner_radius", spec.inner_radius);
+  require_positive("arm", spec.arm);
+  require_finite("distance", spec.distance);
+  if (!(std::abs(spec.rail_angle) < 90))
+    throw InputError("rail_angle", spec.rail_angle,
+                     "must be greater than -90 and less than 90 deg");
+  LinearDelta of;
+  require_finite("first_rail", spec.first_rail);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double angle =
+        (spec.first_rail + 120 * static_cast<double>(i)) * (std::numbers::pi / 180);
+    of.outwards[i] = {std::cos(angle), std::sin(angle)};
+  }
+  of.radius = spec.outer_radius - spec.inner_radius;
+  of.arm = spec.arm;
+  of.distance = spec.distance;
+  of.sn = std::sin(spec.rail_angle * (std::numbers::pi / 180));
+  of.cs = std::cos(spec.rail_angle * (std::numbers::pi / 180));
+  return std::make_shared<maps::SeriesMap<LinearDelta>>(of);
+}
+
+}  // namespace jounce

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "jounce/path/plan.hpp"
+
+namespace jounce {
+
+/// For each piece of plan.path() the piece of plan.drawn() that it is a part of: itself, unless joints are fitted.
+std::vector<std::size_t> drawn_pieces(const Plan& plan);
+
+}  // namespace jounce
