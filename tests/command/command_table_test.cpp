@@ -75,7 +75,7 @@ TEST(CommandTable, IsThatOfTheProtocolPage) {
 }
 
 TEST(CommandTable, IsThatOfThePageOfJounceOrder) {
-  const std::string heading = "| word | options | command | PLCopen |";
+  const std::string heading = "| `jounce order AXIS ...` | options | command | PLCopen |";
   std::string table = heading + "\n|---|---|---|---|\n";
   for (const CommandInfo* const row : sent()) {
     if (*row->word == 0) continue;

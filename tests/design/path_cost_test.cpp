@@ -132,7 +132,7 @@ TEST(PathMotion, PlacesErrorsOfThePlan) {
     (void)inputs(text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("path.toml:15: to[1] = 100"));
+    EXPECT_THAT(error.what(), HasSubstr("path.toml:15: to[1] (x) = 100 mm"));
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/command/refusal_text.hpp"
+
 namespace jounce::notices_test {
 namespace {
 

@@ -81,7 +81,7 @@ TEST(PathSpecFile, ReadsZones) {
   EXPECT_THAT(complaint(zones("[\"x\", \"y\"]", "pulse = 0.01\npoint = [{ output = 1 }]\n")),
               HasSubstr("at: is missing"));
   EXPECT_THAT(complaint(path + "[compare]\naxis = \"z\"\nmode = \"equal\"\nposition = 1\n"),
-              HasSubstr("or be \"path\""));
+              HasSubstr("or \"path\""));
 }
 
 TEST(PathSpecFile, ReadsCommandsWithTheirLines) {

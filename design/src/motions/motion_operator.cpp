@@ -89,7 +89,7 @@ std::size_t axis_named(const std::string& name, const char* key, const Context& 
   if (name.empty() && otherwise) return *otherwise;
   const auto at = std::find(context.names.begin(), context.names.end(), name);
   if (name.empty() || at == context.names.end())
-    throw InputError(key, name, "must name one of the spec's axes");
+    throw InputError(key, name, "must be the name of an axis of this spec");
   return static_cast<std::size_t>(at - context.names.begin());
 }
 

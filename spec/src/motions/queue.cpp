@@ -77,6 +77,7 @@ QueueSpec read_queue(TomlReader& top, const Units& units) {
   top.for_each("command", [&](TomlReader& command) {
     queue.commands.push_back(read_command(command, units, common));
   });
+  if (queue.commands.empty()) top.fail("command", "", "is missing: add [[command]]");
   return queue;
 }
 
