@@ -356,7 +356,7 @@ TEST_F(Cli, TheLoopOfADriveAloneIsDrawn) {
   EXPECT_EQ(slurp(folder / "n.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("plot gear.toml --drive bode").err,
-              HasSubstr("drive: is missing: this picture needs a spec with [drive]"));
+              HasSubstr("drive: is missing: this picture needs a spec with a [drive]"));
 }
 
 /// The signals of the model are a recording that `identify` reads.
@@ -1149,7 +1149,8 @@ TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {
   for (const std::string verb : {"report ", "stream --to feeder --url memq:// "}) {
     const Result result = run(verb + via);
     EXPECT_EQ(result.status, 2) << verb;
-    EXPECT_EQ(result.err, "jounce: --axis: is missing: " + via + " has x, y\n");
+    EXPECT_EQ(result.err,
+              "jounce: --axis: is missing: " + via + " has several axes. Choose one of x, y\n");
   }
   EXPECT_EQ(run("report --axis x " + via + " -o x.html").status, 0);
   EXPECT_EQ(run("plot " + via + " --before " + via).status, 2);

@@ -36,8 +36,8 @@ refused 2 'index-velocity = -1.*must be greater than 0' slide home --index-veloc
 refused 2 'timeout = 0.*must be greater than 0' slide home --timeout 0
 refused 2 'distance = 0.*must be greater than 0' slide home --distance 0
 refused 1 velocity_limit slide home --search-velocity 5m/s
-refused 2 'VALUE = 12.*home takes' slide home 12
-refused 2 'method = 3.*move takes' slide move --to 3 --method 3
+refused 2 'VALUE = 12.*does not apply to home' slide home 12
+refused 2 'method = 3.*does not apply to move' slide move --to 3 --method 3
 refused 2 'direction = positive.*does not apply to move --by' slide move --by 1mm --direction positive
 refused 2 'at = 5.*waits until the axis is homed' slide home --at 5
 refused 1 no_sensor bare home --method 24

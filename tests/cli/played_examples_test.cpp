@@ -43,6 +43,14 @@ const std::map<std::string, std::string> no_tables{
     {".cpp", "a program, which has a test of its own"},
     {".md", "a page"},
     {".ngc", "a program, which a spec beside it names"},
+    {"ci/gitattributes", "a setting of git"},
+    {"ci/github-actions.yml", "a pipeline"},
+    {"ci/gitlab-ci.yml", "a pipeline"},
+    {"ci/jounce-git-diff", "a script"},
+    {"ci/jounce-textconv", "a script"},
+    {"ci/pre-commit", "a script"},
+    {"ci/pre-commit-config.yaml", "a setting of pre-commit"},
+    {"pmc600-path/sequence.csv", "the records of pmc600-path/sequence.toml, which is played"},
     {"gcode-part/machine.toml", "a machine, which needs a program"},
     {"points-file/points.csv", "the knots of points-file/pvt.toml, which is played"}};
 

@@ -321,7 +321,7 @@ TEST(CamShapes, RefuseWhatCannotBe) {
   EXPECT_EQ(complaint(bad), "segment[8].free.shape = 100: is not the number of a segment");
   bad = good;
   bad.minimize.clear();
-  EXPECT_EQ(complaint(bad), "minimize = none: must name at least one figure");
+  EXPECT_EQ(complaint(bad), "minimize: must name at least one figure");
   bad = good;
   bad.shapes = {{1, 10, 4, true}};
   EXPECT_EQ(complaint(bad), "segment[2].free.monotone = true: needs a segment with a stroke");

@@ -189,7 +189,7 @@ TEST(Tolerances, RefusesWhatIsNoTolerance) {
               s.numbers[0].absolute = std::numeric_limits<double>::infinity();
             }).substr(0, 19),
             "tolerances.absolute");
-  EXPECT_EQ(refused([](auto& s) { s.numbers.clear(); }), "tolerances.number = none");
+  EXPECT_EQ(refused([](auto& s) { s.numbers.clear(); }), "tolerances.number = ");
   EXPECT_EQ(refused([](auto& s) { s.cases = 0; }), "tolerances.cases = 0");
 }
 

@@ -111,8 +111,8 @@ std::string settled_reason(const Evaluations& evaluations, const Searched& how) 
     return "the best over the whole range, looked at in " +
            std::to_string(std::clamp(evaluations.max_evaluations() / 4, 8, 256) + 1) +
            " places, edges bisected and dips narrowed down";
-  const std::string local = "no step from the best point gains more than " +
-                            brief(evaluations.options().tolerance) + " of it; ";
+  const std::string local = "no step from the best point improves the figure by more than " +
+                            brief(evaluations.options().tolerance) + " of its value; ";
   if (!evaluations.is_global()) return local + "one local search, no proof";
   return local + std::to_string(how.counts.agreeing) + " of " +
          std::to_string(how.counts.searches) + " local searches" + " led there, no proof";
