@@ -94,10 +94,10 @@ int print_answer(const CheckArguments& options) {
   const bool json = options.run.json;
   std::vector<Input> inputs = load_program(options.run.file(), options.machine, options.axis);
   for (Input& input : inputs) set_limits(input, options);
-  bool ok = true;
   AxisDocuments documents;
   std::optional<PathSummary> path;
   if (const Input& first = inputs.front(); first.plan) path = summary_of(*first.spec, *first.plan);
+  bool ok = !path || path->along.ok();
   if (path && !json) fmt::print("{}\n", path_text(*inputs.front().spec, *path));
   const Overlapped* const overlap = inputs.front().overlap.get();
   if (overlap != nullptr && !json) fmt::print("{}\n", overlap_text(*inputs.front().spec, *overlap));

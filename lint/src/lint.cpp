@@ -9,6 +9,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/parallel.hpp"
 #include "jounce/design/diagnostics.hpp"
+#include "jounce/design/path_text.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/spec/axis_drive.hpp"
 #include "jounce/spec/machine_spec.hpp"
@@ -61,7 +62,12 @@ bool lint_without_motion(const Spec& spec, FileResult& result) {
 }
 
 void examine_motions(std::vector<Input> inputs, const Examine& examine, FileResult& result) {
-  const std::vector<Report> reports = examine(inputs);
+  std::vector<Report> reports = examine(inputs);
+  if (const Input& first = inputs.front(); first.plan) {
+    const Report along = path_report(*first.spec, *first.plan);
+    auto& findings = reports.front().findings;
+    findings.insert(findings.end(), along.findings.begin(), along.findings.end());
+  }
   for (std::size_t i = 0; i < reports.size(); ++i) {
     auto part = diagnostics_of(reports[i], inputs[i], result.file);
     std::move(part.begin(), part.end(), std::back_inserter(result.diagnostics));

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/design/input.hpp"
+#include "jounce/design/path_text.hpp"
+#include "jounce/path/along.hpp"
 
 namespace jounce::path_examples_test {
 namespace {
@@ -130,6 +132,14 @@ TEST(PathExamples, OfHimcCornersBesideAnArcAreRounded) {
     EXPECT_LE(corner.trim, 20 * (1 + 1e-12));
   }
   for (const Input& axis : axes) EXPECT_TRUE(check_all(axis).ok());
+}
+
+TEST(PathExamples, AnOverrideAboveOneMultipliesTheFeed) {
+  // PMC600 8.2: 3000 pulses/s under the factors 0.5, 1.5 and 1.
+  const auto axes = inputs_of(read_spec(examples + "pmc600-path/ratio.toml"), "");
+  const Report report = path_report(*axes.front().spec, plan_of(axes));
+  EXPECT_TRUE(report.ok());
+  EXPECT_FALSE(check_along(plan_of(axes)).ok()) << "4500 pulses/s are above the feed itself";
 }
 
 TEST(PathExamples, OfTheSquareAreNeverSlowerThanStopping) {

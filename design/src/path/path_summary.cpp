@@ -9,13 +9,24 @@
 namespace jounce {
 namespace {
 
-Report along(const Spec& spec, const Plan& plan) {
-  Report report = check_along(plan);
+/// The greatest factor of an override; at least 1.
+double greatest_factor(const PathSpec& path) {
+  double greatest = 1;
+  for (const FactorRequest& step : path.override_steps) greatest = std::max(greatest, step.factor);
+  return greatest;
+}
+
+}  // namespace
+
+Report path_report(const Spec& spec, const Plan& played) {
+  Report report = check_along(played, greatest_factor(std::get<PathSpec>(spec.subject)));
   for (Finding& f : report.findings)
     if (f.quantity.ends_with("celeration"))
       f.unit = rate_unit(spec.units.position, spec.units.x, 2);
   return report;
 }
+
+namespace {
 
 /// The time at which the axes first are at q. Near a rest q hardly depends on time: where a stretch ends at q but
 /// for rounding, its end counts.
@@ -113,7 +124,7 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
-                      .along = along(spec, played),
+                      .along = path_report(spec, played),
                       .fit = plan.given().fit};
   summary.cost = cost_of(plan, summary.corners);
   summary.events = places_of(path, played, path.events);

@@ -97,7 +97,8 @@ constexpr Uses unused{{{"velocity"},
 
 class Along {
  public:
-  explicit Along(const Plan& plan) : plan_(plan), drawn_(drawn_pieces(plan)) {}
+  Along(const Plan& plan, double feed_factor)
+      : plan_(plan), feed_factor_(feed_factor), drawn_(drawn_pieces(plan)) {}
 
   Report run() {
     std::array<LawPhase, 7> phase;
@@ -151,6 +152,7 @@ class Along {
     PathSettings own = plan_.given().settings[of.settings];
     if ((of.kind == PieceKind::turn || of.kind == PieceKind::blend) && k > 0)
       own.velocity = std::min(own.velocity, plan_.given().settings[drawn[k - 1].settings].velocity);
+    own.velocity *= feed_factor_;
     const double h = p.duration;
     // The fastest place: an end, or where a changes its sign.
     const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
@@ -228,6 +230,7 @@ class Along {
   }
 
   const Plan& plan_;
+  double feed_factor_;
   std::vector<std::size_t> drawn_;
   std::size_t shaped_ = static_cast<std::size_t>(-1);
   PieceShape shape_;
@@ -236,8 +239,8 @@ class Along {
 
 }  // namespace
 
-Report check_along(const Plan& plan) {
-  return Along(plan).run();
+Report check_along(const Plan& plan, double feed_factor) {
+  return Along(plan, feed_factor).run();
 }
 
 }  // namespace jounce

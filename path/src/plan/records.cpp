@@ -17,6 +17,8 @@
 namespace jounce {
 namespace {
 
+constexpr double smallest_turn = 1e-9;  ///< rad; a smaller one is rounding
+
 bool is_corner(const PathPiece& piece) {
   return piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
 }
@@ -74,7 +76,8 @@ class Records {
       u = before ? direction(k - 1, pieces[k - 1].length + trim) : direction(k, 0);
       w = behind ? direction(k + 1, -trim) : direction(k, pieces[k].length);
     }
-    return 2 * std::atan2(vec::distance(u, w, m_), vec::norm(vec::sum(u, w), m_));
+    const double turn = 2 * std::atan2(vec::distance(u, w, m_), vec::norm(vec::sum(u, w), m_));
+    return turn > smallest_turn ? turn : 0;
   }
 
   void of_turn(std::size_t k, CornerRecord& c) const {

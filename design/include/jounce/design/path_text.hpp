@@ -31,10 +31,13 @@ struct PathSummary {
   PathCost cost;
   std::vector<CornerRecord> corners;
   std::vector<EventPlace> events;
-  /// The motion along the path within [path.limits] and the limits of the commands: check_along().
-  Report along;
+  Report along;                    ///< path_report()
   std::optional<MapFit> fit = {};  ///< joints: how far their motion is from the kinematics
 };
+
+/// The motion along the path, under the override of the spec, within [path.limits] and the limits of the commands:
+/// check_along().
+Report path_report(const Spec& spec, const Plan& played);
 
 /// The places of events, which are in the order of the program: where the first command in or behind the line of an
 /// event begins, and when, after the dwells before that line.

@@ -14,7 +14,7 @@ namespace jounce {
 /// the path one finding, at its worst place; a limit of a command only where it is broken (the finding names the line).
 /// On lines, arcs and turns, the extrema are exact. On blends, the normal and the total acceleration are upper bounds
 /// from the derivatives of the whole piece; on curves, so is the velocity. A limit is broken if it is exceeded by more
-/// than 1e-12 of it.
-Report check_along(const Plan& plan);
+/// than 1e-12 of it. An override multiplies the feeds of the commands: give its greatest factor as `feed_factor`.
+Report check_along(const Plan& plan, double feed_factor = 1);
 
 }  // namespace jounce
