@@ -31,7 +31,7 @@ namespace jounce {
 namespace {
 
 using path_detail::none;
-constexpr double rounding = 1e-13;  ///< of velocities and lengths, relative
+constexpr double rounding = 1e-13;  ///< relative tolerance of velocities and lengths
 
 void require_valid(std::span<const FactorRequest> steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) {

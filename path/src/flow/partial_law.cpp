@@ -262,7 +262,7 @@ class Replanned {
   Rates curved_;
   std::vector<PathSettings> settings_;
   std::vector<std::size_t> drawn_;  ///< the drawn piece of each piece
-  std::vector<double> velocity_;    ///< of corners
+  std::vector<double> velocity_;    ///< velocity of each corner
   std::vector<bool> rests_;         ///< at the start of each piece, and at the end
   std::vector<double> dwells_;
 };

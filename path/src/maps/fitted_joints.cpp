@@ -33,7 +33,7 @@ constexpr int deepest_box = 6;  ///< halvings for boxes that vary less
 constexpr double even = 0.85;   ///< share of its ends' velocities that a part may allow, at least
 constexpr double widest =
     0.25;  ///< rad of an arc, whose polynomial of degree 11 is then exact to rounding
-constexpr int samples = 8;  ///< of a map without bounds, for each part
+constexpr int samples = 8;  ///< samples of a map without bounds, for each part
 constexpr double joint_rounding = 8e-15;
 
 using Axes = std::array<Segment, max_axes>;
@@ -302,7 +302,7 @@ class Fitting {
     units_.push_back(added);
   }
 
-  Path path_;  ///< of the tool
+  Path path_;  ///< path of the tool
   std::span<const Unit> tool_units_;
   const JointSpace& joints_;
   const AxisMap& map_;

@@ -30,7 +30,7 @@ namespace {
 /// What the law meets on a piece.
 struct PieceShape {
   double speed = 1;
-  double curvature = 0;  ///< of the normal acceleration
+  double curvature = 0;  ///< factor of v^2 in the normal acceleration
   bool exact = true;
   Derivatives bounds;  ///< where not exact
 };
