@@ -34,7 +34,7 @@ TEST(LastStart, WaitsFromItsAnswerToItsBegin) {
   start.follow(armed, {.job = 7});
   EXPECT_EQ(start.outcome(), StartOutcome::begun);
   start.follow({.job = 7}, {.fault = Cause::stalled});
-  EXPECT_EQ(start.outcome(), StartOutcome::begun) << "what follows is not its outcome";
+  EXPECT_EQ(start.outcome(), StartOutcome::begun) << "later ticks do not change the outcome";
 }
 
 TEST(LastStart, ARejectedOneHasNoOutcome) {

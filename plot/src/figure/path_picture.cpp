@@ -75,6 +75,9 @@ void add_marks(const Plan& plan, std::size_t x, std::size_t y, PathFigure& figur
 }  // namespace
 
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane) {
+  if (axes.front().overlap)
+    fail(plane,
+         "is not possible for lines that overlap in time: leave out --plane, or overlap of [path]");
   if (!axes.front().plan) fail(plane, "needs a spec of kind \"path\" or a G-code program");
   const Plan& plan = *axes.front().plan;
   const auto comma = plane.find(',');
