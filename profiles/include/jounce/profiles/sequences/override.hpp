@@ -29,7 +29,7 @@ struct FactorRamp {
   double end = 0;    ///< s, when the factor is reached
   /// The factor that is reached; below the requested one if the limits do not permit that.
   double factor = 1;
-  /// false: not executed, because the motion ends before a ramp within the limits would end.
+  /// False: not executed, because the motion ends before a ramp within the limits would end.
   bool granted = true;
 };
 
@@ -38,7 +38,7 @@ struct Overridden {
   Trajectory clock;               ///< path time (s) over time (s); its velocity is the factor
   std::vector<Trajectory> axes;   ///< position of each axis over time: composed(axis, clock), exact
   std::vector<FactorRamp> ramps;  ///< one for each request, in their order
-  /// false: the last factor is 0, so the axes stand still before the end of the path.
+  /// False: the last factor is 0, so the axes stand still before the end of the path.
   bool arrived = true;
 };
 
