@@ -52,7 +52,6 @@ struct SwitchStep {
 ///
 /// step() does not allocate, lock or throw. If an argument is not finite, the step changes nothing,
 /// and its time is added to the next step. The constructor throws like require_valid().
-/// nothing; its time counts with the next one. The constructor throws like require_valid.
 class CamSwitches {
  public:
   explicit CamSwitches(const CamSwitchSpec& spec);
