@@ -244,7 +244,7 @@ class SegmentFifos {
   std::atomic<bool> complete_{false};           // true if the last row of the stream was pushed
   std::atomic<std::uint64_t> queued_at_{0};     // stamp of the switch
   std::atomic<std::uint64_t> completed_at_{0};  // stamp of the last row
-  std::atomic<std::uint64_t> pushed_at_{0};     ///< stamp of the row that is being pushed
+  std::atomic<std::uint64_t> pushed_at_{0};     // stamp of the row that is being pushed
   std::atomic<std::int64_t> loops_{1};
   std::atomic<std::int64_t> passes_{0};
   std::atomic<std::uint64_t> played_{0};
