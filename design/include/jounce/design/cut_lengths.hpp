@@ -30,9 +30,8 @@ struct CutLengths {
     std::string name = {};  ///< "synchronous", "longest without a stop"
   };
   std::vector<Mark> marks = {};
-  double turns_back =
-      /// Cuts above this length need a dwell that the spec does not permit.
-      std::numeric_limits<double>::infinity();
+  /// Cuts above this length need a dwell that the spec does not permit.
+  double turns_back = std::numeric_limits<double>::infinity();
   double from = 0;  ///< start of a range that contains all these lengths
   double to = 0;    ///< end of this range
 };

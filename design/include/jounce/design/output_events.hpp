@@ -13,10 +13,9 @@ struct OutputEvent {
   double time = 0;     ///< time of the change
   std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
   bool on = false;     ///< true: the output goes on
-  double position =
-      /// At that time, the position of the axis to which the output belongs, or the length along
-      /// the path.
-      0;
+  /// At that time, the position of the axis to which the output belongs, or the length along the
+  /// path.
+  double position = 0;
 };
 
 /// The changes of all outputs of a spec during its motion.

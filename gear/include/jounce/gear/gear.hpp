@@ -30,10 +30,8 @@ class Gear {
 
   /// State from cycle to cycle.
   struct State {
-    std::int64_t remainder =
-        /// Remainder of the division, in 1/denominator of a slave count; 0 <= remainder <
-        /// denominator.
-        0;
+    /// Remainder of the division, in 1/denominator of a slave count; from 0 to denominator - 1.
+    std::int64_t remainder = 0;
   };
   /// Returns the slave increment for a master increment.
   std::int64_t advance(State& state, std::int64_t master_increment) const;

@@ -30,7 +30,7 @@ struct LineFollow {
   double deceleration = 10;  ///< pulse/s^2, > 0
   /// pulse/s^3, > 0; limits the jerk (the manual calls the profile SIGMOID).
   double jerk = 90000000;
-  /// Us, > 0; cycle of the controller; without effect here, because the curves are exact.
+  /// us, > 0; cycle of the controller; without effect here, because the curves are exact.
   std::int64_t ipo_cycle = 2000;
 };
 

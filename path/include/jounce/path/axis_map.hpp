@@ -88,7 +88,8 @@ std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std:
 /// a joint.
 std::shared_ptr<const AxisMap> core_xy_map(std::size_t axes);
 
-/// Side of the elbow: the side of the straight line from the base to the wrist, seen from the base.
+/// Position of the elbow: on which side of the straight line from the base to the wrist it is, seen
+/// from the base.
 enum class Elbow : std::uint8_t {
   right,  ///< the second joint is positive
   left,   ///< the second joint is negative

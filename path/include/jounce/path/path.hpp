@@ -23,9 +23,9 @@ enum class PieceKind : std::uint8_t {
 };
 
 /// One piece of a path: a single formula.
-struct PathPiece {       ///< q at its start
-  double start = 0;      ///< length in q
-  double length = 0;     ///< in q
+struct PathPiece {
+  double start = 0;      ///< q at its start
+  double length = 0;     ///< length in q
   std::size_t data = 0;  ///< index of its first number
   /// Source line: of joined lines the first one; of a corner, that of the command after it.
   std::int32_t line = 0;

@@ -17,10 +17,10 @@ namespace jounce {
 /// Kind of the corner at the start of a command. `value` is that of PathSettings.
 enum class Corner : std::uint8_t {
   stop,  ///< exact corner with a stop (TM_NONE, TMNone, G61)
-  /// rounded: at most `value` (u) between corner and curve, and between the curve and the sides
+  /// Rounded: at most `value` (u) between corner and curve, and between the curve and the sides
   /// (G64 P).
   deviation,
-  /// rounded: from at most `value` (u) before the corner to at most `value` after it
+  /// Rounded: from at most `value` (u) before the corner to at most `value` after it
   /// (TMCornerDistance).
   distance,
   curvature,  ///< rounded: curvature at most `value`, 1/u (HIMC MAX_CORNER_CURV)

@@ -88,8 +88,8 @@ struct CompareDevice {
 };
 
 /// Reports places where the hardware would fail. Rules:
-/// - "compare/speed" (broken): between two samples the axis covers the distance of two points or
-///   more, so the hardware misses a point. Required: speed < distance * sampling_frequency (HMPL
+/// - "compare/speed" (broken): within one sample the axis covers the whole distance between two
+///   points, so the hardware can miss one. Required: speed < distance * sampling_frequency (HMPL
 ///   manual 12.1).
 /// - "compare/missed" (broken): points that never fire.
 /// - "compare/merged" (warning): pulses that overlap.

@@ -36,7 +36,6 @@
 ///
 /// **Throws** InputError with the number of the controller's error: 325, 350, 375 for the number of
 /// points; 326, 351, 376 for a stage without duration.
-/// 351, 376 for a stage of no time.
 namespace jounce::pmc600 {
 
 /// Greatest number of points in MC_TP_REF, MC_TV_REF, MC_TA_REF.

@@ -9,9 +9,9 @@
 
 /// Key figures of a drive for [optimize]: `jounce optimize --against drive.toml`.
 
-/// A key figure of a drive. u is the unit of the slave.
 namespace jounce {
 
+/// A key figure of a drive. u is the unit of the slave.
 enum class DriveFigure {
   torque,      ///< "drive torque": peak torque, N m
   rms_torque,  ///< "drive rms torque": N m

@@ -12,7 +12,7 @@
 namespace jounce {
 
 /// Start mode: the way in which a slave engages with its cam. Values 0 to 4 are the codes of
-/// StartMode of MC_CamIn (PMC600 manual 6.2); value 5 is CODESYS'.
+/// StartMode of MC_CamIn (PMC600 manual 6.2); value 5 is a mode of CODESYS.
 enum class StartMode : std::uint8_t {
   absolute = 0,  ///< at once: the slave jumps to the position of the cam
   relative = 1,  ///< at once: the cam is shifted to the position of the slave

@@ -13,9 +13,9 @@ namespace jounce {
 ///     for (const Finding& f : best.findings)
 ///       std::printf("%s is %.1f %% above the least\n", f.quantity.c_str(), 100 * f.margin);
 ///
-/// For each rise of stroke h over length b. The quantities are normalized to h = b = 1, as in
-/// Characteristics. A bound applies if the rise is smooth enough: n means that the derivatives f'
-/// to f^(n-1) are zero at both ends and do not step between them.
+/// There is one finding of each rule for each rise, of stroke h over length b. The quantities are
+/// normalized to h = b = 1, as in Characteristics. A bound applies if the rise is smooth enough: n
+/// means that the derivatives f' to f^(n-1) are zero at both ends and do not step between them.
 ///
 /// | rule | quantity | bound | needs n | attained by |
 /// |---|---|---|---|---|

@@ -25,8 +25,8 @@ struct BSplineSpec {
 };
 
 /// Returns one segment for each pair of different successive knots within [knots[degree],
-/// knots[control.size()]], the interval of the curve. At a knot of multiplicity k, the first degree
-/// - k derivatives are continuous. Throws InputError for a degree out of range, too few control
+/// knots[control.size()]], the interval of the curve. At a knot of multiplicity k, the derivatives
+/// up to the order degree - k are continuous. Throws InputError for a degree out of range, too few control
 /// values, a wrong number of knots, values that are not finite, knots that descend, and an inner
 /// knot of multiplicity above `degree`, where the curve would break. Source: C. de Boor, A
 /// Practical Guide to Splines, ch. IX, X.

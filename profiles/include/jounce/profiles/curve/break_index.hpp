@@ -59,7 +59,7 @@ class BreakIndex {
   double start_ = 0;
   double cells_per_unit_ = 0;
   double last_cell_ = 0;
-  /// breaks before each cell, and their total number; empty: one cell
+  /// Breaks before each cell, and their total number; empty: one cell.
   std::vector<std::uint32_t> before_;
 };
 

@@ -17,11 +17,11 @@ enum class Side { right, left };
 
 /// Policy for queries outside [start, end]. It is chosen when a curve or a table is made.
 enum class Extrapolation {
-  /// a query outside is an error of the caller: asserts in a debug build, holds in a release build
+  /// A query outside is an error of the caller: asserts in a debug build, holds in a release build.
   refuse,
   hold,  ///< the end value, at rest
   wrap,  ///< periodic: the query is reduced to [start, end)
-  /// like wrap, but each period begins at the end value of the previous one (a rotary slave)
+  /// Like wrap, but each period begins at the end value of the previous one (a rotary slave).
   advance,
 };
 
@@ -82,7 +82,7 @@ inline double wrapped(double x, double start, double length) {
 /// A position reduced to one period.
 struct InPeriod {
   double at = 0;     ///< in [start, end); `end` for a left limit at the end
-  double turns = 0;  ///< whole number of periods by which the position was moved
+  double turns = 0;  ///< whole number of periods from `at` to the position
 };
 /// Reduces x to [start, end), or to (start, end] for Side::left.
 inline InPeriod in_period(double x, Side side, double start, double end) {

@@ -37,7 +37,7 @@ enum class Direction {
 
 /// Target of a move on a modulo axis.
 struct ModuloTarget {
-  /// not ok: the reason why there is no target (only for current, fastest, positive and negative)
+  /// Not ok: the reason why there is no target (only for current, fastest, positive and negative).
   MoveStatus status = MoveStatus::ok;
   double distance = 0;  ///< u, signed, from the present position
   double position = 0;  ///< u, not reduced: present position + distance
@@ -49,7 +49,8 @@ struct ModuloTarget {
 ///     const Bounds axis = within(720, 7200);
 ///     const ModuloTarget target =
 ///         modulo_target({.position = 350}, 10, Direction::shortest, 360, axis);
-///     const Move move = move_to({.position = 350}, {.position = target.position}, axis);  // +20
+///     const MoveResult move = move_to({.position = 350}, {.position = target.position},
+///                                     axis);  // +20
 ///
 /// - **shortest** counts from the present position, even in motion: at most half a turn. Exactly
 ///   half a turn goes in the positive direction.

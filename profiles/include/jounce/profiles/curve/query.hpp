@@ -28,6 +28,7 @@ namespace jounce {
 ///
 /// **Accuracy**: the relative error is at most 1e-14 if the question is well-conditioned. Results
 /// do not depend on the unit. The derivation is in query.cpp.
+
 /// Limits of a ramp.
 struct Ramp {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit of the jerk

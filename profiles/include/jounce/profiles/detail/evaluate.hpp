@@ -69,7 +69,7 @@ inline Jet over_length(const Jet& by_s, double length) {
 /// evaluate() for a segment with sines; out of line, because most segments have none.
 Jet evaluate_with_sines(const Segment& f, double s);
 
-/// jounce::evaluate, inlined: for evaluation loops.
+/// An inlined jounce::evaluate(), for evaluation loops.
 [[gnu::always_inline]] inline Jet evaluate(const Segment& f, double s) {
   if (f.sines > 0) [[unlikely]]
     return evaluate_with_sines(f, s);

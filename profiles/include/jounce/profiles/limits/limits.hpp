@@ -40,8 +40,9 @@ struct Finding {
   double where = 0;      ///< place on the curve's axis
   double value = 0;      ///< value of the quantity at this place
   double limit = 0;      ///< permitted value, with the sign of `value`
-  /// (limit - value) as a share of the limit; negative if the rule is broken. For a position it is
-  /// a share of the permitted travel, or of the curve's stroke if only one end is limited.
+  /// Distance from the value to the limit, as a share of the limit; negative if the rule is broken.
+  /// For a position it is a share of the permitted travel, or of the curve's stroke if only one end
+  /// is limited.
   double margin = 0;
   bool broken = false;
   std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0

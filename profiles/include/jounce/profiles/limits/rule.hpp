@@ -26,15 +26,15 @@ enum class RuleFamily : std::uint8_t {
   compare,     ///< position compare
   disc,        ///< the plate of a disc cam
   drive,       ///< a servo drive
-  feasible,    ///< a slave that engages with its master
+  feasible,    ///< a slave in step, at the speeds of its master
   fill,        ///< knots that are filled in
   follow,      ///< table of segments over the master's travel (follow table)
-  follower,    ///< the follower of a disc cam
+  follower,    ///< a cam follower
   gear,        ///< gears
   knife,       ///< a rotary knife
   shear,       ///< a flying shear
   inverse,     ///< the inverse of a cam
-  pt,          ///< PT tables (points over time, linear interpolation)
+  pt,          ///< PT tables: points over time, with linear velocity
   tolerance,   ///< a drive, with the tolerances of its parameters
   witness,     ///< an independent integration, against the exact curve
   played,      ///< the log of an executor against its table

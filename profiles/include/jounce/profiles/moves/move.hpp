@@ -47,8 +47,8 @@ enum class MoveStatus : std::uint8_t {
   target_outside,  ///< the velocity or acceleration of the target is outside the bounds
   /// Reaching (or leaving) the acceleration of the target needs a velocity outside the bounds.
   target_unreachable,
-  /// No move keeps the position limits: the axis cannot stop before a limit from the start, or the
-  /// target crosses one.
+  /// No move keeps the position limits: from the start, the axis cannot stop before a limit; or the
+  /// motion of the target crosses a limit.
   position_limit,
   too_short,  ///< the requested duration is below the minimum
   blocked,    ///< the requested duration lies in a blocked interval
@@ -72,7 +72,7 @@ struct MoveResult {
 /// The time-optimal move between two states that keeps the bounds.
 ///
 ///     const Bounds axis = within(2, 10, 100);                        // u/s, u/s^2, u/s^3
-///     const Move move = move_to({.position = 0}, {.position = 1}, axis);
+///     const MoveResult move = move_to({.position = 0}, {.position = 1}, axis);
 ///     if (!move) throw std::runtime_error(explain(move.status));
 ///     const Motion now = move.profile.at(0.1);
 ///

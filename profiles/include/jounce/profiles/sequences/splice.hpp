@@ -13,7 +13,7 @@ namespace jounce {
 ///
 ///     const Trajectory running = trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve();
 ///     const MotionState now = state_at(running, 2);
-///     const Move next = move_to(now, {.position = 80}, within(10, 20));
+///     const MoveResult next = move_to(now, {.position = 80}, within(10, 20));
 ///     const Trajectory both = spliced(running, 2, next.profile);
 ///
 /// **Outside its interval** a motion is continued as follows: before its start it stands still;

@@ -13,8 +13,8 @@ std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode)
 
 /// The possible modes of a machine: all frequencies and dampings within these ranges.
 struct ModeBand {
-  double low = 0;           ///< Hz, >= low; equal to low for a single frequency
-  double high = 0;          ///< Hz, >= low; equal: one frequency
+  double low = 0;           ///< Hz, > 0
+  double high = 0;          ///< Hz, >= low; equal to low for a single frequency
   double damping_low = 0;   ///< D, a ratio, >= 0
   double damping_high = 0;  ///< >= damping_low, < 1
 };
@@ -27,7 +27,8 @@ struct WorstMode {
 
 /// Returns the mode of a band with the greatest residual_vibration().
 ///
-///     const WorstMode worst = worst_residual(move, {.low = 14.5, .high = 19.5, .damping_high = 0.05});
+///     const ModeBand band{.low = 14.5, .high = 19.5, .damping_high = 0.05};
+///     const WorstMode worst = worst_residual(move, band);
 ///
 /// Not sampled: no mode of the band exceeds the result by more than `tolerance` times the travel of
 /// the motion (the sum of all distances, forwards and backwards). The search covers only the
