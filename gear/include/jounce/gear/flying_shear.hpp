@@ -47,7 +47,8 @@ struct FlyingShear {
   std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
 
-  /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set `stroke`.
+  /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set
+  /// `stroke`.
   Limits limits = {};
   double safety = 1;  ///< >= 1: factor of ramp lengths that are computed from the limits
 

@@ -38,7 +38,7 @@ struct TableOptions {
   std::optional<Interpolation> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
   std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
-  /// With knots = "fewest": further requirements; rule and tolerance are the members above.
+  /// For knots = "fewest": further requirements; rule and tolerance are the members above.
   std::optional<Target> target = {};
 };
 

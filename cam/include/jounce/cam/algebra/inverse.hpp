@@ -102,8 +102,8 @@ struct Inversion {
 };
 
 /// Inverts a cam over its interval [start, end]. A periodic cam gives the branches of one period; a
-/// rise or fall across the end of the period gives two branches (avoid this with `phased`). Does not
-/// throw, for any motion of the slave.
+/// rise or fall across the end of the period gives two branches (avoid this with `phased`). Does
+/// not throw, for any motion of the slave.
 Inversion inverted(const Cam& cam);
 
 /// Returns the inverse between two slave positions as a curve (a Cam over the slave's position), so

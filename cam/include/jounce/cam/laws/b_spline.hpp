@@ -26,9 +26,9 @@ struct BSplineSpec {
 
 /// Returns one segment for each pair of different successive knots within [knots[degree],
 /// knots[control.size()]], the interval of the curve. At a knot of multiplicity k, the derivatives
-/// up to the order degree - k are continuous. Throws InputError for a degree out of range, too few control
-/// values, a wrong number of knots, values that are not finite, knots that descend, and an inner
-/// knot of multiplicity above `degree`, where the curve would break. Source: C. de Boor, A
+/// up to the order degree - k are continuous. Throws InputError for a degree out of range, too few
+/// control values, a wrong number of knots, values that are not finite, knots that descend, and an
+/// inner knot of multiplicity above `degree`, where the curve would break. Source: C. de Boor, A
 /// Practical Guide to Splines, ch. IX, X.
 std::vector<Segment> b_spline(const BSplineSpec& spec);
 

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// An extreme value of a curve, and its place. If the value is only a one-sided limit, `side` is the
-/// side.
+/// An extreme value of a curve, and its place. If the value is only a one-sided limit, `side` is
+/// the side.
 struct Extremum {
   double value = 0;  ///< in the unit of the value or its derivative
   double where = 0;  ///< position on the curve's axis
