@@ -5,7 +5,7 @@
 
 // A quintic segment is fixed by position, velocity and acceleration at both ends, and the free
 // derivatives do not affect the other segments. The integral of geo_jerk^2 over the quintics is
-// therefore a quadratic function of the free derivatives. detail/least_energy.cpp finds its
+// therefore a quadratic function of the free derivatives. least_energy.cpp finds its
 // minimum, run by run: a run is the interval between two knots next to any other law.
 
 namespace jounce {

@@ -11,7 +11,7 @@
 
 #include "cam/src/disc/pitch.hpp"
 
-// The geometry is derived in detail/pitch.hpp. The position at lift 0, with prime radius R = base
+// The geometry is derived in pitch.hpp. The position at lift 0, with prime radius R = base
 // radius + roller radius, is:
 //
 //   (1)  d = sqrt(R^2 - e^2)                            height of a translating roller

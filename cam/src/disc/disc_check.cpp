@@ -7,7 +7,7 @@
 #include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
-// By (1) of disc.cpp and (7) of detail/pitch.hpp, a translating roller keeps |pressure angle| <= A
+// By (1) of disc.cpp and (7) of pitch.hpp, a translating roller keeps |pressure angle| <= A
 // if its height at lift 0 is at least
 //
 //   (1)  d >= max over t of (+-(L' - sigma e) / tan A - L)

@@ -11,7 +11,7 @@
 // given_i| <= tolerance_i. E is a convex quadratic function of y. With some points pinned to a
 // bound and the others free, the quintic spline through the pinned points alone has the least
 // value: a free point leaves no joint, so the system stays small and well conditioned for any
-// density of the table. At a pinned point (detail/least_energy.cpp)
+// density of the table. At a pinned point (least_energy.cpp)
 //
 //   (1)  dE/dy_i = 2 (f^(5)(x_i-) - f^(5)(x_i+)),   f^(5) = 0 beyond a natural end
 //

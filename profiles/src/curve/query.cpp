@@ -6,7 +6,7 @@
 
 #include "profiles/src/solver/span.hpp"
 
-// Ramps and motions between velocities: detail/span.hpp, (1) to (5).
+// Ramps and motions between velocities: solver/span.hpp, (1) to (5).
 //
 // The entry velocity of a single ramp over D to v, by (1) and (2) of e = entry - v:
 //

@@ -8,7 +8,7 @@
 
 #include "profiles/src/moves/batch_kernel.hpp"
 
-// The formulas are those of a single move (detail/span.hpp), on vectors of moves: each formula takes a whole
+// The formulas are those of a single move (solver/span.hpp), on vectors of moves: each formula takes a whole
 // block. The same source is compiled for each width, and the program queries the processor
 // once for the width to use. A move that has not converged after the usual steps, which is rare, is solved alone.
 

@@ -31,7 +31,7 @@
 //
 //   (4)  n = v + a |a| / (2 j)
 //
-// (natural_velocity() in detail/brake.hpp). From there it behaves like e = n, a constant distance later.
+// (natural_velocity() in solver/brake.hpp). From there it behaves like e = n, a constant distance later.
 //
 // A reversal changes the sign of the direction, and so exchanges acceleration and deceleration.
 // Where they are equal, the same bounds hold both ways and the reversal is one move. Where they differ, the

@@ -14,7 +14,7 @@
 
 // A batch is planned in runs: position moves that follow each other. With L_k the length of move k
 // of a run, V_k the junction velocity that the mode at its end asks for, and entry(L, w, cap) the
-// highest entry velocity, up to cap, from which a move over L can end at w (detail/blend.cpp (2)):
+// highest entry velocity, up to cap, from which a move over L can end at w (blend.cpp (2)):
 //
 //   (1)  backward:  W_k = entry(L_{k+1}, W_{k+1}, V_k),   W of the last = its V
 //   (2)  forward:   move k ends at W_k, or as near to it as it can from its beginning

@@ -19,7 +19,7 @@
 // with a = 0 the axis would brake and start more gently than necessary.
 //
 // Several axes pass a point at one instant, which the shortest motion of each alone does not do. So
-// every point is a knot of the search (detail/stretches.cpp).
+// every point is a knot of the search (stretches.cpp).
 
 namespace jounce {
 namespace {

@@ -29,14 +29,14 @@
 //
 //   (2)  the search continues from the farthest knot and from the breaks next to it,
 //
-// from the few farthest for each number of knots. Required knots (detail/stretches.cpp) divide the curve
+// from the few farthest for each number of knots. Required knots (stretches.cpp) divide the curve
 // into such problems, one behind the other. Knots that can still be left out at the end are left out. With all
 // tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
 // table of n knots, and bisection finds it.
 //
 // Where (1) does not hold, the result is only near the best. So tables of few knots are also searched
 //
-//   (3)  over places, by a dynamic programme (detail/best_places.cpp),
+//   (3)  over places, by a dynamic programme (best_places.cpp),
 //
 // and the better one is taken.
 namespace jounce {

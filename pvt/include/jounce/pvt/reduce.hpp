@@ -32,9 +32,9 @@ namespace jounce {
 /// error. For a smooth curve, the result is within a hundredth of the best table with this number
 /// of knots. For other curves it is near the best. For tables of at most 64 knots and curves of at
 /// most 128 segments there is a further search, over the breaks of the curve and 64 divisions of
-/// it: no subset of these places is better by more than a hundredth (detail/best_places.hpp).
-/// Except for knots at dwells and straight lines, no knot can be removed: two intervals in one
-/// would break the tolerance.
+/// it: no subset of these places is better by more than a hundredth
+/// (pvt/src/sample/best_places.hpp). Except for knots at dwells and straight lines, no knot can be
+/// removed: two intervals in one would break the tolerance.
 ///
 /// **Dwells and straight lines** of the curve (a slave in step) are exact intervals of the table
 /// for every tolerance. Both ends are knots; on a grid, they are the next grid places inwards.

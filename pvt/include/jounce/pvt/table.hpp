@@ -47,8 +47,8 @@ struct Columns {
 ///
 /// A table is immutable: copies share their knots.
 ///
-/// Evaluation (detail/piece.hpp) gives the same result on every processor. The curve agrees to
-/// rounding. Intervals are half-open, the last one closed, as in a Curve.
+/// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve agrees
+/// to rounding. Intervals are half-open, the last one closed, as in a Curve.
 ///
 /// The constructor throws InputError, with the knot and the rule, for fewer than two knots, columns
 /// of unequal size, a column that the rule does not need or lacks, an x that does not ascend, and
