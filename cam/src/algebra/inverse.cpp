@@ -12,15 +12,16 @@
 
 #include "cam/src/design/parts.hpp"
 
-// Let x = g(y) for y = f(x). Differentiating f(g(y)) = y three times gives the inverse function's
-// rule. With r2 = f''/f' and r3 = f'''/f' nothing overflows before g does:
+// Let x = g(y) for y = f(x). Differentiating f(g(y)) = y three times gives the rule for inverse
+// functions. In terms of r2 = f''/f' and r3 = f'''/f', nothing overflows before g does:
 //
 //   (1)  g'   = 1 / f'
 //   (2)  g''  = -f'' / f'^3                     = -r2 g'^2
 //   (3)  g''' = (3 f''^2 - f' f''') / f'^5      = (3 r2^2 - r3) g'^3
 //
-// At a point of rest y - y0 ~ +-|x - x0|^n, n > 1, so x - x0 ~ +-|y - y0|^(1/n): every derivative
-// is infinite. With d = +1 for a rise, -1 for a fall, the signs that (1) to (3) tend to are
+// At a point of rest, y - y0 ~ +-|x - x0|^n with n > 1, so x - x0 ~ +-|y - y0|^(1/n): every
+// derivative is infinite. With d = +1 for a rise and -1 for a fall, the signs of the limits of (1)
+// to (3) are
 //
 //   (4)  g' -> d inf,   g'' -> -inf leaving the rest, +inf arriving at it,   g''' -> d inf
 //
@@ -69,9 +70,10 @@ double guess(const Anchor& low, const Anchor& high, double share) {
   return high.s - width * (high.rests ? std::cbrt(1 - share) : 1 - share);
 }
 
-/// Returns s between low and high with f(s) = y, f monotone there. The middle replaces a step that
-/// leaves the bracket, or is longer than the previous one. The error after a step is about its
-/// square divided by the distance from the anchor, so a short step is the last.
+/// Returns s between low and high with f(s) = y, for f monotone there. If a Newton step leaves the
+/// bracket, or is longer than the previous step, the middle of the bracket replaces it. The error
+/// after a step is about its square divided by the distance from the anchor, so a short step is the
+/// last.
 double solved(const Segment& f, const Anchor& low, const Anchor& high, double y) {
   constexpr double short_step = 1e-9;
   const bool rises = high.value > low.value;

@@ -9,17 +9,17 @@
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Reversion of a series: w = a1 d + a2 d^2 + ..., the slave's travel over the master's, is solved
-// for d by
+// Reversion of a series. Let d be the master's travel and w = a1 d + a2 d^2 + ... the slave's. Then
+// d is found from
 //
 //   (1)  d = (w - sum over k >= 2 of a_k d^k) / a1,
 //
-// and each pass gains one order. With |a_k| <= A_k for k >= 2 and |a1| >= m over a whole piece, the
+// Each pass gains one order. If |a_k| <= A_k for k >= 2 and |a1| >= m over a whole piece, the
 // series of
 //
 //   (2)  D = (w + sum over k >= 2 of A_k D^k) / m
 //
-// has only positive coefficients. They bound those of d at every point of the piece.
+// has only positive coefficients, which bound those of d at every point of the piece.
 
 namespace jounce {
 namespace {

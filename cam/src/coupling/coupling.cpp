@@ -15,17 +15,17 @@
 //
 //   (1)  d = (y - Y, y' - Y', y'' - Y''),   Y by the chain rule from the master's jet
 //
-// and the setpoint Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
-// zero. For a rotary slave with period P, a cam shifted by k P is equivalent: c then goes from d to
-// (k P, 0, 0), the origin of the cam moves by k P, and c is relative to the new origin:
+// The setpoint Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
+// zero. For a rotary slave with period P, a cam that is shifted by k P is equivalent. Then c moves
+// from d to (k P, 0, 0), the origin of the cam moves by k P, and c is relative to the new origin:
 //
 //   (2)  y = (Y + k P) + (c - k P)
 //
-// Over the master, with c a function of x: c = d0, c_x x' = d1 and c_xx x'^2 + c_x x'' = d2, so
+// Over the master, c is a function of x with c = d0, c_x x' = d1 and c_xx x'^2 + c_x x'' = d2. So
 //
 //   (3)  c_x = d1 / x',   c_xx = (d2 - c_x x'') / x'^2;   at x' = 0:  c_x = d2 / x'',  c_xx = 0
 //
-// A master at rest can only correct differences with d1 = 0; if its acceleration is 0 too, only
+// A master at rest can correct only differences with d1 = 0; if its acceleration is 0 as well, only
 // those with d2 = 0.
 
 namespace jounce {

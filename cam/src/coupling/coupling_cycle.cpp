@@ -43,10 +43,10 @@ int as_int(double count) {
   return static_cast<int>(std::clamp(count, -most, most));
 }
 
-/// The end at which a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1
-/// at its start, 0 none. A master leaves when it arrives at an end. If it comes to rest there,
-/// rounding is tolerated; if it still moves, it is beyond the end, or at rest, in the next cycle.
-/// It may begin at an end.
+/// The end at which a master on its way from X0 to X1 leaves a cam that runs once: 1 at the cam's
+/// end, -1 at its start, 0 none. A master leaves when it arrives at an end. If it comes to rest
+/// there, rounding is tolerated. If it still moves, it is beyond the end, or at rest, in the next
+/// cycle. It may start at an end.
 int left_at(const Cam& cam, double X0, double X1, bool rests) {
   const double eps = near * cam.length();
   if (X0 < cam.start() - eps || X0 > cam.end() + eps) return 0;
@@ -117,8 +117,8 @@ void leave(const Coupling& coupling, const Engaged& engaged, const Sample& befor
       at.t, now.t, out);
 }
 
-/// Absorbs a jump of the master by a correction: by the start mode of the coupling; if that is
-/// impossible, in either direction over time; if that is impossible too, it releases the slave. The
+/// Absorbs a jump of the master by a correction. It tries the start mode of the coupling, then a
+/// correction over time in either direction. If both are impossible, it releases the slave. The
 /// slave never jumps.
 void take_up(const Coupling& coupling, const Engaged& engaged, const Sample& now, Stepped& out) {
   const CouplingSpec& spec = coupling.spec();
@@ -222,9 +222,9 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
 
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at) {
-  // A master on the seam has just arrived there: the slave is at the end of the period, not yet at
-  // the start of the next. If the master was already at rest there, the last cycle has set the
-  // side.
+  // A master at the joint of two periods has just arrived there: the slave is at the end of the
+  // period, not yet at the start of the next. If the master was already at rest there, the last
+  // cycle has set the side.
   const bool arrives = at.t > engaged.time && at.master[0] != engaged.master[0];
   const Jet y = point(running, engaged, at.master, at.t, arrives ? Side::left : Side::right);
   return engage(next, state(y), at.master, at.t);

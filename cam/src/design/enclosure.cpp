@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-// Enclosures of a segment over |t| <= h about its midpoint m, s = m + t:
+// Enclosures of a segment over |t| <= h around its midpoint m, s = m + t:
 //
 //   (1)  f^(k)/k! (m + t) = q_k + sum over j > k of C(j, k) q_j t^(j-k)  polynomial, q shifted to m
 //   (2)  a w^k/k! sin(w (m + t) + p + k pi/2)                            a sine: its exact range
 //
-// and of any function g with g', g'' enclosed over the same interval of half-width r in x:
+// and of any function g whose g' and g'' are enclosed over the same interval, of half-width r in x:
 //
 //   (3)  g <= g(m) + r max |g'|                                             mean value form
 

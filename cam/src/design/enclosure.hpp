@@ -38,9 +38,9 @@ struct Certified {
   double excess = 0;  ///< the true maximum is at most this much greater
 };
 
-/// The greatest value of `observed` over the curve, both sides of every break included; the first
-/// of equal ones. Branch and bound, to 1e-13 of the magnitude of the values (or of `scale`, if that
-/// is more). If the rounding of a value exceeds that, `excess` includes it.
+/// The greatest value of `observed` over the curve, including both sides of every break; of equal
+/// values, the first. Found by branch and bound, to 1e-13 of the magnitude of the values (or of
+/// `scale`, if that is more). If the rounding of a value exceeds that, `excess` includes it.
 Certified maximum(const Cam& f, double angle, const Observed& observed, double scale);
 
 }  // namespace jounce::cam_detail

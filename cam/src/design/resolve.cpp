@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spec -> its segments with every derivative filled in.
+// Fills in the derivatives of a spec and makes its segments.
 //
-// Velocities first, since accelerations follow from them. Precedence: the given value; the demand
-// of a line, a dwell or a reversal; the value of a spline at an open end; zero. Then accelerations:
-// given, then demanded. The segments are then built from left to right; a segment that defines an
-// acceleration itself sets it at its knots.
+// Velocities come first, because accelerations follow from them. Their order of precedence: the
+// given value; the requirement of a line, a dwell or a reversal; the value of a spline at an open
+// end; zero. Then accelerations: given, then required. Finally the segments are built from left to
+// right; a segment that defines an acceleration itself sets it at its knots.
 #include "cam/src/design/resolve.hpp"
 
 #include <algorithm>
@@ -254,8 +254,8 @@ Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
   return placed;
 }
 
-/// The acceleration of a knot at which a law defines its own: used if no other value is there. A
-/// value given by the spec must agree. A value demanded by a neighbor may differ: that is a step,
+/// Sets the acceleration of a knot at which a law defines its own, if there is no other value. A
+/// value given by the spec must agree. A value that a neighbor requires may differ: this is a step,
 /// which a check finds.
 void Resolver::take_own(std::size_t knot, double own, std::size_t segment, double scale) {
   if (given(knot).geo_acceleration)

@@ -11,11 +11,12 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. The requirement x = y everywhere gives
+// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. Requiring x = y everywhere gives
 //
 //   (1)  f = y + (2 D / w) y' + y'' / w^2
 //
-// and x = y holds if both begin alike. f^(k) is continuous wherever y^(k), y^(k+1) and y^(k+2) are.
+// and x = y holds if both begin with the same state. f^(k) is continuous wherever y^(k), y^(k+1)
+// and y^(k+2) are.
 
 namespace jounce {
 namespace {

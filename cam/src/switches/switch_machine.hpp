@@ -55,16 +55,16 @@ struct Heading : Event {
   void turn(bool up);
 };
 
-/// The simulation behind both forms of the cam switches: it takes a motion piece by piece and
+/// The simulation behind both forms of the cam switches. It takes a motion piece by piece and
 /// returns the edges in order.
 ///
 ///     machine.place(x0, v0);
 ///     machine.begin(motion);                          // a Segment over s, which begins at x0
 ///     while (const auto edge = machine.next()) ...    // edge->time: s since the piece's start
 ///
-/// It simulates discrete events: each boundary, heading and running duration has a time for its
-/// next event, and the earliest occurs first. All changes at one instant are one change. begin()
-/// and next() do not allocate for a piece of degree at most 3.
+/// It simulates discrete events: each boundary, direction and running duration has a time for its
+/// next event, and the earliest event occurs first. All changes at the same instant are one change.
+/// begin() and next() do not allocate for a piece of degree at most 3.
 class SwitchMachine {
  public:
   explicit SwitchMachine(const CamSwitchSpec& spec);

@@ -13,29 +13,32 @@
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
 
-// A piece of the inner, y(s) for s in [0, 1], lies within one segment of the outer, F(r) with
-// r = (y - b) / L, b its break and L its length. Written about the piece's own start, r = r0 + d(s)
-// with d(0) = 0, no terms cancel, for any number of segments before b:
+// A piece of the inner curve, y(s) for s in [0, 1], lies within one segment of the outer curve,
+// F(r) with r = (y - b) / L. b is the break at which this segment begins, L its length. Relative to
+// the start of the piece, r = r0 + d(s) with d(0) = 0. In this form no terms cancel, however many
+// segments precede b:
 //
 //   (1)  r0 = (y(0) - b) / L,   d(s) = (y(s) - y(0)) / L
 //   (2)  F(r0 + d) = sum over k of F_k d^k,   F_k the Taylor coefficients of F at r0
 //   (3)  A sin(w (r0 + d1 s) + p) = A sin(w d1 s + (p + w r0))   where d = d1 s
 //
-// (2) is evaluated by Horner's rule over polynomials. Far from the axis' origin (1) has few digits in a short
-// segment, and so has the place where y passes a break. So r0 is 0 or 1 where the piece begins at
-// a break, and continues the previous piece within a segment. A piece that ends at a break, r1,
-// ends there exactly: d and the piece's length are both multiplied by
+// (2) is evaluated by Horner's rule over polynomials. Far from the axis' origin (1) has few digits
+// in a short segment, and so has the place where y passes a break. So r0 is set to 0 or 1 if the
+// piece begins at a break; within a segment, it continues the previous piece. A piece that ends at
+// a break, r1, ends there exactly: both d and the piece's length are multiplied by
 //
 //   (4)  (r1 - r0) / d(1)
 //
-// which moves the place by rounding and leaves the slope as it is.
+// This moves the place by rounding and does not change the slope.
 //
-// Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2) with
-// series for F and d gives its coefficients at both ends and the majorant of the twelfth derivative.
+// If (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2)
+// with series for F and d gives its coefficients at both ends and the majorant of the twelfth
+// derivative.
 //
-// In a short piece the differences of both ends are mostly rounding, which the coefficients of the fit multiply.
-// Where the sixth coefficient M_6 of the majorant is below that rounding, the series at the start up to s^5 is the
-// better fit. By Taylor's theorem its kth derivative by s strays at most by
+// In a short piece, the differences of both ends are mostly rounding, which the coefficients of the
+// fit multiply. If the sixth coefficient M_6 of the majorant is below that rounding, the series at
+// the start up to s^5 is the better fit. By Taylor's theorem, the error of its k-th derivative with
+// respect to s is at most
 //
 //   (5)  6! / (6 - k)! M_6
 

@@ -9,25 +9,25 @@
 #include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Bounds of the rounding error. Each number of a segment has a relative error of a few epsilon, so the
-// error of its value is
+// Bounds of the rounding error. Each number of a segment has a relative error of a few epsilon. So
+// the error of the segment's value is
 //
 //   (1)  r_0 = 16 eps M,   M the sum of the magnitudes of its terms,
 //
-// and each derivative by u multiplies that by at most n / L for a polynomial of degree n over a length
-// L, and by w / L for a sine that turns through the angle w:
+// Each derivative with respect to u multiplies this by at most n / L for a polynomial of degree n
+// over a length L, and by w / L for a sine that turns through the angle w:
 //
 //   (2)  r_k = r_0 (max(1, n, w) / L)^k.
 //
-// M includes the value itself: a table's jerk is computed from differences of its positions, with the rounding
-// of the positions.
+// M includes the value itself: the jerk of a table is computed from differences of its positions,
+// so it has the rounding of the positions.
 //
-// Sines that do not fit. Over a piece on which it turns through h <= 1/16, the Taylor polynomial of
-// degree 11 of A sin(h s + phase) leaves in the k-th derivative at most
+// Sines that do not fit. If a sine A sin(h s + phase) turns through h <= 1/16 over a piece, the
+// error of the k-th derivative of its Taylor polynomial of degree 11 is at most
 //
 //   (3)  A (h / L)^k h^(12-k) / (12-k)!  <=  4e-17 A (h / L)^k   for k <= 3,
 //
-// less than (2) by two orders.
+// which is less than (2) by two orders of magnitude.
 namespace jounce {
 namespace {
 

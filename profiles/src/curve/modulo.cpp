@@ -8,8 +8,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// fmod is exact in IEEE arithmetic, and so are the differences of remainders that it is used on but
-// for one rounding. With r = x mod M, the way forward from x to a target u is
+// fmod is exact in IEEE arithmetic. The differences of remainders below are exact, except for one
+// rounding. With r = x mod M, the way forward from x to a target u is
 //
 //   (1)  d = (u mod M - x mod M) mod M, in [0, M),   and backwards d - M (0 where d is)
 

@@ -13,9 +13,11 @@
 //   (6)  A reached, z = e/A:         A z^2 + (2v + A tau) z = 2 (D - v tau)
 //   (7)  otherwise, x = sqrt(e/J):   J x^3 + 2v x = D
 //
-// (7) is convex. Either term alone bounds its root, by at most 47 % too high. The fastest stop from
-// v, a brings the acceleration to -+p, holds it there if p = A, and brings it back to 0. v + a |a|/(2J) is the
-// velocity at which a is 0 if it goes there at once. Where that is > 0 (else mirrored), and while p <= A,
+// (7) is convex. Each of its two terms alone bounds its root, by at most 47 % too high.
+//
+// The fastest stop from (v, a) brings the acceleration to -+p, holds it there if p = A, and returns
+// it to 0. v + a |a|/(2J) is the velocity at which the acceleration reaches 0 if it returns to 0 at
+// once. If this velocity is > 0 (otherwise everything is mirrored), and while p <= A,
 //
 //   (8)  p = sqrt(J v + a^2/2)       from  (a^2 - p^2)/(2J) - p^2/(2J) = -v
 

@@ -8,9 +8,10 @@
 
 #include "profiles/src/moves/batch_kernel.hpp"
 
-// The formulas are those of a single move (solver/span.hpp), on vectors of moves: each formula takes a whole
-// block. The same source is compiled for each width, and the program queries the processor
-// once for the width to use. A move that has not converged after the usual steps, which is rare, is solved alone.
+// The formulas are those of a single move (solver/span.hpp), applied to vectors of moves: each
+// formula takes a whole block. The same source is compiled for each vector width, and the program
+// queries the processor once for the width to use. The rare moves that do not converge in the usual
+// number of steps are solved separately.
 
 namespace jounce {
 namespace {

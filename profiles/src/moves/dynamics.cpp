@@ -28,14 +28,14 @@
 //
 //   (3)  dv = (A^2 - a0^2)/2jb + A^2/2je + A hold,   A <= the limit.
 //
-// Where speeding up and slowing down have separate limits, an acceleration that leads past v1 falls to zero
-// first, by (1) under the limits of the sense in which it acts. From there on the ramp is one of (3), or
-// two with a stop between. An acceleration that slows the axis down and would reverse it falls until the axis
-// stops, after
+// If speeding up and slowing down have separate limits, an acceleration that leads past v1 first
+// falls to zero, by (1), under the limits of the direction in which it acts. The rest is one ramp
+// (3), or two ramps with a stop between them. An acceleration that slows the axis down and would
+// reverse it falls until the axis stops, after
 //
 //   (4)  t = 2 |v0| / (|a0| + |a1|),   a1^2 = a0^2 - 2 je |v0|
 //
-// and the rest of it, a1, speeds up.
+// and its rest, a1, speeds the axis up.
 
 namespace jounce {
 namespace {

@@ -9,8 +9,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
-// in the middle, where a = 0 and the jerk is -m. Its jounce is
+// The move is antisymmetric in time, so its first half determines it. The first half leads from
+// rest to the peak velocity v in the middle, where a = 0 and the jerk is -m. Its jounce is
 //
 //   +s for b, 0 for c, -s for b     the acceleration rises to p,    p = s b (b + c)
 //   0 for d                         stays there                     (only at the limit)
@@ -18,7 +18,8 @@
 //
 //   (1)  p = s b' (k b' + c'),  k = 1 - (1 - q)^2 / 2,  m = s b' (1 - q)
 //
-// and b = min(j/s, sqrt(p/s)), b' = min(j/s, sqrt(p/(k s))): the jerk limit or none. Three regimes:
+// with b = min(j/s, sqrt(p/s)) and b' = min(j/s, sqrt(p/(k s))): the jerk limit is reached or not.
+// There are three cases:
 //
 //   (2)  The velocity limit is not reached: q = 0, the jerk does not return to zero in the middle.
 //        With jounce alone limited these are the switches of the perfect spline, at
@@ -27,13 +28,14 @@
 //   (4)  Between them the middle touches the limit with a jerk: v and the way h/2 decide p (or d)
 //        and q together.
 //
-// The way of the half grows with p and d in (2), and with q at a given v in (4): bisection finds them
-// to the last bit, in any unit. (3) is the classical profile of Lambrechts et al., which for short
-// moves returns the jerk to zero in the middle as well and takes up to 7.5 % longer than (2).
+// The distance of the half grows with p and d in (2), and with q at a given v in (4), so bisection
+// finds these to the last bit, in any unit. (3) is the classical profile of Lambrechts et al. For
+// short moves, that profile also returns the jerk to zero in the middle and takes up to 7.5 %
+// longer than (2).
 //
-// (2) is optimal. At the velocity limit, a state constraint of third order, the optimum switches
-// very often and is less than 0.1 % shorter than (3) and (4), as linear programming shows
-// (tests/oracle/fourth_order.py). No machine gains from that.
+// (2) is optimal. The velocity limit is a state constraint of third order. When it is active, the
+// optimum switches very often and is less than 0.1 % shorter than (3) and (4), as linear
+// programming shows (tests/oracle/fourth_order.py). No machine benefits from that.
 
 namespace jounce {
 namespace {
@@ -136,9 +138,9 @@ Segment segment(const Jet& x, const Phase& phase) {
   return f;
 }
 
-/// The half forwards from the start, and the same backwards in time from the end: each is exact at its own
-/// end. A cruise covers the distance between them at the planned velocity: rounding of the positions changes
-/// its duration, not its velocity.
+/// The first half runs forwards from the start, the second one backwards in time from the end, so
+/// each is exact at its own end. A cruise covers the distance between them at the planned velocity:
+/// rounding of the positions changes its duration, not its velocity.
 Trajectory curve(const Plan& plan, double velocity, double total, double from, double to) {
   const double sign = std::copysign(1, to - from);
   std::vector<Segment> segments, back;

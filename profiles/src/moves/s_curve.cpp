@@ -10,15 +10,15 @@
 
 #include "profiles/src/solver/span.hpp"
 
-// A ramp between rest and velocity v under acceleration a and jerk j is point-symmetric, so that it
+// A ramp between rest and velocity v with acceleration a and jerk j is point-symmetric, so it
 // covers v/2 times its duration:
 //
 //   (1)  T(v) = v/a + a/j     where v >= a^2/j   (a is reached)
 //   (2)  T(v) = 2 sqrt(v/j)   otherwise
 //   (3)  D(v) = v/2 (T1(v) + T2(v))   both ramps of the move
 //
-// The trapezoid is the limit j -> infinity of (1). The peak velocity of a move over h that does not
-// cruise solves D(v) = h, with D increasing:
+// The trapezoid is the limit j -> infinity of (1). In a move over h without cruise, the peak
+// velocity solves D(v) = h, where D increases:
 //
 //   (4)  both by (1):  v^2 (1/a1 + 1/a2)/2 + v (a1/j1 + a2/j2)/2 = h
 //   (5)  both by (2):  j1 t^3 (1 + sqrt(j1/j2)) = h   for the jerk time t of the first ramp

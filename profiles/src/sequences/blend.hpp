@@ -36,9 +36,9 @@ struct Exit {
   bool turns = false;  ///< the axis must reverse
 };
 
-/// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as it can.
-/// `cap` >= `wanted` is the greatest velocity that the moves after it can take over. A move that stops in order to
-/// reverse is not examined further: call again from there.
+/// The velocity that a move from `from` can have at `target`, as near to `wanted` >= 0 as possible.
+/// `cap` >= `wanted` is the greatest velocity with which the following moves can begin. A move that
+/// stops in order to reverse is not examined further; call the function again from the stop.
 Exit reachable_exit(const MotionState& from, double target, double wanted, double cap,
                     const Dynamics& dynamics);
 

@@ -16,15 +16,15 @@
 //
 //   (1)  v = f' c',   a = f'' c'^2 + f' c'',   j = f''' c'^3 + 3 f'' c' c'' + f' c'''
 //
-// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses up A and
-// J. With v the greatest velocity of the plan, these are the nominal bounds of a ramp. The ramps that
-// are tried are k times as slow, in shapes that differ in the jerk at either end:
+// While f cruises at v, a change of the factor within |c''| <= A / v and |c'''| <= J / v uses the
+// whole A and J. With v the greatest velocity of the plan, these are the nominal bounds of a ramp.
+// The ramps that are tried are k times as slow, and have different jerks at their ends:
 //
 //   (2)  |c''| <= A / (k v),   |c'''| <= g J / (k^2 v)
 //
-// k stretches a ramp without changing its shape. Where f'' = 0, g = 1 holds from k = 1 on. Early in
-// an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds. Where f accelerates at its
-// limit, no ramp that speeds up holds; where it brakes at its limit, none that slows down.
+// k stretches a ramp without changing its shape. If f'' = 0, g = 1 is possible from k = 1 on. Early
+// in an acceleration f' is small, so a sharper ramp (g > 1, k < 1) is possible. If f accelerates at
+// its limit, no ramp that speeds up is possible; if f brakes at its limit, none that slows down.
 
 namespace jounce::profiles_detail {
 namespace {

@@ -12,16 +12,17 @@
 #include "profiles/src/sequences/sequence.hpp"
 #include "profiles/src/solver/brake.hpp"
 
-// A batch is planned in runs: position moves that follow each other. With L_k the length of move k
-// of a run, V_k the junction velocity that the mode at its end asks for, and entry(L, w, cap) the
-// highest entry velocity, up to cap, from which a move over L can end at w (blend.cpp (2)):
+// A batch is planned in runs: successive position moves. Let L_k be the length of move k of a run,
+// V_k the junction velocity that the mode at its end requires, and entry(L, w, cap) the highest
+// entry velocity, up to cap, from which a move over L can end at w (blend.cpp, (2)). Then
 //
 //   (1)  backward:  W_k = entry(L_{k+1}, W_{k+1}, V_k),   W of the last = its V
 //   (2)  forward:   move k ends at W_k, or as near to it as it can from its beginning
 //
-// The velocity reached forward is at most W_k, and a move that may begin at W_k may begin at less. So
-// every move can end at its W or at less, and the last move can end: no queue fails. The exception is a
-// run's first move when it begins too fast for W_1: reachable_exit() then uses (1) without the cap.
+// The forward pass reaches at most W_k at the end of move k, and a move that may begin at W_k may
+// also begin at a lower velocity. So every move can end at its W or below, and the last move can
+// stop: no queue fails. One exception: if the first move of a run begins too fast for W_1,
+// reachable_exit() uses (1) without cap.
 
 namespace jounce {
 namespace {

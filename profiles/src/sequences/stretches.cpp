@@ -7,32 +7,33 @@
 
 #include "profiles/src/solver/brake.hpp"
 
-// The velocity v and acceleration a of axis i at an interior knot k may differ from 0 as follows;
-// d is the sign of the way on either side:
+// At an interior knot k, the velocity v and the acceleration a of axis i may differ from 0 as
+// follows; d is the sign of its displacement before and after the knot:
 //
 //   (1)  d before = d after:   v d >= 0, a of either sign
 //   (2)  they are opposite:    v = 0, a towards the next point: it brakes and speeds up in one
 //   (3)  one of them is 0:     v = a = 0
 //
-// The search changes one knot at a time, which affects two stretches. The scale of its steps is the
-// motion that stops at every knot: for a distance h that takes T from rest to rest,
+// The search changes one knot at a time, which affects two stretches. The scale of its steps comes
+// from the motion that stops at every knot. If that motion takes T for a distance h from rest to
+// rest,
 //
 //   (4)  v scale = 2 h/T,   a scale = 4 h/T^2
 //
-// and start from the weighted harmonic mean of the mean velocities on either side, which is what
+// The search starts from the weighted harmonic mean of the mean velocities on both sides, which
 // keeps a cubic interpolation monotone (F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5
 // (1984) 300-304):
 //
 //   (5)  v = (w1 + w2) / (w1/m1 + w2/m2),   w1 = T1 + 2 T2,   w2 = 2 T1 + T2,   m = h/T
 //
-// A search ends near the states at which a phase of the profile vanishes, so phases of a microsecond
-// are common. A table needs a knot at either end of a phase. With rounded positions, the greatest of them P, a
-// quintic of the length L has
+// The search ends near states at which a phase of the profile vanishes, so phases of a microsecond
+// are common. A table needs a knot at each end of a phase. If P is the greatest position, rounding
+// of the positions gives a quintic of length L
 //
 //   (6)  a jerk of up to 120 e P / L^3
 //
-// The search takes no state that makes a phase so short that (6) is above a thousandth of the jerk j of the
-// axis. A phase below 2^-44 of its stretch counts as none: its knot can be left out.
+// The search rejects a state with a phase so short that (6) exceeds a thousandth of the axis' jerk
+// j. A phase below 2^-44 of its stretch counts as none, because its knot can be omitted.
 
 namespace jounce::profiles_detail {
 namespace {

@@ -27,9 +27,9 @@ Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
 /// The durations between the knots.
 std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot> knots);
 
-/// Chooses velocities and accelerations at the interior knots, between which there must be motions, so
-/// that the motion becomes shorter: a local search over one knot at a time (pattern search; the steps are
-/// halved until none helps).
+/// Shortens the motion by choosing velocities and accelerations at the interior knots. There must
+/// be a motion between all neighbors. A local search (pattern search over one knot at a time, whose
+/// steps are halved until none helps).
 void shorten(const StretchBounds& bounds, std::span<Knot> knots);
 
 }  // namespace jounce::profiles_detail

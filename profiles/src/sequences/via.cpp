@@ -13,13 +13,13 @@
 #include "profiles/src/sequences/sequence.hpp"
 #include "profiles/src/sequences/stretches.hpp"
 
-// One axis. Between two turning points the shortest motion through all points of one direction is
-// the shortest motion from the first to the last of them: it does not turn back, so it passes
-// the others anyway. Only the acceleration at the turning points, where the velocity is 0, can be chosen:
-// with a = 0 the axis would brake and start more gently than necessary.
+// One axis. Between two turning points, the shortest motion through all points is the shortest
+// motion from the first to the last of them. It does not reverse, so it passes the others anyway.
+// Only the acceleration at the turning points, where the velocity is 0, can be chosen: with a = 0
+// the axis would brake and start more gently than necessary.
 //
-// Several axes pass a point at one instant, which the shortest motion of each alone does not do. So
-// every point is a knot of the search (stretches.cpp).
+// Several axes pass a point at the same instant, which the shortest motions of the single axes do
+// not do. So every point is a knot of the search (stretches.cpp).
 
 namespace jounce {
 namespace {

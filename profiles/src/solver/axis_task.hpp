@@ -9,7 +9,7 @@
 
 namespace jounce::profiles_detail {
 
-// Every goal is a move between two states, in its own coordinates:
+// Every goal is a move between two states in its own coordinates:
 //
 //   state     the axis as it is
 //   velocity  one derivative lower: the velocity takes the place of the position, the acceleration

@@ -8,8 +8,8 @@
 
 namespace jounce::profiles_detail {
 
-// The motions that go farthest in a given time under a limited jerk: the family of motions on which the
-// general solver is based. docs/generators/move.md derives it in detail.
+// Extremals: the motions that go farthest in a given time with limited jerk. The general solver is
+// based on them. docs/generators/move.md has the detailed derivation.
 //
 // Fix both ends, (v0, a0) and (vf, af), and a duration T. The bounds on velocity, acceleration and
 // jerk are convex, so the distances that can be covered in T form an interval [Dmin(T), Dmax(T)].
@@ -17,25 +17,26 @@ namespace jounce::profiles_detail {
 //
 //   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
 //
-// The second half run backwards begins at (vf, -af) and is of the same kind as the first. A half
-// that begins at velocity v and acceleration s towards the peak velocity vp, with
-// c = v - s^2/(2 jp) and k = 1/jp + 1/jd (jp, jd > 0: rise and fall of acceleration), has
+// The second half, run backwards, begins at (vf, -af) and has the same form as the first. Consider
+// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c = v
+// - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
+// acceleration,
 //
 //   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held
 //   (2)  t  = (z - s)/jp + h + z/jd
 //   (3)  d  = c (z - s)/jp + (z^3 - s^3)/(6 jp^2) + (c + z^2/(2 jp)) h + z h^2/2
 //             + vp z/jd - z^3/(6 jd^2)
 //
-// Where the acceleration keeps its sign between z1 and -z2, one z is negative: the halves then
-// overlap, and (1) to (3) still hold. Along the family, in the direction of growing T,
+// If the acceleration has the same sign from z1 to -z2, one z is negative; the halves then overlap,
+// and (1) to (3) still hold. Along the family, in the direction of growing T,
 //
 //   (4)  dDmax/dT = H = vp + z1 z2/(2 jd)
 //
 // Dmin is Dmax of the motion mirrored in position.
 //
-// Where one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
-// phase of seconds changes z by less than its last digits. The same equations in the times of the phases
-// keep their digits (extremal_timed.cpp).
+// If one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
+// phase of seconds changes z by less than its last digits. The same equations, written in the
+// durations of the phases, keep their digits (extremal_timed.cpp).
 
 /// The least ratio of one jerk to the other, or of one acceleration to the other, for which the digits that
 /// (1) to (3) lose matter.
@@ -52,10 +53,10 @@ struct Extremal {
   double cruise = 0;  ///< s, at the peak velocity
 };
 
-/// All extremals between two ends. With both accelerations at the ends of one sign there may be two
-/// separate branches: the *early* one, where the velocity changes without the acceleration passing
-/// zero, lasts from its direct change to a longest member; the *main* one lasts from its direct
-/// change to any duration.
+/// All extremals between two ends. If the accelerations at both ends have the same sign, there may
+/// be two separate branches. In the *early* branch the velocity changes without a zero of the
+/// acceleration; it extends from its direct change to a longest member. The *main* branch extends
+/// from its direct change to any duration.
 class Extremals {
  public:
   struct End {
@@ -75,9 +76,9 @@ class Extremals {
   };
   enum class Branch { early, main };
 
-  /// `degenerate` is the half (0 or 1) with the greater natural velocity: the velocity at which the
-  /// acceleration comes to zero if it returns at once.
-  /// `dv` is the velocity `to` less that of `from`: it may be more exact than the two.
+  /// `degenerate` is the half (0 or 1) with the greater natural velocity. The natural velocity is
+  /// the one at which the acceleration reaches zero if it returns to zero at once. `dv` is the
+  /// velocity of `to` minus that of `from`; it may be more exact than both.
   Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
@@ -112,9 +113,9 @@ class Extremals {
 
   /// The greater of the velocities at which the acceleration of an end would come to zero.
   [[nodiscard]] double natural() const noexcept { return natural_; }
-  /// Two motions that are not extremal, but of the same form: one cruises at the natural velocity; the other one
-  /// cruises at a higher velocity and covers d in t. Only for t and d that permit the
-  /// former; false where no velocity covers d, within `slack`.
+  /// Two motions that are not extremal but have the same form. One cruises at the natural velocity.
+  /// The other one cruises at a higher velocity and covers d in t. Call the latter only for t and d
+  /// that permit the former; it returns false if no velocity covers d, within `slack`.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
   bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
   /// The same by a faster method; false also where its few steps do not find the motion.
@@ -182,8 +183,8 @@ class Extremals {
 
   Halves half_;
   double vmax_, dv_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
-  double
-      excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
+  /// Excess of the first half's velocity over the second's, where the accelerations are zero.
+  double excess_;
   bool rises_slowly_;  ///< jp is far below jd
   double natural_;
   double mean_, cubic_, inverse_, base_;  ///< base of (5): m, (k + 1/jd)/24, q^2/(8 jp), K

@@ -10,15 +10,14 @@
 #include "profiles/src/solver/extremal.hpp"
 #include "profiles/src/solver/zero.hpp"
 
-// The member that covers a distance.
+// Finds the member of the family that covers a given distance.
 //
 // While nothing is held, (1) gives z_low^2 - z_high^2 = q. With the sum S = z1 + z2, which grows
 // with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
 //
 //   (5)  d = K + k (m S + (k + 1/jd) S^3/24 - q^2/(8 jp S)),   m = (c1 + c2)/2
-//
-// While one half holds z = L, the peak acceleration x of the other runs, with w = the held half's
-// hold at x = 0,
+// While one half holds z = L, the peak acceleration x of the other half is the variable. With w the
+// duration for which the held half holds at x = 0,
 //
 //   (6)  d = K' + k (c x + (L/(2 jd) + c/L) x^2/2 + (k + 1/jd) x^3/6 + k x^4/(8 L))
 //
@@ -246,8 +245,9 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   return lo;
 }
 
-/// The velocity of cruising() to about nine digits; NaN where these steps do not find it. A half that passes
-/// zero acceleration at velocity c covers less than a cruise, with p = 1/jp, by
+/// The velocity of cruising() to about nine digits; NaN if these steps do not find it. A half that
+/// passes zero acceleration at velocity c covers less than a cruise. With p = 1/jp, the difference
+/// is
 ///
 ///   (11)  k (k + p) z^3/6 + h (z^2 (k + p) + h z)/2 - (vp - c) s p + s^3 p^2/6
 double Extremals::cruise_velocity(double t, double d) const noexcept {

@@ -7,9 +7,9 @@
 #include "profiles/src/solver/extremal.hpp"
 #include "profiles/src/solver/zero.hpp"
 
-// Members by the time of a phase, for jerks that are far apart. With x the time in which a half's
-// acceleration goes from s to z, g = s x + jp x^2/2 the velocity that this adds, and
-// n = v + s^2/(2 jd), (1) is
+// Members of the family by the duration of a phase, for jerks that are far apart. x is the time in
+// which the acceleration of a half changes from s to z, g = s x + jp x^2/2 the velocity gained in
+// this time, and n = v + s^2/(2 jd). Then (1) becomes
 //
 //   (8)   vp = n + k jp g + z h
 //
@@ -18,12 +18,13 @@
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
-// unless s1 + s2 is far below zero: then the rises take as long as whole ramps, and keep their digits.
-// The same holds for jerks that are not apart while the acceleration keeps its sign.
-// While one half holds z = L, x of the other runs, and dT/dx = k jp (1 + z/L).
+// Exception: s1 + s2 far below zero. Then the rises take as long as whole ramps and keep their
+// digits. The same equations apply to jerks that are not far apart while the acceleration keeps its
+// sign. While one half holds z = L, x of the other half is the variable, and dT/dx = k jp (1 +
+// z/L).
 //
-// **Otherwise** digits are lost only where the acceleration keeps its sign: one half holds L, the
-// other has z = jd y - L, where y, the time of the fall, may be short beside L/jd. Then
+// **Otherwise** digits are lost only if the acceleration keeps its sign. One half holds L; the
+// other has z = jd y - L, where y, the duration of the fall, may be short compared with L/jd. Then
 //
 //   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L)        c' of the half that holds
 

@@ -9,9 +9,9 @@
 
 namespace jounce::profiles_detail {
 
-/// One move between two states inside the bounds, third order, from two families of extremals: one
-/// goes as far up as possible in every duration, the other as far down (as the
-/// mirror image of an upward one). docs/generators/move.md.
+/// One third-order move between two states inside the bounds. It is found between two families of
+/// extremals: one goes as far as possible in the positive direction in every duration, the other,
+/// as the mirror image, in the negative direction. Derivation: docs/generators/move.md.
 class PointToPoint {
  public:
   PointToPoint(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;

@@ -14,7 +14,7 @@ namespace jounce::profiles_detail {
 //   (2)  z = L:  t = vp/L + k L/2,   D = vp^2/(2 L) + vp L q/2 - g,   E = vp^2/(2 L) + vp L p/2 + g,
 //                g = L^3 (q^2 - p^2)/24
 //
-// The shortest motion has D + D' = d (or vp = vmax and a cruise), one of duration T has
+// The shortest motion has D + D' = d (or vp = vmax and a cruise). A motion of duration T satisfies
 //
 //   (3)  vp T - E - E' = d,   the smaller solution: the left side is concave, and grows up to there
 

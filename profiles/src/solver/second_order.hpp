@@ -11,10 +11,10 @@ namespace jounce::profiles_detail {
 //   (1)  t = (p - v0)/r + (p - vf)/f + cruise
 //   (2)  d = (p^2 - v0^2)/(2 r) + (p^2 - vf^2)/(2 f) + p cruise
 //
-// The direct change has p = max(v0, vf) and covers d0. The shortest motion goes up for d > d0: (2)
-// without cruise, or with p = vmax. To last longer than the direct change, by `spare`, it cruises at
-// (d - d0)/spare if that lies between v0 and vf. Otherwise p lies above max(v0, vf) = m by y, and with
-// k = 1/r + 1/f (1) and (2) are
+// The direct change has p = max(v0, vf) and covers d0. For d > d0, the shortest motion goes up: (2)
+// without cruise, or with p = vmax. To last longer than the direct change by `spare`, the motion
+// cruises at (d - d0)/spare if that lies between v0 and vf. Otherwise p is above m = max(v0, vf) by
+// y. With k = 1/r + 1/f, (1) and (2) then become
 //
 //   (3)  k y^2/2 - spare y + (d - d0 - m spare) = 0,   the smaller solution; cruise = spare - k y
 

@@ -260,9 +260,10 @@ Bounds gentle(Bounds b) {
 
 }  // namespace
 
-/// Position limits forbid the shortest motion. The farther back a point of rest lies, the harder the
-/// axis brakes on its way to it (or accelerates away from it): the nearest such point that keeps the
-/// limits is looked for, first on the start's side, then on the target's.
+/// Used if position limits forbid the shortest motion. The farther back a point of rest is, the
+/// harder the axis brakes on its way to it (or accelerates away from it). The function searches for
+/// the nearest such point that keeps the limits, first on the start's side, then on the target's
+/// side.
 bool Solver::by_way_of_rest(Profile& out) const noexcept {
   Bounds free = bounds_;
   free.position_min = -Bounds::none;

@@ -11,9 +11,9 @@
 //   (1)  T(dv) = dv/A + tau   where dv >= A tau,   tau = A/J    (A is reached)
 //   (2)  T(dv) = 2 sqrt(dv/J) otherwise
 //
-// Let l <= h be the two velocities, d = h - l, and D0 = (l + h)/2 T(d) the way of the direct ramp.
-// For a distance D >= D0 the way goes up to a peak p >= h and down again; a shorter one is the
-// mirror image. The peak follows from D, by (1) and (2) for either ramp:
+// Let l <= h be the two velocities, d = h - l, and D0 = (l + h)/2 T(d) the distance of the direct
+// ramp. For a distance D >= D0 the motion goes up to a peak p >= h and down again; a shorter
+// distance is the mirror image. The peak follows from D, by (1) or (2) for each of the two ramps:
 //
 //   (3)  both reach A, z = (p - h)/A:
 //          A z^2 + (2h + A tau) z = D - (l + h)/2 (d/A + tau) - h tau,     duration 2z + d/A + 2 tau
@@ -24,8 +24,8 @@
 //        D/J = (x + y)((l + h)/J + x y),
 //          q^4 + 4 (l + h)/J q^2 - 4 D/J q - m^2 = 0,                                  duration 2 q
 //
-// The root meant is the largest: where h < 0, D(p) dips before it grows. The polynomials are convex
-// beyond it.
+// The required root is the largest one: if h < 0, D(p) falls before it grows. The polynomials are
+// convex beyond that root.
 namespace jounce::profiles_detail {
 
 /// Magnitudes for which no product or quotient in these formulas overflows or underflows, at any

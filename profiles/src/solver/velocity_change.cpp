@@ -8,9 +8,9 @@
 //
 //   (1)  v1 - v0 = (z^2 - a0^2)/(2 jp) + (z^2 - a1^2)/(2 jd) + z h
 //
-// It goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image. Without a hold, (1)
-// gives z^2 - a0^2 and z^2 - a1^2 without z: where the jerks are far apart, z may agree with one of both to
-// its last digits.
+// The acceleration goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image.
+// Without a hold, (1) gives z^2 - a0^2 and z^2 - a1^2 without z. This is needed because z may agree
+// with a0 or a1 to its last digits if the jerks are far apart.
 
 namespace jounce::profiles_detail {
 namespace {

@@ -12,7 +12,8 @@
 //
 //   (1)  K = e^(-pi D / sqrt(1 - D^2))
 //
-// Impulses a_i K^i at i T/2 leave, at the last one's instant n T/2 (vibration.cpp, eq. 1),
+// Impulses a_i K^i at the times i T/2 leave, at the instant n T/2 of the last one (vibration.cpp,
+// (1)),
 //
 //   (2)  V = K^n |a_0 - a_1 + a_2 - ...| / sum of a_i K^i
 //

@@ -13,17 +13,17 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
-// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). Each impulse at t_i
-// leaves at t_n, the last one's instant, A_i e^(s (t_n - t_i)), and one impulse at t_n leaves 1:
+// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). An impulse at t_i leaves
+// A_i e^(s (t_n - t_i)) at the instant t_n of the last one, and a single impulse at t_n leaves 1:
 //
 //   (1)  V = | sum of A_i e^(s (t_n - t_i)) |
 //
-// which is Singer & Seering's eq. 3. By w its slope is at most
+// which is eq. 3 of Singer & Seering. Its slope with respect to w is at most
 //
 //   (2)  |dV/dw| <= sum of |A_i| |-D (t_n - t_i) + i sqrt(1 - D^2) (t_n/2 - t_i)|
 //
-// (a common factor e^(i sqrt(1 - D^2) w t_n/2) does not change V, so times may be counted from the
-// middle).
+// (A common factor e^(i sqrt(1 - D^2) w t_n/2) does not change V, so times may be counted from the
+// middle.)
 //
 // Motions. The load's deviation after a unit step of the command is -Re(c e^(st)) with c = 1 - i D
 // / sqrt(1 - D^2), |c| = 1 / sqrt(1 - D^2). Superposed over the motion f, which ends at T,
