@@ -16,6 +16,7 @@
 // with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
 //
 //   (5)  d = K + k (m S + (k + 1/jd) S^3/24 - q^2/(8 jp S)),   m = (c1 + c2)/2
+//
 // While one half holds z = L, the peak acceleration x of the other half is the variable. With w the
 // duration for which the held half holds at x = 0,
 //

@@ -231,9 +231,9 @@ bool PointToPoint::append_long(double t, Profile& out) const noexcept {
   return (out.phases() > 0 || t > 8 * direct.duration()) && append_stair(t, out);
 }
 
-/// The velocity changes half-way between both ends to cruise, if there is time for that. This
-/// motion has fewer phases than the mean of two motions, and each phase has its own length. (Beside
-/// long phases, the ends of short ones would lose their digits.)
+/// A motion that cruises at a velocity between those of both ends, if there is time for that. It has
+/// fewer phases than the mean of two motions, and each phase has its own length. (Beside long
+/// phases, the ends of short ones would lose their digits.)
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   const Bounds bounds = ramps();
   const MotionState start{0, from_.velocity, from_.acceleration};
