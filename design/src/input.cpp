@@ -55,10 +55,11 @@ bool is_best_of_so_many(const Input& input) {
   return input.options.target && !input.options.tolerance;
 }
 
-/// The greatest error of a derivative of a table due to the rounding of its knots to doubles. An error d of the
-/// position makes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded place x
-/// counts as an error of v x of the position. A knot beside a shorter interval, of length S, may have d / S more
-/// velocity, which removes the error from that interval (sample.cpp) and makes an error of 36 d / (S L^2) here.
+/// The greatest error of a derivative of a table that is caused by rounding its knots to doubles.
+/// An error d of the position causes an error of 60 d / L^3 of the jerk in a quintic of length L,
+/// less in a cubic. A rounded place x counts as an error v x of the position. A knot beside a
+/// shorter interval, of length S, may have d / S more velocity, which removes the error from that
+/// interval (pvt/src/sample/sample.cpp) and causes an error of 36 d / (S L^2) here.
 double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
   constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
   constexpr std::array beside{0.0, 1.0, 6.0, 36.0};

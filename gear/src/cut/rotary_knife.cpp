@@ -14,38 +14,39 @@
 
 #include "gear/src/cut/knife_shape.hpp"
 
-// Angles in rad here, R = D / 2 the radius of the cutting circle, k the speed ratio, x the web since
-// the cut, psi the knife's angle from straight down. The cutting circle touches the anvil, on which
-// the web lies.
+// Angles are in rad here. R = D / 2 is the radius of the cutting circle, k the speed ratio, x the
+// web since the cut, psi the knife's angle from straight down. The cutting circle touches the
+// anvil, on which the web lies.
 //
 // **The cut.** The tip of the blade is at
 //
 //     (1)  R sin psi along the web,   R (1 - cos psi) above the anvil
 //
-// so it reaches the top of a web of thickness h, and leaves it, where
+// So it enters the top of a web of thickness h, and leaves it, at the angle alpha with
 //
 //     (2)  R (1 - cos alpha) = h
 //
-// and moves along the web with R cos(psi) psi'. (Delta counts its contact angle from the horizontal,
-// a = pi/2 - alpha: the ratio of the speeds at a + theta is then sin(a + theta), and the web that
-// passes until the bottom R cos a.) In step means
+// It moves along the web at R cos(psi) psi'. (Delta counts its contact angle from the horizontal, a
+// = pi/2 - alpha. The ratio of the speeds at a + theta is then sin(a + theta), and the web that
+// passes until the bottom is R cos a.) "In step" means
 //
 //     (3)  surface:     R psi' = k             psi = k x / R
 //     (4)  horizontal:  R cos(psi) psi' = k    psi = asin(k x / R)
 //
-// In (3) the tip is slower along the web than asked, by the share 1 - cos psi. The half sync angle
-// psi_s passes over the web
+// In (3) the tip is slower along the web than required, by the share 1 - cos psi. The half sync
+// angle psi_s corresponds to the web length
 //
 //     (5)  sigma = R psi_s / k,   or   sigma = R sin(psi_s) / k
 //
-// and leaves the knife with psi', psi'' and psi''' by the web of
+// At the end of the zone, the derivatives psi', psi'' and psi''' with respect to the web are
 //
 //     (6)  k / R, 0, 0,   or   k / (R c),  k^2 t / (R^2 c^2),  k^3 (1 + 2 s^2) / (R^3 c^5)
 //
-// where s, c, t are sine, cosine, tangent of psi_s. It enters the zone with the same, but -psi''.
+// where s, c, t are the sine, cosine and tangent of psi_s. At the start of the zone they are the
+// same, except for the sign of psi''.
 //
-// **The recovery** is what a symmetric rise f makes of that: knife_shape.hpp. Over b = L - 2 sigma it
-// gains h = 2 pi / N - 2 psi_s.
+// **The recovery** is a symmetric rise f between these states; see knife_shape.hpp. Over b = L - 2
+// sigma it gains h = 2 pi / N - 2 psi_s.
 
 namespace jounce {
 namespace {

@@ -9,28 +9,30 @@
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
-// In step, the carriage's speed along the line is the line's. Its guide stands at the angle alpha to
-// the line, so that its speed along the guide, which is the slave's, is
+// In step, the carriage's speed along the line is that of the line, v. Its guide is at the angle
+// alpha to the line. So its speed along the guide, which is the slave's speed, is
 //
 //     (1)  k v,   k = ratio / cos(alpha)
 //
-// (across the line it then moves at ratio v tan(alpha): a blade that follows the guide cuts square.)
-// While the line goes on by xa, the carriage's speed is k v f(x / xa), f a symmetric law from 0 to 1
-// with the characteristic values r = Cv and q = Ca. As f is symmetric its mean is 1/2:
+// (Across the line it then moves at ratio v tan(alpha): a blade that follows the guide cuts
+// square.) While the line advances by xa, the carriage's speed is k v f(x / xa). f is a symmetric
+// law from 0 to 1 with the characteristic values r = Cv and q = Ca. Because f is symmetric, its
+// mean is 1/2:
 //
 //     (2)  travel k xa / 2,   peak acceleration r k v^2 / xa,   peak jerk q k v^3 / xa^2
 //     (3)  xa >= r k v^2 / amax,   xa >= sqrt(q k v^3 / jmax)
 //
-// and the same braking over xd. With xs in step the carriage is at most this far from home:
+// The same holds for braking over xd. With xs in step, the greatest distance of the carriage from
+// home is
 //
 //     (4)  S = k ((xa + xd) / 2 + xs)
 //
-// and comes back over xr by a law with Cv, Ca, Cj:
+// It returns over xr by a law with Cv, Ca, Cj:
 //
 //     (5)  xr >= Cv S v / vmax,   xr >= v sqrt(Ca S / amax),   xr >= v cbrt(Cj S / jmax)
 //     (6)  L >= xa + xs + xd + xr
 //
-// Everything on the right grows with v and with xs, so that a bound can be bisected for.
+// All right sides grow with v and with xs, so bounds are found by bisection.
 
 namespace jounce {
 namespace {

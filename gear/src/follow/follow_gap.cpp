@@ -4,26 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-// From ratio r0 to r1 over the master's length L the slave is to travel S. One segment of linear
-// ratio does where
+// From ratio r0 to r1 over the master's length L, the slave must travel S. One segment with linear
+// ratio is enough if
 //
 //   (1)  S = (r0 + r1) L / 2.
 //
-// Two, of lengths a and b = L - a, that meet at the ratio r have S = (r0 + r) a / 2 + (r + r1) b / 2:
+// Two segments, of lengths a and b = L - a, that meet at the ratio r have S = (r0 + r) a / 2 + (r +
+// r1) b / 2:
 //
 //   (2)  r = (2 S - r0 a - r1 b) / L       for any a.
 //
-// The greater slope is least where both are k and -k, r - r0 = k a and r - r1 = k b, so that with
-// w = r1 - r0, D = S - (r0 + r1) L / 2:  a = (L + w / k) / 2  and  D = k L^2 / 4 - w^2 / (4 k), hence
+// The greater of both slopes is least if they are k and -k: r - r0 = k a and r - r1 = k b. With w =
+// r1 - r0 and D = S - (r0 + r1) L / 2, this gives a = (L + w / k) / 2 and D = k L^2 / 4 - w^2 / (4
+// k), hence
 //
 //   (3)  k = (2 D + sign(D) sqrt(4 D^2 + w^2 L^2)) / L^2,     |w / k| <= L.
 //
-// Where r has the other sign than r0, r1 and S, the slave would run backwards. Then it falls to rest
-// with the slope k in a = |r0| / k, stands, and leaves with it in b = |r1| / k:
+// If r has the opposite sign of r0, r1 and S, the slave would run backwards. Instead, it slows down
+// to rest with the slope k in a = |r0| / k, stands still, and speeds up with the slope k in b =
+// |r1| / k:
 //
 //   (4)  k = (r0^2 + r1^2) / (2 |S|),      a + b < L, for k is above that of (3).
 //
-// With a and b rounded down to whole master units the part between runs on at a ratio c:
+// With a and b rounded down to whole master units, the part between them continues at a ratio c:
 //
 //   (5)  c = (2 S - r0 a - r1 b) / (2 L - a - b).
 

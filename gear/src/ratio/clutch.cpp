@@ -11,11 +11,13 @@
 
 #include "gear/src/ratio/wide.hpp"
 
-// Let q be the common denominator of both ratios, P = r q, and d the distance. Then (2) of the header is
+// Let q be the common denominator of both ratios, P = r q, and d the distance. Then (2) of the
+// header becomes
 //
 //   (3)  slave = N(u) / (2 d q),   N(u) = 2 d P0 u + (P1 - P0) u |u|,   |u| <= d
 //
-// and beyond, N grows by 2 d P1 a count. Every term is whole, so that only the division rounds.
+// Beyond, N grows by 2 d P1 for each count. Every term is a whole number, so only the division
+// rounds.
 
 namespace jounce {
 namespace {

@@ -16,14 +16,14 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G),
-// which for the quintic is
+// The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G).
+// For the quintic, this law is
 //
 //   (2)  f(z) = (10 - 4 rho) z^3 - (15 - 7 rho) z^4 + (6 - 3 rho) z^5
 //
-// f' = z^2 (3 (10 - 4 rho) - 4 (15 - 7 rho) z + 5 (6 - 3 rho) z^2) stays >= 0 for 0 <= rho <= 5/2, and
-// <= rho for rho >= 5/3. Reversal is not derived from (2): every law is tested by the
-// exact extrema of its slope.
+// f' = z^2 (3 (10 - 4 rho) - 4 (15 - 7 rho) z + 5 (6 - 3 rho) z^2) stays >= 0 for 0 <= rho <= 5/2,
+// and <= rho for rho >= 5/3. The code does not use (2) to detect a reversal: for every law, it
+// tests the exact extrema of the slope.
 
 namespace jounce {
 namespace {

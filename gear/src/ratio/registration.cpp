@@ -11,12 +11,12 @@
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
-// Let e_n be the errors, s_n the steps, o_n the outstanding and a_n the applied correction. Then
+// Let e_n be the errors, s_n the steps, o_n the outstanding and a_n the applied corrections. Then
 //
 //   (1)  s_n = clamp(o_n + e_n, -most, most)
 //   (2)  o_(n+1) = o_n + e_n - s_n,   a_(n+1) = a_n + s_n
 //
-// so that a + o grows by e_n and by nothing else. Where |o + e| <= most, (2) leaves exactly 0.
+// So a + o grows by exactly e_n. If |o + e| <= most, (2) leaves exactly 0 outstanding.
 
 namespace jounce {
 namespace {
@@ -45,9 +45,9 @@ Cam product(const Cam& cam, std::size_t n) {
   return with(shifted(cam, at * cam.length(), at * cam.advance()), Extrapolation::refuse);
 }
 
-/// The correction c over all products, added to the master. A product is a period of the phase
-/// x + c(x), which takes its step s less of the master; and so does the window, which thereby moves
-/// back by all that was applied and stays where it is in the phase:
+/// The correction c over all products, added to the master. A product is a period of the phase x +
+/// c(x), and takes less of the master by its step s. The window does so as well. It therefore moves
+/// back by all applied corrections, and stays at the same place in the phase:
 ///
 ///   (3)  master of product n: L - s_n, window from w and l - s_n long, phases w to w + l
 Cam phase_correction(const Cam& cam, const Registration& registration,

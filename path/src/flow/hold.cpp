@@ -10,11 +10,11 @@
 
 #include "path/src/flow/partial_law.hpp"
 
-// A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
-// D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2 j), d the deceleration and j the jerk,
-// and then falls to D(v, 0) > L: one root before that. If the plan goes from V to e over L and v <= V, then
-// D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the plan, and it rests where the plan rests, at
-// the latest.
+// A stretch of the law of stations carries its box. From v over L, the lowest velocity that a ramp
+// reaches is 0 if D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2
+// j), where d is the deceleration and j the jerk, and then falls to D(v, 0) > L: there is one root
+// before that. If the plan goes from V to e over L and v <= V, then D(v, e) <= D(V, e) <= L. So the
+// held law is at no station faster than the plan, and it rests at the latest where the plan rests.
 
 namespace jounce {
 

@@ -16,17 +16,17 @@
 #include "path/src/timing/stations.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// Leg k runs from rest to rest by s_k(t). With the next one tau before its end, an axis is at
+// Leg k moves from rest to rest by s_k(t). If the next leg begins tau before its end, an axis is at
 //
 //   (1)  r = B - u a(t) + w b(t),     a: what is left of leg k,   b: what leg k + 1 has done
 //
-// a falls and b grows. The distance from the two lines is |u x w| min(a, b), greatest where a = b: one root. The
-// distance from B is an extremum of degree 5 on each common phase. An axis's jerk is at most |u_i| j + |w_i| j' and its
-// acceleration alike, so legs with
+// a falls and b grows. The distance from the two lines is |u x w| min(a, b), which is greatest
+// where a = b: one root. The distance from B is an extremum of degree 5 on each common phase. The
+// jerk of an axis is at most |u_i| j + |w_i| j', and its acceleration likewise. So legs with
 //
 //   (2)  j <= J_i / (|u_i| + |w_i|),   a <= A_i / (|u_i| + |w_i|)
 //
-// may overlap by any time, as far as the velocities permit.
+// may overlap by any time, within their velocity limits.
 
 namespace jounce {
 namespace {

@@ -14,18 +14,20 @@
 #include "path/src/plan/drawn.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes keeps all limits. An
-// override lowers the velocities only; for factors above 1 the units are those of a plan with the greatest
-// factor. At each step of the override the rest of the law is made again, from a place with acceleration 0:
+// The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes
+// keeps all limits. An override only lowers the velocities; for factors above 1, the units are
+// those of a plan with the greatest factor. At each step of the override, the rest of the law is
+// computed again, from a place with acceleration 0:
 //
 //   (1)  backward  b_k = min(c_k, F(b_k+1, L_k))                 c_k: lowered velocities, those of the units
 //   (2)  a descent, while the velocity is above that of the unit: one ramp down to it; or, if the unit is too short,
 //        to the lowest velocity that it permits
 //   (3)  forward   v_k+1 = min(b_k+1, F(v_k, L_k))                as in stations.cpp
 //
-// The law that the step interrupts is itself within the boxes. The descent is at no place faster (hold.cpp), so it
-// meets every corner and rest that the interrupted law meets. The place with acceleration 0 is found by ending the
-// current ramp with the greatest jerk. If (2) then fails, the ramp is completed instead, as the interrupted law does.
+// The law that the step interrupts is itself within the boxes. The descent is at no place faster
+// (hold.cpp), so it passes every corner and rest at most as fast as the interrupted law. The place
+// with acceleration 0 is found by ending the current ramp with the greatest jerk. If (2) then
+// fails, the ramp is completed instead, as in the interrupted law.
 
 namespace jounce {
 namespace {

@@ -11,15 +11,16 @@
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 
-// Two box averages of width l / 2 of a polyline over its own length, with vertices at q_k where the direction steps by
-// D_k:
+// Two box averages of width l / 2 of a polyline over its own length. At the vertices q_k, the
+// direction of the polyline steps by D_k:
 //
 //   (1)  r' = u_0 + sum over k of D_k T((q - q_k) / l + 1/2),   T' = 4 x, then 4 (1 - x)     (a turn of share 1/2)
 //
-// The polyline goes on beyond both ends by point reflection, so that the average begins and ends at its ends. r is
-// cubic between the places q_k - l/2, q_k, q_k + l/2, and r'' is continuous. |r'| <= 1, as a mean of directions.
-// With P(q) on the polyline, |r(q) - P(q)| bounds the distance of either from the other; it is at most the largest
-// norm of the Bernstein coefficients of the difference on each piece.
+// The polyline is continued beyond both ends by point reflection, so the average begins and ends at
+// its ends. r is cubic between the places q_k - l/2, q_k, q_k + l/2, and r'' is continuous. |r'| <=
+// 1, because it is a mean of directions. With P(q) on the polyline, |r(q) - P(q)| bounds the
+// distance of either from the other. It is at most the greatest norm of the Bernstein coefficients
+// of the difference on each piece.
 
 namespace jounce {
 namespace {

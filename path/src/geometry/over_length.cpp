@@ -16,12 +16,14 @@
 #include "path/src/geometry/vector.hpp"
 #include "path/src/maps/series_map.hpp"
 
-// A polynomial curve r(t) over its arc length, x in [0, 1] over a part of length h: with the speed w = |r'|,
+// A polynomial curve r(t) over its arc length. x in [0, 1] is the position in a part of length h.
+// With the speed w = |r'|,
 //
 //   (1)  dt/dx = h / w(t)
 //
-// gives the coefficients of t(x) one after the other. With intervals for t, over the whole part, they enclose the eighth
-// coefficient of r(t(x)), which bounds the distance of its polynomial of degree 7.
+// gives the coefficients of t(x) one after another. If t is an interval that contains the whole
+// part, they enclose the eighth coefficient of r(t(x)), which bounds the distance of its polynomial
+// of degree 7.
 
 namespace jounce {
 namespace {

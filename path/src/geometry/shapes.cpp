@@ -16,13 +16,14 @@
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/vector.hpp"
 
-// An ellipse over arc length s: with the speed w(t) = sqrt(a^2 sin^2 t + b^2 cos^2 t) by its angle t,
+// An ellipse over its arc length s. With the speed w(t) = sqrt(a^2 sin^2 t + b^2 cos^2 t) with
+// respect to its angle t,
 //
 //   (1)  dt/ds = 1 / w(t)
 //
-// whose Taylor coefficients follow one from the other; x = a cos t(s), y = b sin t(s) then have six coefficients
-// at both ends of a piece, which the Hermite polynomial of degree 11 takes. The polynomial is the path. With X = x
-// / a, Y = y / b,
+// The Taylor coefficients of t(s) follow one from another. Then x = a cos t(s), y = b sin t(s) have
+// six coefficients at both ends of a piece, which define the Hermite polynomial of degree 11. This
+// polynomial is the path. With X = x / a, Y = y / b,
 //
 //   (2)  its distance from the ellipse is at most a |sqrt(X^2 + Y^2) - 1| <= a g / (1 + sqrt(1 - g)),
 //        g >= |X^2 + Y^2 - 1|

@@ -21,8 +21,9 @@
 //
 //   (1)  |f - p| = |f^(8)(z)| / 8! (s (1 - s))^4 <= max |f^(8)| / 8! / 256
 //
-// The map encloses f^(8) over the whole part. p is what is played: velocities, accelerations and jerks of the joints
-// are those of p, so their limits hold exactly, and (1) bounds how far the tool leaves its path.
+// The map encloses f^(8) over the whole part. p is the motion that is played: velocities,
+// accelerations and jerks of the joints are those of p, so their limits hold exactly, and (1)
+// bounds the distance of the tool from its path.
 
 namespace jounce {
 namespace {
@@ -31,8 +32,8 @@ using path_detail::none;
 constexpr int deepest = 44;     ///< halvings
 constexpr int deepest_box = 6;  ///< halvings for boxes that vary less
 constexpr double even = 0.85;   ///< share of its ends' velocities that a part may allow, at least
-constexpr double widest =
-    0.25;  ///< rad of an arc, whose polynomial of degree 11 is then exact to rounding
+/// rad of an arc, whose polynomial of degree 11 is then exact to rounding.
+constexpr double widest = 0.25;
 constexpr int samples = 8;  ///< samples of a map without bounds, for each part
 constexpr double joint_rounding = 8e-15;
 

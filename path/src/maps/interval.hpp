@@ -7,9 +7,9 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-// Intervals that contain every value of an expression: each operation widens its result by more than its rounding
-// error, so no rounding mode is set. Division by an interval that contains 0, and a root of one that is not positive,
-// give the whole line.
+// Intervals that contain every value of an expression. Each operation widens its result by more
+// than its rounding error, so no rounding mode is set. Division by an interval that contains 0, and
+// the root of one that is not positive, give the whole line.
 namespace jounce::maps {
 
 struct Interval {

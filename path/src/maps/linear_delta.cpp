@@ -7,11 +7,12 @@
 
 #include "path/src/maps/series_map.hpp"
 
-// With the rail's direction d, |d| = 1, and w from the rail's start to the tool, less the platform's radius,
+// Let d be the rail's direction, |d| = 1, and w the vector from the rail's start to the tool, less
+// the platform's radius:
 //
 //   (1)  |w - joint d| = arm:   joint = w d + sqrt(arm^2 - |w|^2 + (w d)^2)
 //
-// The larger root has the carriage above the tool.
+// In the larger root, the carriage is above the tool.
 
 namespace jounce {
 namespace {

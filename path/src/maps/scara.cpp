@@ -9,7 +9,7 @@
 
 #include "path/src/maps/series_map.hpp"
 
-// Two arms a, b to the wrist (x, y), with D = cos(A1), S = sin(A1):
+// Two arms a, b reach the wrist (x, y). With D = cos(A1), S = sin(A1):
 //
 //   (1)  D = (x^2 + y^2 - a^2 - b^2) / (2 a b),     S = +- sqrt(1 - D^2)
 //   (2)  A0 is the angle of (x + i y) conj(a + b D + i b S)

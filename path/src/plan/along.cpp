@@ -17,22 +17,23 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// With v = q', a = q'' and the curvature k of a circle or helix, whose direction has length 1, the acceleration has the
-// components a along the path and k v^2 across it. On a phase of the law v is quadratic in time, so that
-// a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at constant v, where its acceleration is at most
-// v^2 |D| / ((1 - b) l), across the path in the middle. On other pieces |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
+// Let v = q', a = q'', and k the curvature of a circle or helix, whose direction has length 1. The
+// acceleration has the components a along the path and k v^2 across it. On a phase of the law, v is
+// quadratic in time, so a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at
+// constant v, and its acceleration is at most v^2 |D| / ((1 - b) l), in the middle, across the
+// path. On other pieces, with |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
 //
 //   (1)  speed <= R v,   normal <= |s| v^2,   total^2 <= sum of (f_i |a| + s_i v^2)^2
 
 namespace jounce {
 namespace {
 
-/// What the law meets on a piece.
+/// Bounds of the derivatives of a piece, for the quantities of the law.
 struct PieceShape {
   double speed = 1;
   double curvature = 0;  ///< factor of v^2 in the normal acceleration
   bool exact = true;
-  Derivatives bounds;  ///< where not exact
+  Derivatives bounds;  ///< if not exact
 };
 
 PieceShape shape_of(const Plan& plan, std::size_t piece) {

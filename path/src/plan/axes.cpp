@@ -10,9 +10,10 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// A stretch of the law within one piece of the path is composed in coordinates of its own, from 0 to the length of the
-// piece: nothing is lost far from the start of the path. At constant velocity the segment of the path is the motion,
-// over another length; on a line the law is, times the direction.
+// A stretch of the law within one piece of the path is composed in its own coordinates, from 0 to
+// the length of the piece, so no digits are lost far from the start of the path. At constant
+// velocity, the segment of the path is the motion, over another length. On a line, the law times
+// the direction is the motion.
 
 namespace jounce {
 namespace {

@@ -9,8 +9,9 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// A bound of the time on a given path without a limit of jerk. B = q'^2, dB/dq = 2 q''. The path is cut into
-// cells. On a cell r' of an axis lies in [p, P] and r'' in [c, C] (exact ranges), so that with p > 0 (or mirrored)
+// A lower bound of the duration on a given path without a limit of jerk. Let B = q'^2, so dB/dq = 2
+// q''. The path is divided into cells. On a cell, r' of an axis is in [p, P] and r'' in [c, C]
+// (exact ranges). With p > 0 (or mirrored),
 //
 //   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p     where that is positive,   dB/dq <= 2 (f + s B)
 //   (2)  B(h) <= B(0) e^(2 s h) + f (e^(2 s h) - 1) / s      by comparison of solutions
@@ -18,9 +19,9 @@
 //   (4)  at a point: for axes i and k with r'_i, r'_k > 0,
 //        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i       since one q'' must satisfy both
 //
-// A forward and a backward pass of (2), (3) under (4) and the velocities give upper bounds of B at the ends of the
-// cells, and the greatest slope within them; the integral of dq / sqrt(B) under these is a lower bound of the
-// time.
+// A forward and a backward pass of (2) and (3), under (4) and the velocity limits, give upper
+// bounds of B at the ends of the cells, and the greatest slope within them. The integral of dq /
+// sqrt(B) with these is a lower bound of the duration.
 
 namespace jounce {
 namespace {

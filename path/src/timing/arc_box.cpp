@@ -14,28 +14,29 @@
 //
 //   r' = m k cos + h,   r'' = -m k^2 sin,   r''' = -m k^3 cos,
 //
-// so with M = m k, a = |q''| and j = |q'''| its acceleration and its jerk are within their limits if
+// With M = m k, a = |q''| and j = |q'''|, its acceleration and its jerk are within their limits if
 //
 //   (1)  M sqrt(a^2 + (k v^2)^2) + |h| a                              <= A
 //   (2)  M sqrt((j + k^2 v^3)^2 + (3 k v a)^2) + |h| j                <= J
 //
-// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). A law of stations comes to its
-// greatest velocity V without acceleration, so that everywhere
+// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). A law of
+// stations reaches its greatest velocity V without acceleration, so everywhere
 //
 //   (3)  v + a^2 / 2j <= V
 //
-// and it has less acceleration where it is faster. With y = a^2 / 2j of the greatest acceleration, at most V / 2, and A
-// and J less what the drift h needs,
+// and it has less acceleration where it is faster. Let y = a^2 / 2j for the greatest acceleration;
+// it is at most V / 2. Let A and J be reduced by what the drift h needs. Then it is sufficient that
 //
 //   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2         since (1) is convex in v where (3) binds
 //   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2          for v in [0, V]
 //
-// are enough; of a ramp over dv, y is at most dv / 2. (5) is greatest at V or at the smaller root of  k^2 v^4 - 8 j v + 6 j V,  which is beyond 3 V / 4, and its
-// greatest value is convex in j. Of some velocities and jerks that pair is taken with which the motion over the arc
-// between the velocities of its ends, and what its neighbors lose by them, take the least time.
+// For a ramp over dv, y is at most dv / 2. (5) is greatest at V, or at the smaller root of k^2 v^4
+// - 8 j v + 6 j V, which is beyond 3 V / 4; its greatest value is convex in j. Of several
+// velocities and jerks, the code takes the pair with the least duration of the motion over the arc
+// between the velocities of its ends, including the time that its neighbors lose.
 //
-// One box for the whole ramp has the acceleration that its fastest place leaves. Stairs have more: the ramp is divided at
-// some velocities, and each step has a box of its own.
+// One box for the whole ramp has the acceleration that is possible at its fastest place. Several
+// boxes permit more: the ramp is divided at some velocities, and each part has its own box.
 
 namespace jounce {
 namespace {
@@ -120,7 +121,7 @@ class ArcRates {
   }
 
  private:
-  /// Where (5) is greatest.
+  /// The velocity at which (5) is greatest.
   [[nodiscard]] double place_of_most_jerk(double V, double j) const {
     double v = 0.75 * V;
     for (int step = 0; step < 20; ++step) {  // Newton, from below: convex

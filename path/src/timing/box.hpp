@@ -27,9 +27,9 @@ Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axe
 constexpr double fit_share = 1e-6;
 Rates reserved(const Rates& rates);
 
-/// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <= velocity keeps all
-/// limits on the piece. Every ramp that ends at most at the velocity without acceleration is such a law. On a corner the
-/// law is at constant velocity.
+/// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <=
+/// velocity keeps all limits on the piece. Every ramp that ends at this velocity or below, with
+/// zero acceleration, is such a law. On a corner, the law has constant velocity.
 struct Box {
   double velocity = PathSettings::none;
   double acceleration = PathSettings::none;
@@ -44,8 +44,8 @@ Box line_box(const Rates& rates, const PathSettings& settings, const double* dir
 /// The box of path limits and settings alone.
 Box path_box(const Rates& rates, const PathSettings& settings);
 
-/// An arc or a helix; `length` is how far the law goes on it, `entry` and `exit` are the greatest velocities at its ends,
-/// 0 for a rest. A compromise of velocity and acceleration, see arc_box.cpp.
+/// An arc or a helix. `length`: distance of the law on it; `entry` and `exit`: greatest velocities at
+/// its ends, 0 for a rest. The box is a compromise of velocity and acceleration; see arc_box.cpp.
 Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
             double entry, double exit);
 

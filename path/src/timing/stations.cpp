@@ -14,13 +14,15 @@
 //
 //   (1)  backward  v_k = min(c_k, F(v_k+1, L_k)),     forward  v_k+1 = min(v_k+1, F(v_k, L_k)).
 //
-// Every stretch is then long enough for its ramp. The forward pass lowers v_k+1 only to F(v_k) >= v_k, where the
-// ramp takes all of L_k. Where it does not lower it and v_k+1 >= v_k, the ramp is shorter, since its distance
-// grows with the larger end. Where v_k+1 < v_k, v_k+1 still has its backward value and v_k is at most its own. A
-// stretch at constant velocity has F(v) = v, for which the same holds.
+// Every stretch is then long enough for its ramp. Proof: the forward pass lowers v_k+1 only to
+// F(v_k) >= v_k, where the ramp takes all of L_k. If it does not lower v_k+1 and v_k+1 >= v_k, the
+// ramp is shorter, because its distance grows with the larger end. If v_k+1 < v_k, v_k+1 still has
+// its backward value and v_k is at most its own. A stretch at constant velocity has F(v) = v, for
+// which the same holds.
 //
-// F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, not the fastest one; stations are
-// therefore left out where the boxes of both sides agree, and where one ramp over both sides is faster.
+// F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, but not always
+// the fastest. Stations are therefore omitted if the boxes on both sides are equal, and if one ramp
+// over both sides is faster.
 
 namespace jounce {
 namespace {

@@ -11,11 +11,11 @@
 //
 //   (1)  |s(t) - s0(t)| <= A0 w^2 / 24
 //
-// A cap V over an interval of the path is held over d = V w / 2 + A0 w^2 / 24 more at both ends. Inside that zone
-// s0 moves at most V w / 2 in half a window, so that no instant of a window around t with s(t) in the interval
-// exceeds V. Accelerations average to at most A0. A local maximum of the velocity lasts at least w (by lowering
-// it), a local minimum lasts 2 d / V >= w, so no window contains accelerations of both signs, and |jerk| <= A0 /
-// w.
+// A cap V over an interval of the path is extended by d = V w / 2 + A0 w^2 / 24 at both ends.
+// Inside this zone, s0 moves by at most V w / 2 in half a window. So no instant of a window around
+// a t with s(t) in the interval exceeds V. Accelerations average to at most A0. A local maximum of
+// the velocity lasts at least w (because it is lowered), and a local minimum lasts 2 d / V >= w. So
+// no window contains accelerations of both signs, and |jerk| <= A0 / w.
 //
 // Lowering: F(q) is the greatest p such that q lies in an interval of length >= p w over which v >= p.
 

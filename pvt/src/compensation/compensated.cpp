@@ -15,11 +15,11 @@
 
 #include "pvt/src/compensation/grid_cell.hpp"
 
-// Between two breaks of any of the curves, and two passages of grid lines, all references stay in one
-// cell. Inserted into its polynomial, they give a polynomial whose degree is the product of the degrees. Where
-// that does not fit into a segment, or sines meet more than a straight line, the piece is fitted
-// (detail/hermite.hpp). The same substitution gives the fit its series at both ends and the majorant of the
-// twelfth derivative.
+// Between two breaks of any of the curves, and two passages of grid lines, all references stay in
+// one cell. Inserted into the cell's polynomial, they give a polynomial whose degree is the product
+// of the degrees. If this does not fit into a segment, or if sines meet more than a straight line,
+// the piece is fitted (detail/hermite.hpp). The same substitution gives the series of the fit at
+// both ends, and the majorant of the twelfth derivative.
 
 namespace jounce {
 namespace {

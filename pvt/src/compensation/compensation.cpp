@@ -15,12 +15,12 @@
 //
 //   (1)  c = sum over a, b, c of k_abc s_1^a s_2^b s_3^c
 //
-// with the coefficients of the linear interpolation, or of the cubic one between values f and slopes d
-// (by s) at both ends,
+// The coefficients are those of the linear interpolation, or of the cubic one between values f and
+// slopes d (with respect to s) at both ends,
 //
 //   (2)  f0 + d0 s + (3 (f1 - f0) - 2 d0 - d1) s^2 + (2 (f0 - f1) + d0 + d1) s^3,
 //
-// taken along each reference in turn; the slopes are those of the natural spline.
+// applied along one reference after another. The slopes are those of the natural spline.
 
 namespace jounce {
 namespace {

@@ -11,18 +11,20 @@
 //
 //   (1)  h_i v_(i-1) + 2 (h_(i-1) + h_i) v_i + h_(i-1) v_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)
 //
-// Elimination upwards leaves v_i + c_i v_(i+1) = y_i with
+// Elimination in ascending order leaves v_i + c_i v_(i+1) = y_i with
 //
 //   (2)  c_i = h_(i-1) / D,  y_i = (3 (h_i d_(i-1) + h_(i-1) d_i) - h_i y_(i-1)) / D,
 //        D = 2 (h_(i-1) + h_i) - h_i c_(i-1)
 //
-// and 0 <= c <= 1/2 (from row to row, if c_(i-1) <= 1/2: D >= 2 h_(i-1) + 1.5 h_i), so no pivots are
-// needed. Each row waits for the division of the row before. But an error fades along the chain. An error of
-// y_(i-1) changes y_i by f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)) times that. Since
-// (1 - 2 c) / (2 - c) <= 1/2, the product of m such factors is at most 2^-m (times 2 at its ends). An error
-// of c_(i-1) changes c_i by c_i f_i <= 1/12 times that, and an error of v_(i+1) changes v_i by c_i <= 1/2
-// times that. So a chain that starts with zeros 64 rows early gives the same result to 2^-63: long tables are
-// cut into four chains that run side by side.
+// with 0 <= c <= 1/2 (by induction: if c_(i-1) <= 1/2, then D >= 2 h_(i-1) + 1.5 h_i), so no pivots
+// are needed.
+//
+// Each row waits for the division of the previous row. But errors fade along the chain. An error of
+// y_(i-1) changes y_i by f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)) times the error. Because (1 -
+// 2 c) / (2 - c) <= 1/2, the product of m such factors is at most 2^-m (times 2 at its ends). An
+// error of c_(i-1) changes c_i by c_i f_i <= 1/12 times the error, and an error of v_(i+1) changes
+// v_i by c_i <= 1/2 times the error. So a chain that starts with zeros 64 rows early gives the same
+// result to 2^-63. Long tables are cut into four chains that are computed side by side.
 
 namespace jounce::pvt_detail {
 namespace {
@@ -146,7 +148,7 @@ void c2_velocities(std::span<const double> x, std::span<const double> p, EndRow 
 }
 
 // The velocities are u + t z: u with ends at rest, z the response to t = 1 at both ends.
-// (1) at the seam is linear in t.
+// At the joint of two periods, (1) is linear in t.
 void c2_periodic_velocities(std::span<const double> x, std::span<const double> p,
                             std::span<double> v) {
   const std::size_t end = x.size() - 1;

@@ -11,11 +11,11 @@
 //   (1)  a(0) = (6 d - 4 v0 - 2 v1) / h,   a(1) = (-6 d + 2 v0 + 4 v1) / h,   a linear between
 //   (2)  jerk = 6 (v0 + v1 - 2 d) / h^2
 //
-// so limits of acceleration and jerk are half planes of (v0, v1), and so is convexity, a >= 0 at both
-// ends. |v| <= V at every place is a convex set with a curved edge. With w = V + v, the piece of velocity w
-// has the chord D = V + d and must not run backwards: this is Fritsch and Carlson's region (1) of
-// local_velocities.cpp times D. The same holds with V - v and V - d. The polygon below is inscribed: its
-// corners lie on the region's edge.
+// So limits of acceleration and jerk are half planes of (v0, v1), and so is convexity, a >= 0 at
+// both ends. |v| <= V at every place is a convex set with a curved edge. With w = V + v, the piece
+// of velocity w has the chord D = V + d and must not run backwards: this is the region (1) of
+// Fritsch and Carlson in local_velocities.cpp, times D. The same holds for V - v and V - d. The
+// polygon below is inscribed: its corners are on the edge of the region.
 
 namespace jounce::pvt_detail {
 namespace {

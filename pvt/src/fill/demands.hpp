@@ -14,9 +14,9 @@ namespace jounce::pvt_detail {
 /// The direction in which the data demand that a piece turns.
 enum class Turn { any, left, right, neither };
 
-/// Velocities such that the cubic piece of this length and chord keeps velocity, acceleration and
-/// jerk limits. All velocities kept are within the limits, to rounding. Beside a velocity limit, up to 2 % of
-/// those refused would be within them too.
+/// Velocities for which the cubic piece of this length and chord keeps the limits of velocity,
+/// acceleration and jerk. All accepted velocities keep the limits, to rounding. Near a velocity
+/// limit, up to 2 % of the rejected ones would keep the limits, too.
 Demand within_limits(const Limits& limits, double length, double chord);
 
 /// The factor by which a piece between two knots must be longer, so that its demand is kept from some

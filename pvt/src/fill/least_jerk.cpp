@@ -13,16 +13,17 @@
 //                                       ( 168   24  192  -36 )
 //                                       ( -24   -3  -36    9 )
 //
-// (`cam/src/design/least_energy.cpp` has the matrix with free positions too, which smoothing splines need.
-// Here the positions are given, and the remaining blocks of 2 x 2 need no library.) The sum over all
-// pieces is least where its gradient by every free state vanishes. This is a positive definite system in
-// which a knot's two states x_i are coupled only to those of its neighbors. The first knot of a periodic table
-// is a border, eliminated last:
+// (`cam/src/design/least_energy.cpp` has the matrix for free positions as well, which smoothing
+// splines need. Here the positions are given, and the remaining 2 x 2 blocks need no library.) The
+// sum over all pieces is least if its gradient with respect to every free state vanishes. This is a
+// positive definite system in which the two states x_i of a knot are coupled only to those of its
+// neighbors. The first knot of a periodic table is a border, which is eliminated last:
 //
 //   (2)  N_(i-1)' x_(i-1) + D_i x_i + N_i x_(i+1) + B_i x_0 = r_i
 //
-// A fixed state is an equation 1 * x = value, its column carried over to the right. The system is positive
-// definite: it needs no pivots at any scale of the unknowns. The unit of length is the mean piece.
+// A fixed state is the equation 1 * x = value; its column is moved to the right side. The system is
+// positive definite, so it needs no pivots at any scale of the unknowns. The unit of length is the
+// mean piece.
 
 namespace jounce::pvt_detail {
 namespace {

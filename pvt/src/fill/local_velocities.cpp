@@ -12,12 +12,13 @@
 //   (1)  2 alpha + beta <= 3   or   alpha + 2 beta <= 3
 //        or   alpha^2 + alpha beta + beta^2 - 6 alpha - 6 beta + 9 <= 0
 //
-// which contains the square [0, 3] x [0, 3]. Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984)
-// take, where the chords d0 and d1 beside a knot have one sign,
+// This region contains the square [0, 3] x [0, 3]. If the chords d0 and d1 beside a knot have the
+// same sign, Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984) use
 //
 //   (2)  v = (w0 + w1) / (w0 / d0 + w1 / d1),   w0 = 2 h1 + h0,  w1 = h1 + 2 h0
 //
-// and 0 elsewhere. v <= (w0 + w1) / w0 |d0| < 3 |d0|, and the same with d1: inside the square.
+// and otherwise 0. v <= (w0 + w1) / w0 |d0| < 3 |d0|, and the same holds for d1: the result is
+// inside the square.
 
 namespace jounce::pvt_detail {
 namespace {

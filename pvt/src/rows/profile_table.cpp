@@ -15,8 +15,8 @@
 //   acceleration linear to a1:  p + v T s + a T^2 s^2 / 2 + (a1 - a) T^2 s^3 / 6      (2)
 //                               and ends with v + (a + a1) T / 2                      (3)
 //
-// Velocities of the cubic rule at a point are those of the monotone filling: at most 3 times the
-// smaller slope beside it, so that neither stage overshoots.
+// The velocities of the cubic rule at points are those of the monotone filling: at most 3 times the
+// smaller adjacent slope, so neither stage overshoots.
 
 namespace jounce::pmc600 {
 namespace {

@@ -8,8 +8,8 @@
 #include "jounce/pvt/warnings.hpp"
 
 // In a chain of normal segments b = 2 P/T - a: an error e of a rate becomes -e at the end of the
-// segment, +e at the end of the next, and so on without end. The rate then goes up and down from point to
-// point; four such segments in a row count as one oscillation.
+// segment, +e at the end of the next, and so on. So the rate goes up and down from point to point.
+// Four such segments in a row count as an oscillation.
 
 namespace jounce {
 namespace {

@@ -6,12 +6,17 @@
 #include <cmath>
 #include <limits>
 
-// Access to a FIFO. The producer appends: it writes a slot beyond the size, then the size (release). The
-// player reads below the size it has seen (acquire). The player empties a FIFO, by storing 0, in two
-// places, and the producer uses that FIFO in neither: end_stream_fifo() runs when the other FIFO has rows, and
-// the producer moves there for good when the first is full; end_pass() runs with a switch queued, after which
-// push() refuses. The producer empties in clear(). clear() and take() exclude each other: each raises a flag
-// before it looks at the other's (sequentially consistent: one of them sees the other, and gives way).
+// Access to a FIFO. The producer appends: it writes a slot beyond the size, then the size
+// (release). The player reads below the size that it has read (acquire).
+//
+// The player empties a FIFO, by storing 0, in two functions, and the producer does not use that
+// FIFO then. end_stream_fifo() runs when the other FIFO has rows, and the producer moves there for
+// good when the first is full. end_pass() runs with a queued switch, after which push() rejects
+// rows.
+//
+// The producer empties a FIFO in clear(). clear() and take() exclude each other: each sets a flag
+// before it reads the flag of the other (sequentially consistent: one of them sees the other's
+// flag, and gives way).
 
 namespace jounce {
 

@@ -9,13 +9,13 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// A row of degree 2 over the length T with the increment P is (1) of pt.cpp: with s = u / T
+// A row of degree 2 over the length T with the increment P is (1) of pt.cpp. With s = u / T,
 //
 //   (1)  f = f0 + c1 s + (P - c1) s^2,   c1 = T times the rate a at its start
 //   (2)  a = 2 P / T - b  where the rate b at its end is given:  c1 = 2 P - b T
 //   (3)  b = 2 P / T - a
 //
-// (2) without the quotient lets a STOP (b = 0) begin with exactly 2 P, as pt() does.
+// (2), without the quotient, lets a STOP (b = 0) begin with exactly 2 P, as pt() does.
 
 namespace jounce {
 namespace {

@@ -10,16 +10,17 @@
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// Let e(i, j) be the share of the tolerances that an interval from place i to place j uses up. Of all tables of
-// k intervals that end at place j, the best one has the greatest share
+// Let e(i, j) be the share of the tolerances that an interval from place i to place j uses. Of all
+// tables with k intervals that end at place j, the best one has the greatest share
 //
 //   (1)  E_0(0) = 0,   E_k(j) = min over i < j of max(E_(k-1)(i), e(i, j))
 //
-// This is exact over the places. Then the knots move. Around each knot are the places x - h ... x + h, and an
-// interval leads from each of them to each place around the next knot, so that (1) has one layer for
-// each knot. h is halved several times.
+// This is exact over the places. Then the knots move. The places x - h ... x + h around each knot
+// are candidates, and an interval leads from each of them to each candidate around the next knot,
+// so (1) has one layer for each knot. h is halved several times.
 //
-// No interval passes an end of a stretch that the table keeps, and no place lies inside one.
+// No interval crosses an end of a stretch that the table keeps, and no place is inside such a
+// stretch.
 namespace jounce::pvt_detail {
 namespace {
 

@@ -8,16 +8,16 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 
-// The difference of the table's one polynomial and the curve's segments, piece by piece, by the cheapest test
-// that decides:
+// The difference between the polynomial of the table and the segments of the curve. Each piece is
+// decided by the cheapest possible test:
 //
-//   (1)  a value of the difference anywhere is no more than its maximum: a few in the interval show
-//        most of those that are too long;
-//   (2)  a segment is at most the sum of the magnitudes of its terms, a polynomial within the hull of
-//        its Bernstein coefficients: a piece for which either is within the greatest error found so
-//        far adds nothing;
-//   (3)  otherwise the error of the piece is the greatest of its values at its ends and where its
-//        derivative vanishes.
+//   (1)  A value of the difference anywhere is at most its maximum: a few values in the interval reveal most
+//        intervals that are too long.
+//   (2)  A segment is at most the sum of the magnitudes of its terms; a polynomial is within the hull of its
+//        Bernstein coefficients. A piece for which either is within the greatest error found so far adds
+//        nothing.
+//   (3)  Otherwise the error of the piece is the greatest of its values at its ends and where its derivative
+//        vanishes.
 namespace jounce::pvt_detail {
 namespace {
 

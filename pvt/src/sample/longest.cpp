@@ -10,23 +10,25 @@
 #include "pvt/src/sample/halves.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// The error of an interval of length h is proportional to h^k (Hermite interpolation: k = 2, 4, 6; two
-// quadratic pieces: 3). So after a length whose share of the tolerance is e, the next length tried is
+// The error of an interval of length h is proportional to h^k (Hermite interpolation: k = 2, 4, 6;
+// two quadratic pieces: 3). So after a length that uses the share e of the tolerance, the next
+// length to try is
 //
 //   (1)  h (0.99995 / e)^(1/k)
 //
-// and few are tried. Where the curve is not that smooth, bisection takes over. The search ends
-// when the share is within 1e-4 of 1, or the length is exact to 1e-6.
+// and few lengths are tried. If the curve is less smooth, bisection is used instead. The search
+// ends when the share is within 1e-4 of 1, or the length is exact to 1e-6.
 //
-// Rounded knots: with d the distance of a rounded position from the curve, the error of the interval
-// is at most the unrounded one plus d, and at least that minus d. So no interval is longer than
+// Rounded knots: if d is the distance of a rounded position from the curve, the error of the
+// interval is at most the unrounded error plus d, and at least the unrounded error minus d. So no
+// interval is longer than
 //
 //   (2)  the longest that keeps, unrounded, the tolerance plus p_step / 2
 //
-// and the knots within are tried from there down.
+// and the knots within this length are tried from its end downwards.
 //
-// No interval goes beyond the next required knot, the limit. Before a dwell or a straight line that
-// the curve enters with a step of a derivative, the last interval must be short:
+// No interval crosses the next required knot, the limit. Before a dwell or a straight line that the
+// curve enters with a step of a derivative, the last interval must be short:
 //
 //   (3)  an interval that ends just before the limit ends where the limit can be reached from.
 namespace jounce::pvt_detail {
@@ -114,9 +116,9 @@ class Search {
     return from + (to - from) / (from > 0 ? 2 : 8);
   }
 
-  /// A break of the curve is the better knot. At a break within the bracket the curve steps, and the interval
-  /// ends with the limits from the left. A break just behind is as good, and spares the next interval the
-  /// rest of that segment.
+  /// A break of the curve is a better knot. At a break within the bracket a derivative of the curve
+  /// steps, and the interval ends with the limits from the left. A break just after the bracket is
+  /// as good, and spares the next interval the rest of that segment.
   std::optional<Knot> at_break() {
     const auto breaks = f_.breaks();
     const double last = hi_ == profiles_detail::inf ? lo() : hi_;

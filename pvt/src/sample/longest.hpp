@@ -18,10 +18,10 @@ Knot knot_at(const Curve<Over>& f, double x, Side side);
 template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
-/// The knots that may follow a, so that the interval keeps the tolerances: first the farthest that the
-/// target allows, then breaks of the curve near it, from which the next interval may reach farther.
-/// None beyond the next end of a stretch, which must be a knot. None at all where no knot can follow. `guess` > 0
-/// is a length to try first, such as that of the interval before.
+/// The knots that may follow a so that the interval keeps the tolerances: first the farthest knot
+/// that the target permits, then breaks of the curve near it, from which the next interval may
+/// reach farther. No knot is beyond the next end of a stretch, which must be a knot. Empty if no
+/// knot can follow. `guess` > 0 is a length to try first, such as that of the previous interval.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,

@@ -18,25 +18,27 @@
 #include "pvt/src/sample/stretches.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// An interval's error depends only on its two knots. So a table with each interval as long as
-// possible has the fewest knots: by induction its i-th knot lies at or beyond the i-th of any other table, if
+// The error of an interval depends only on its two knots. So a table in which each interval is as
+// long as possible has the fewest knots. By induction, its i-th knot is at or beyond the i-th knot
+// of any other table, if
 //
 //   (1)  an interval that keeps the tolerance keeps it from any later beginning.
 //
-// (1) holds where the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of the
-// error. It may fail where a derivative steps: an interval from just before the break is shorter than
-// one from the break. So
+// (1) holds if the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of
+// the error. It may fail if a derivative steps: an interval from just before the break is shorter
+// than one from the break. So
 //
 //   (2)  the search continues from the farthest knot and from the breaks next to it,
 //
-// from the few farthest for each number of knots. Required knots (stretches.cpp) divide the curve
-// into such problems, one behind the other. Knots that can still be left out at the end are left out. With all
-// tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
-// table of n knots, and bisection finds it.
+// for each number of knots from the few farthest ones. Required knots (stretches.cpp) divide the
+// curve into such problems. At the end, knots that can be omitted are removed. If all tolerances
+// are multiplied by s, the number of knots n(s) falls as s grows. The least s with n(s) <= n gives
+// the best table of n knots, and bisection finds it.
 //
-// Where (1) does not hold, the result is only near the best. So tables of few knots are also searched
+// If (1) does not hold, the result is only near the best. So tables with few knots are also
+// searched
 //
-//   (3)  over places, by a dynamic programme (best_places.cpp),
+//   (3)  over places, by dynamic programming (best_places.cpp),
 //
 // and the better one is taken.
 namespace jounce {

@@ -59,13 +59,14 @@ std::vector<double> equal_parts(double from, double to, std::size_t intervals) {
   return knots;
 }
 
-/// A knot has one velocity and one acceleration. Where those of the curve step, the table has the right
-/// ones, and in the interval before it deviates by at most (greatest values of the Hermite shapes)
+/// A knot has one velocity and one acceleration. If those of the curve step, the table has the
+/// right limits. In the interval before the step, it deviates (greatest values of the Hermite
+/// shapes) by at most
 ///
 ///     (1)  cubic:   4/27 |dv| d;      quintic:   0.2 |dv| d + 0.01728 |da| d^2
 ///
-/// over an interval of length d. So that interval is made short enough for an eighth of `wanted`. A curve
-/// that repeats has at its end the values of its start.
+/// over an interval of length d. So this interval is made so short that it uses an eighth of
+/// `wanted`. At its end, a curve that repeats has the values of its start.
 template <class Over>
 std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation rule, double wanted,
                                            const std::vector<double>& knots) {
@@ -87,12 +88,12 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation r
   return all;
 }
 
-/// A knot's position is rounded to e P, P the greatest position. In an interval of length L this adds to the
-/// third derivative up to
+/// The position of a knot is rounded to e P, where P is the greatest position. In an interval of
+/// length L, this adds to the third derivative up to
 ///
 ///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
 ///
-/// which is a thousandth of the curve's third derivative at the length that this returns.
+/// This is a thousandth of the curve's third derivative at the length that this function returns.
 template <class Over>
 double noisy_length(const Curve<Over>& f, Interpolation rule) {
   const Ranges peaks = extrema(f);
@@ -109,9 +110,9 @@ std::array<double, 4> peaks_of(const Ranges& ranges) {
   return peaks;
 }
 
-/// Knots whose neighbours are not so near that the rounding of their positions shows in the jerk: near ones
-/// are left out or moved apart, where the tolerance allows it and no derivative becomes greater than the
-/// curve's greatest.
+/// Removes knots whose neighbors are so near that the rounding of their positions is visible in the
+/// jerk, or moves them apart, if the tolerance permits it and no derivative exceeds the greatest
+/// one of the curve.
 template <class Over>
 class Spread {
  public:
@@ -201,10 +202,11 @@ double rise(const Curve<Over>& f, double a, double b) {
   return sum;
 }
 
-/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Between them, over a length
-/// d, the rounding e of the rise causes a jerk of 60 e / d^3. One of them moves to the nearby double for which e
-/// is least. Both velocities then take up the rest of e, as e / d: the interval then
-/// has the curve's derivatives, and the intervals beside it, which are long, change by far less.
+/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Over the
+/// length d between them, the rounding e of the rise causes a jerk of 60 e / d^3. One of the knots
+/// moves to the nearby double for which e is least. Both velocities then take the rest of e, as e /
+/// d. So the interval has the curve's derivatives, and the adjacent intervals, which are long,
+/// change by much less.
 template <class Over>
 class ShortIntervals {
  public:

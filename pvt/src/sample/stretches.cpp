@@ -7,13 +7,13 @@
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// A machine relies on two properties that a tolerance does not cover: a slave that dwells stands still,
-// and one in sync keeps its ratio. So the straight parts of a curve are intervals of its table. Neighboring
-// segments on one line are one stretch. It is kept where
+// A machine relies on two properties that a tolerance does not cover: a slave that dwells stands
+// still, and a slave in step keeps its ratio. So the straight parts of a curve are intervals of its
+// table. Neighboring segments on one line are one stretch. A stretch is kept if
 //
 //   (1)  the curve is bent on one side of it: then it is part of the design;
-//   (2)  or it stands still for a part of 1/64 of the curve. Between straight lines the curve is a
-//        table itself, which may have been recorded in whole counts: its steps are no dwells.
+//   (2)  or it stands still for at least 1/64 of the curve. (Between straight lines, the curve is a table itself,
+//        which may have been recorded in whole counts: its steps are not dwells.)
 //
 // The ends move inwards to steps of x. A stretch without two such steps is not kept.
 namespace jounce::pvt_detail {

@@ -6,9 +6,9 @@
 
 #include "pvt/src/table/sample_kernel.hpp"
 
-// A block is cut where the samples enter and leave the table. Samples inside go to the widest kernel of this
-// processor. Samples outside, which are rare, go one by one to jet(), which applies the policy; so do all
-// samples of a block that does not ascend.
+// A block is divided where the samples enter and leave the table. Samples inside go to the widest
+// kernel of the processor. Samples outside, which are rare, go one by one to jet(), which applies
+// the policy. So do all samples of a block that does not ascend.
 
 namespace jounce {
 namespace {

@@ -14,14 +14,15 @@
 
 #include "pvt/src/table/hull_kernel.hpp"
 
-// The exact search of extrema.cpp costs some 100 ns an interval and order. Here it runs only in the intervals
-// that can change the outcome, in ascending order, so that the outcome is the same. In each chunk, with
-// U the bound of an interval (hull_kernel.hpp), B the best value so far and T a value that the chunk
-// certainly takes, an interval matters for a greatest value only if
+// The exact search of extrema.cpp takes about 100 ns for each interval and order. Here it runs only
+// in the intervals that can change the result, in ascending order, so that the result is the same.
+// For each chunk, let U be the bound of an interval (hull_kernel.hpp), B the best value so far, and
+// T a value that the chunk certainly takes. For the greatest value, an interval matters only if
 //
 //   (1)  U > B   and   U >= T - r,     r = 4 eps (|T| + |limit|)
 //
-// where r covers values that differ but leave margins that round to the same; and for a limit G also if
+// where r covers values that differ but whose margins round to the same number. If there is a limit
+// G, it also matters if
 //
 //   (2)  U > G + 0.999e-12 max(|G|, scale),
 //

@@ -3,19 +3,19 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// Bounds of every interval of a table, in vectors of intervals. With the coefficients c of a polynomial
-// of degree n on s in [0, 1], its Bernstein coefficients beside the first are
+// Bounds of every interval of a table, computed in vectors of intervals. Let c be the coefficients
+// of a polynomial of degree n on s in [0, 1]. Except for the first, its Bernstein coefficients are
 //
 //   (1)  b_i - c_0 = sum over 1 <= k <= i of C(i, k) / C(n, k) c_k,
 //
-// and the polynomial lies between the least and the greatest of them. The rounded results of an exact search
-// lie there too if the hull is wider by
+// The polynomial lies between the least and the greatest of them. The rounded results of an exact
+// search lie there, too, if the hull is wider by
 //
 //   (2)  e = 64 eps sum over k >= 1 of |c_k|,   eps = 2^-53,
 //
-// which covers the rounding of Horner's rule, of (1), and of the coefficients. The addition of c_0 comes
-// last in both and rounds monotonically. So the bound of a constant is exactly that constant, and none of a
-// million intervals at rest exceeds the first.
+// which covers the rounding of Horner's rule, of (1), and of the coefficients. In both, the
+// addition of c_0 comes last and rounds monotonically. So the bound of a constant is exactly this
+// constant, and none of a million intervals at rest exceeds the first.
 namespace jounce::pvt_detail {
 
 /// For at most `size` intervals, for the value and three derivatives: the bounds of f [0] and of -f [1],

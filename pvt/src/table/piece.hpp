@@ -4,9 +4,10 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/pvt/table.hpp"
 
-// One interval of a table as polynomials in s, for many instants. The operations and their order are the same
-// for one double and for a vector of them. With s = (x - x0) / L in [0, 1], h = p1 - p0,
-// m = v L and k = a L^2 (VDI 2143, the general 5th degree; a cubic has c4 = c5 = 0):
+// One interval of a table as polynomials in s, for many instants. The operations and their order
+// are the same for a double and for a vector of doubles. With s = (x - x0) / L in [0, 1], h = p1 -
+// p0, m = v L and k = a L^2 (VDI 2143, the general polynomial of degree 5; a cubic has c4 = c5 =
+// 0):
 //
 //   (1)  p = c0 + c1 s + ... + cn s^n
 //   (2)  cubic:    c = {p0, m0, 3h - 2m0 - m1, -2h + m0 + m1}
@@ -15,9 +16,9 @@
 //   (4)  v = dp/dx has the coefficients i ci / L, a those of v times i / L, the third derivative
 //        those of a; each with its first as the table gives it, where it gives it
 //
-// No operation here is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times 1/L, so
-// that a sample costs no division. There are only plain arrays and inlined functions: kernels for wide vectors
-// include this file, and a linker must find no code to share between them.
+// No operation is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times
+// 1/L, so a sample needs no division. There are only plain arrays and inlined functions: kernels
+// for wide vectors include this file, and a linker must find no code to share between them.
 namespace jounce::pvt_detail {
 
 /// The columns that a kernel reads: size knots; v and a where the rule has them.

@@ -3,9 +3,9 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// Block sampling, segment by segment: the coefficients once an interval, then a loop over the samples
-// in it, in vectors of the width that the including file is compiled for. Every sample is the result of
-// the same operations, in any lane of any width.
+// Block sampling, interval by interval: the coefficients once for each interval, then a loop over
+// its samples, in vectors of the width for which the including file is compiled. Every sample is
+// the result of the same operations, in any lane of any width.
 namespace jounce::pvt_detail {
 
 /// The places of the samples: given instants, or start + k step, rounded twice.
@@ -126,9 +126,9 @@ JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, cons
   profiles_detail::store(out.a + k, acceleration(f, s));
 }
 
-/// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that are aligned
-/// in the first column, so that their stores cross no cache line. Samples in two vectors are stored twice, with
-/// the same value.
+/// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that
+/// are aligned in the first column, so that their stores cross no cache line. Samples in two
+/// vectors are stored twice, with the same value.
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
                               std::size_t last, const Samples& out) {
