@@ -14,7 +14,7 @@ namespace jounce {
 
 /// Requirements for a converted table.
 struct Conversion {
-  Interpolation rule = Interpolation::cubic_hermite;
+  Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the result
   /// New knots, as few as the target permits; its rule is `rule` above.
   std::optional<Target> target = {};
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
@@ -25,7 +25,7 @@ struct Conversion {
 
 /// A converted table, and its difference from the input.
 struct Converted {
-  TableFile file;
+  TableFile file;  ///< the table, with its units and names
   /// In the units of the input; nullopt: the knots of the input, bit for bit.
   std::optional<SampleError> error;
 };

@@ -26,10 +26,10 @@ struct CutLengths {
   std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
   /// A length with a special meaning.
   struct Mark {
-    double length = 0;
+    double length = 0;      ///< master unit
     std::string name = {};  ///< "synchronous", "longest without a stop"
   };
-  std::vector<Mark> marks = {};
+  std::vector<Mark> marks = {};  ///< all such lengths, ascending
   /// Cuts above this length need a dwell that the spec does not permit.
   double turns_back = std::numeric_limits<double>::infinity();
   double from = 0;  ///< start of a range that contains all these lengths

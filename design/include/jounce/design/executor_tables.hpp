@@ -10,7 +10,7 @@ namespace jounce {
 /// The tables with which an executor plays an input. Their axis is the time in s; the axis of a
 /// cam's slave is its master.
 struct ExecutorTables {
-  TableFile slave;
+  TableFile slave;                  ///< position over time; of a cam: slave over master
   std::optional<TableFile> master;  ///< for a cam: position of the master over time, in its unit
 };
 

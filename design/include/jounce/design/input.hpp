@@ -14,9 +14,9 @@ namespace jounce {
 
 /// The input of a command: one axis of a spec with its curve and table, or a table from a file.
 struct Input {
-  std::optional<Spec> spec;
-  LazyCurve curve;  ///< the exact curve; of a table from a file: its own
-  TableFile table;
+  std::optional<Spec> spec;  ///< the spec; nullopt for a table
+  LazyCurve curve;           ///< the exact curve; of a table from a file: its own
+  TableFile table;           ///< the table with its units
   /// Error of the table against the curve; nullopt if the curve is that of the table.
   std::optional<SampleError> error;
   Limits limits;              ///< limits of the spec; none for a table

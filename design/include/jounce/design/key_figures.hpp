@@ -12,8 +12,8 @@ namespace jounce {
 
 /// A key figure of a design.
 struct KeyFigure {
-  std::string name;
-  double value = 0;
+  std::string name;                  ///< "peak torque", ...
+  double value = 0;                  ///< in `unit`
   std::string unit;                  ///< "" for a pure number
   std::optional<double> limit = {};  ///< upper limit, if the spec has one
 };

@@ -26,8 +26,8 @@ struct Residual {
 /// The result of a spec for one axis: the exact curve, and the table for a controller with its
 /// error.
 struct Made {
-  AxisPart part;  ///< the axis
-  LazyCurve curve;
+  AxisPart part;    ///< the axis
+  LazyCurve curve;  ///< the exact curve
   /// Name of each segment of the curve, for reports; empty: segments have numbers from 1.
   std::vector<std::string> segments;
   Sampled sampled;                       ///< the table and its error

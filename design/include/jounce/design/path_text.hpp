@@ -29,10 +29,10 @@ struct PathSummary {
   double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
   double length = 0;       ///< length of the path, corners included
   PathCost cost;           ///< time lost against full speed
-  std::vector<CornerRecord> corners;
-  std::vector<EventPlace> events;
-  Report along;                    ///< result of path_report()
-  std::optional<MapFit> fit = {};  ///< for joints: distance of their motion from the kinematics
+  std::vector<CornerRecord> corners;  ///< one for each joint of the plan with a corner or a note
+  std::vector<EventPlace> events;     ///< places of the words of a G-code program
+  Report along;                       ///< result of path_report()
+  std::optional<MapFit> fit = {};     ///< for joints: distance of their motion from the kinematics
 };
 
 /// Checks the motion along the path, with the override of the spec, against [path.limits] and the

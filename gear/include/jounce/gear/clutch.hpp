@@ -96,8 +96,8 @@ enum class Reversal : std::uint8_t {
 /// **recover** keeps the phase, because the slave follows the furthest position of its master. The
 /// slave does not creep, but its velocity steps when the master passes that position at speed.
 struct DirectionMask {
-  FollowDirection direction = FollowDirection::both;
-  Reversal reversal = Reversal::hold;
+  FollowDirection direction = FollowDirection::both;  ///< directions that the slave follows
+  Reversal reversal = Reversal::hold;  ///< behavior while the master moves against `direction`
 
   struct State {
     /// For recover: counts from the master to its furthest position, >= 0.

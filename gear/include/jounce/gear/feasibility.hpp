@@ -10,8 +10,8 @@ namespace jounce {
 /// Motion of the master of a gear: velocities up to `velocity` (m/s, > 0, in either direction),
 /// with acceleration and jerk up to `rates`.
 struct MasterRange {
-  double velocity = 0;
-  MasterRates rates = {};
+  double velocity = 0;     ///< m/s
+  MasterRates rates = {};  ///< m/s^2, m/s^3
 };
 
 /// Checks whether a slave in step with its master keeps its limits over time, at every speed of the

@@ -80,8 +80,8 @@ struct ShearPlan {
 /// "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
 /// length"; "" if none.
 struct ShearBound {
-  double value = 0;
-  std::string quantity = {};
+  double value = 0;           ///< m or m/s
+  std::string quantity = {};  ///< the limit
 };
 
 /// The intervals of the cycle. Throws as described above.

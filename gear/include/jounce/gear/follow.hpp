@@ -57,8 +57,8 @@ struct FollowTable {
 /// number. Also throws if there is no table, if an endless table is not the last, or if all passes
 /// together have more than 1e6 segments. Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
-  std::vector<FollowTable> tables = {};
-  double start_ratio = 0;  ///< u/m, ratio of the slave before the first table
+  std::vector<FollowTable> tables = {};  ///< in the order in which they are played
+  double start_ratio = 0;                ///< u/m, ratio of the slave before the first table
 };
 
 /// The cam, which begins at the origin of the first table, (0, 0). Its zones are the intervals of

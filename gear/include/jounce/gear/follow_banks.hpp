@@ -21,9 +21,9 @@ namespace jounce {
 /// well. If there is nothing before the last table, `second` is empty, and the first bank is played
 /// `loops` times.
 struct FollowBanks {
-  std::vector<SegmentRow> first = {};
-  std::vector<SegmentRow> second = {};
-  std::int64_t loops = 1;  ///< below 1: endless
+  std::vector<SegmentRow> first = {};   ///< rows of the first bank
+  std::vector<SegmentRow> second = {};  ///< rows of the second bank
+  std::int64_t loops = 1;               ///< below 1: endless
 };
 
 /// Throws InputError like follow(), and "loops" if a bank would have more than `most` rows.

@@ -58,7 +58,7 @@ struct FollowPlan {
   std::vector<FollowZone> zones = {};
   bool periodic = false;                   ///< true: the plan repeats after its last point or zone
   std::optional<double> start_ratio = {};  ///< u/m; default: the ratio of a zone at 0, otherwise 0
-  FollowForm form = FollowForm::smooth;
+  FollowForm form = FollowForm::smooth;    ///< form of follow() and check()
   Law law = Law::quintic;  ///< law of the smooth form; must accept a ratio at both ends
   /// For the table form: intermediate points are on whole master units (pulses).
   bool whole_master = false;

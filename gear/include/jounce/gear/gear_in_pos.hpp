@@ -100,6 +100,7 @@ struct EngageWindow {
   double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
   std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
 };
+/// The window for a spec, and an advice for its start distance.
 EngageWindow engage_window(const GearInPosSpec& spec);
 
 /// The slave over a master that moves from `from` to `to` (m): hold, engagement and gear, for
@@ -143,11 +144,13 @@ GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet
 ///     Motion now = slave.at(0.5);
 class GearedInPos {
  public:
+  /// `gear`: a computed engagement with status ok.
   GearedInPos(const GearInPos& gear, const Trajectory& master);
 
   [[nodiscard]] double start() const { return connecting_.start(); }
   [[nodiscard]] double end() const { return connecting_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  /// Position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return point<OverTime>(jet(t, side));

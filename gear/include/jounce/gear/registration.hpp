@@ -36,7 +36,7 @@ struct Registration {
   double window_length = 0;  ///< m, > 0
   double most = 0;         ///< u or m, > 0: greatest correction in one product, in either direction
   Law law = Law::poly345;  ///< law of the correction: from rest to rest
-  LawForm form = {};
+  LawForm form = {};       ///< shape parameters of the law
 };
 
 /// State of a registration after a product.
@@ -47,7 +47,7 @@ struct RegistrationState {
 
 /// The correction of one product: from state.applied it changes by `step` inside the window.
 struct Registered {
-  double step = 0;
+  double step = 0;               ///< change of the correction, in its unit
   RegistrationState state = {};  ///< after the product
 };
 

@@ -70,11 +70,11 @@ struct RotaryKnifeSpec {
 struct RotaryKnifeFigures {
   /// C / speed_ratio: the cut length for which the cam of surface matching is a plain gear.
   double synchronous = 0;
-  double contact_angle = 0;  ///< alpha; 0 for a web without thickness
-  double sync_angle = 0;
-  double sync_length = 0;
-  double recovery_angle = 0;
-  double recovery_length = 0;
+  double contact_angle = 0;    ///< alpha; 0 for a web without thickness
+  double sync_angle = 0;       ///< knife angle of the sync zone
+  double sync_length = 0;      ///< web length of the sync zone
+  double recovery_angle = 0;   ///< knife angle of the recovery
+  double recovery_length = 0;  ///< web length of the recovery
   /// Slope at both ends of the recovery divided by its mean slope; 1: a straight line.
   double rho = 0;
   /// Extreme speed of the recovery (greatest or least) divided by the speed of the plain gear.

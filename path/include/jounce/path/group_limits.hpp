@@ -26,15 +26,15 @@ struct PathLimits {
 /// commands; use check() on the planned axes for the rest.
 struct GroupLimits {
   std::vector<Limits> axes;  ///< one for each axis
-  PathLimits path = {};
+  PathLimits path = {};      ///< limits along the path
 };
 
 /// Factors and ancillary limits of the PMC600 (manual 7.2.4). The effective limit of an axis is L =
 /// override * min(ancillary, factor * global). An omitted limit does not apply.
 struct LimitFactors {
-  double override = 1;  ///< > 0
-  double factor = 1;    ///< > 0
-  Limits ancillary = {};
+  double override = 1;    ///< > 0
+  double factor = 1;      ///< > 0
+  Limits ancillary = {};  ///< ancillary limits of the axis
 };
 /// The effective limits of an axis.
 Limits effective(const Limits& global, const LimitFactors& factors);

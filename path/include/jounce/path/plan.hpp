@@ -135,6 +135,7 @@ class Plan {
 ///     for (double t = 0; t < motion.duration(); t += 0.001) cursor.at(t, out);
 class PlanCursor {
  public:
+  /// `plan` must outlive the cursor.
   explicit PlanCursor(const Plan& plan) : plan_(&plan) {}
   void at(double t, std::span<Motion> out);  ///< motion of every axis at time t, s
 

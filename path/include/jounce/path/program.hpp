@@ -44,13 +44,13 @@ enum class Junction : std::uint8_t {
 struct PathSettings {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
-  double velocity = none;      ///< u/s, > 0: feed along the path
-  double acceleration = none;  ///< u/s^2, > 0: along the path
-  double deceleration = none;  ///< u/s^2, > 0: along the path
-  double jerk = none;          ///< u/s^3, > 0: along the path
-  Corner corner = Corner::stop;
-  double value = 0;  ///< > 0; its meaning and unit depend on `corner`; not used by stop
-  Junction junction = Junction::look_ahead;
+  double velocity = none;        ///< u/s, > 0: feed along the path
+  double acceleration = none;    ///< u/s^2, > 0: along the path
+  double deceleration = none;    ///< u/s^2, > 0: along the path
+  double jerk = none;            ///< u/s^3, > 0: along the path
+  Corner corner = Corner::stop;  ///< kind of the corner at the start of a command
+  double value = 0;              ///< > 0; its meaning and unit depend on `corner`; not used by stop
+  Junction junction = Junction::look_ahead;  ///< requested velocity at the start of a command
 
   bool operator==(const PathSettings&) const = default;
 };

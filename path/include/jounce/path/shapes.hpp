@@ -25,7 +25,7 @@ namespace jounce {
 /// requested shape, `speed_error` the difference of its parameter from arc length. The feed is
 /// never exceeded: the timing law is slower by the speed error.
 struct PathCurve {
-  std::size_t axes = 0;
+  std::size_t axes = 0;           ///< number of axes
   std::vector<Segment> segments;  ///< for each piece, one segment for each axis
   Point from{}, to{};             ///< start and end
   double length = 0;              ///< length in q

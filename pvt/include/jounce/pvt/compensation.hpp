@@ -35,7 +35,7 @@ struct CompensationSpec {
   /// Correction at each grid point, in the unit of the corrected position; the first reference
   /// varies fastest.
   std::vector<double> values = {};
-  GridRule rule = GridRule::linear;
+  GridRule rule = GridRule::linear;  ///< interpolation between the points
   /// Greatest permitted |value|; default: no limit. HIMC: 1 mm (error 0x0802).
   double most = std::numeric_limits<double>::infinity();
 };
@@ -63,7 +63,7 @@ struct CompensationSpec {
 /// not finite or above `most`; and the cubic rule with three references.
 class Compensation {
  public:
-  static constexpr std::size_t most_references = 3;
+  static constexpr std::size_t most_references = 3;  ///< greatest number of references
 
   explicit Compensation(const CompensationSpec& spec);
 
@@ -80,7 +80,7 @@ class Compensation {
   /// correction is c = sum of k[i] s1^a s2^b s3^c, for a, b, c < order and i = a + order (b + order
   /// c). If a reference is outside the grid, the cell has no extent in its direction.
   struct Cell {
-    static constexpr std::size_t most_terms = 16;
+    static constexpr std::size_t most_terms = 16;        ///< greatest number of coefficients
     std::size_t order = 2;                               ///< 2: linear, 4: cubic
     std::array<double, most_references> start{};         ///< start of the cell, for each reference
     std::array<double, most_references> per_interval{};  ///< 1 / interval; 0 outside the grid

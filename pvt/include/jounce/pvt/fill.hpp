@@ -63,14 +63,14 @@ struct FillSpec {
   /// The same for accelerations; only with Interpolation::quintic_hermite.
   std::vector<std::optional<double>> a = {};
   Interpolation rule = Interpolation::cubic_hermite;  ///< cubic_hermite or quintic_hermite
-  Filling filling = Filling::natural;
-  Extrapolation outside = Extrapolation::hold;
+  Filling filling = Filling::natural;                 ///< rule for omitted velocities
+  Extrapolation outside = Extrapolation::hold;        ///< policy of the table outside its interval
   Limits limits = {};  ///< for within_limits: velocity, acceleration, jerk
 };
 
 /// Result of filled().
 struct Filled {
-  Table table;
+  Table table;  ///< the table with all values
   /// Requirements that are not met, each with its segment and an advice. "fill/limits" (broken): no
   /// velocities bring the piece within the limits; the finding gives the time that it needs.
   /// "fill/monotone", "fill/convex" (warnings): the piece does not have the shape of the data,

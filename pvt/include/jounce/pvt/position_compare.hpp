@@ -108,8 +108,8 @@ struct PlaneCompare {
   /// True (mode 1): fires when, inside the band, one axis is exactly at the point; false: on
   /// entering the band.
   bool equal = false;
-  std::vector<Point> points = {};
-  double pulse = 0;  ///< s, > 0: duration of the output
+  std::vector<Point> points = {};  ///< in the order in which they fire
+  double pulse = 0;                ///< s, > 0: duration of the output
 };
 
 /// Returns the points that fire, in their order, as above. `position` and `velocity` of an event

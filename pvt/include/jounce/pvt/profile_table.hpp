@@ -49,7 +49,7 @@ struct ProfilePoint {
 
 /// A table: MC_TP_REF, MC_TV_REF or MC_TA_REF, with the inputs of its block.
 struct ProfileTable {
-  std::vector<ProfilePoint> points = {};
+  std::vector<ProfilePoint> points = {};  ///< 1 to most_points
   bool is_absolute = true;  ///< IsAbsolute; false: each value counts from the previous one
   double scale = 1;         ///< PositionScale, VelocityScale or AccelerationScale; may be negative
   double offset = 0;        ///< Offset, in the unit of the scaled values

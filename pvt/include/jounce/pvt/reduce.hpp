@@ -57,7 +57,7 @@ namespace jounce {
 /// given. Without tolerances, the table has the least position error that is possible with `most`
 /// knots.
 struct Target {
-  Interpolation rule = Interpolation::cubic_hermite;
+  Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the table
   /// True: pieces of degree 2, for controllers whose segments have linear velocity (Googol's
   /// NORMAL); most intervals need two pieces. Requires cubic_hermite and no rounding (p_step and
   /// v_step 0).

@@ -111,8 +111,8 @@ class SegmentFifos {
 
   /// Range of positions.
   struct Reach {
-    double lowest = 0;
-    double highest = 0;
+    double lowest = 0;   ///< u
+    double highest = 0;  ///< u
   };
   /// The range of positions of the present pass; infinite if rates are open. For tables, call it in
   /// the player thread.
@@ -170,9 +170,9 @@ class SegmentFifos {
 
   /// End of the rows and the rate there, if the state is `ended` or `cut_off`.
   struct End {
-    double x = 0;
-    double position = 0;
-    double rate = 0;
+    double x = 0;         ///< s or m
+    double position = 0;  ///< u
+    double rate = 0;      ///< u per x
   };
   [[nodiscard]] const End& end() const { return end_; }
 

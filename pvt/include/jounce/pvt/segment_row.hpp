@@ -75,9 +75,9 @@ const char* explain(RowRule rule);
 /// Limits of rows, with respect to x; infinite: no limit.
 struct RowLimits {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
-  double velocity = none;
-  double acceleration = none;
-  double jerk = none;
+  double velocity = none;       ///< greatest rate, u per x
+  double acceleration = none;   ///< greatest second derivative, u per x^2
+  double jerk = none;           ///< greatest third derivative, u per x^3
   double velocity_step = none;  ///< greatest step of the rate from one row to the next
   double position_min = -none;  ///< u, in the coordinates of the rows
   double position_max = none;   ///< u

@@ -55,10 +55,10 @@ struct MachineMasterSpec {
     std::optional<double> jerk = {};  ///< u/s^3
   };
 
-  std::string name;
-  std::string unit;
-  std::variant<External, Encoder, FromTable> what;
-  std::string key = {};  ///< full key for messages: "master.line"
+  std::string name;                                 ///< name in the file and in the network
+  std::string unit;                                 ///< unit u of its position
+  std::variant<External, Encoder, FromTable> what;  ///< source of its position
+  std::string key = {};                             ///< full key for messages: "master.line"
 };
 
 }  // namespace jounce

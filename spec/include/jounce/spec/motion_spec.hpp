@@ -39,14 +39,14 @@ struct PointToPointSpec {
 /// profile = "velocity": move_velocity().
 struct VelocitySpec {
   MotionState from;
-  double velocity = 0;
+  double velocity = 0;      ///< velocity at the end
   double acceleration = 0;  ///< acceleration at the end
   Bounds bounds;
 };
 
 /// profile = "himc": a move of HIWIN HIMC.
 struct HimcMoveSpec {
-  double from = 0, to = 0;
+  double from = 0, to = 0;  ///< start and target
   himc::AxisProfile axis;
 };
 
@@ -81,7 +81,7 @@ struct AgitoSpec {
 
 /// profile = "agito_quasi_sine": a repetitive move of Agito that resembles a sine.
 struct AgitoSineSpec {
-  double from = 0;
+  double from = 0;  ///< position at the start
   double amplitude = 0;
   double frequency = 0;  ///< Hz
   int strokes = 2;       ///< number of strokes
@@ -96,7 +96,7 @@ struct AgitoJogSpec {
 
 /// profile = "pmc600": a move of the PMC600.
 struct Pmc600Spec {
-  double from = 0, to = 0;
+  double from = 0, to = 0;  ///< start and target
   pmc600::Ramps ramps;
 };
 
@@ -110,7 +110,7 @@ struct Pmc600LsVelocitySpec {
 /// profile = "pmc600_inch": SMC_Inch of the PMC600, one step by `distance`.
 struct Pmc600InchSpec {
   double from = 0;
-  double distance = 0;
+  double distance = 0;  ///< signed
   Dynamics dynamics = {};
   /// Time at which the button is released; omitted: not before the end.
   std::optional<double> released;
@@ -148,7 +148,7 @@ struct AxesSpec {
 
 /// The moving average of a motion over `window`, in the spec's unit of time.
 struct MovingAverageSpec {
-  double window = 0;
+  double window = 0;  ///< window T of moving_average()
 };
 
 /// Retimes the motion to the [limits] of each axis: retimed().
@@ -157,10 +157,10 @@ struct RetimeSpec {};
 /// A change in flight at a given time.
 struct ChangeSpec {
   enum class To { target, velocity, additive, superimposed };
-  To to = To::target;
-  double time = 0;
-  double value = 0;  ///< target position, velocity, or distance
-  Dynamics dynamics = {};
+  To to = To::target;      ///< kind of the change
+  double time = 0;         ///< time at which it takes effect
+  double value = 0;        ///< target position, velocity, or distance
+  Dynamics dynamics = {};  ///< dynamics of the new command
   /// For superimposed: time at which the superimposed move is aborted.
   std::optional<double> abort = {};
 };
@@ -168,8 +168,8 @@ struct ChangeSpec {
 /// A correction of one axis that depends on the positions of one or more axes. If the spec has
 /// several axes, they are given by name.
 struct CompensateSpec {
-  CompensationSpec table;
-  std::string axis = {};  ///< the corrected axis; "": the only axis
+  CompensationSpec table;  ///< grid and values of the correction
+  std::string axis = {};   ///< the corrected axis; "": the only axis
   /// One for each axis of the grid; "": the corrected axis itself.
   std::vector<std::string> references = {};
   std::optional<double> tolerance = {};  ///< tolerance of a fit, if no exact segment is possible

@@ -17,8 +17,8 @@ namespace jounce {
 
 /// A spec of kind "path": several axes along lines and arcs. Numbers are in the spec's units.
 struct PathSpec {
-  Program program{1};
-  GroupLimits limits;
+  Program program{1};  ///< commands of the path
+  GroupLimits limits;  ///< [limits] of the axes and [path.limits]
   /// [kinematics]: the joints of the machine. Spec::axes contains them after the axes of the
   /// program.
   std::optional<JointSpace> joints = {};

@@ -81,14 +81,14 @@ double computed(const ShapeFigureSpec& figure, double shown);
 
 /// The free shapes of a cam spec, and the objectives for them; see jounce/optimize/cam_shape.hpp.
 struct ShapeSpec {
-  std::vector<FreeShape> shapes = {};
-  std::optional<LoadSpec> load = {};
-  std::vector<std::vector<WeightedFigure>> minimize = {};
-  std::vector<Ceiling> ceilings = {};
+  std::vector<FreeShape> shapes = {};                      ///< the free segments
+  std::optional<LoadSpec> load = {};                       ///< [load]
+  std::vector<std::vector<WeightedFigure>> minimize = {};  ///< objectives, the most important first
+  std::vector<Ceiling> ceilings = {};                      ///< upper limits of figures
   /// The figures of `minimize`, then those of `ceilings`, in the order of CamRunOutcome::figures.
   std::vector<ShapeFigureSpec> figures = {};
-  std::vector<Corridor> corridors = {};
-  bool refine = false;  ///< true: add knots where the optimum switches
+  std::vector<Corridor> corridors = {};  ///< corridors for quantities
+  bool refine = false;                   ///< true: add knots where the optimum switches
 };
 
 }  // namespace jounce

@@ -108,11 +108,11 @@ struct AxisSpec {
   /// [homing], as in jounce/axis/axis_config.hpp, in u and the spec's unit of time. A velocity or
   /// acceleration of 0 was omitted.
   struct Homing {
-    int method = 37;
-    double search_velocity = 0;
-    double index_velocity = 0;
+    int method = 37;             ///< CiA 402 homing method (6098h)
+    double search_velocity = 0;  ///< velocity of the search for the switch
+    double index_velocity = 0;   ///< velocity of the search for edge and index
     double acceleration = 0;
-    double offset = 0;
+    double offset = 0;    ///< new position of the home position
     double timeout = 60;  ///< s, greatest duration
     double distance = 0;  ///< greatest distance of each search; 0: no limit
   };
@@ -121,16 +121,16 @@ struct AxisSpec {
   double position = 0;  ///< u, position at the start
   // Stops and supervision, see jounce/axis/axis_config.hpp; 0: omitted. Units: u and the spec's
   // unit of time.
-  double modulo = 0;  ///< u, period of a modulo axis
-  double stop_acceleration = 0;
-  double stop_jerk = 0;
-  double abort_acceleration = 0;
-  double limit_acceleration = 0;
-  double following_error = 0;   ///< u, greatest following error
-  double following_time = 0;    ///< s, time for which it may be exceeded
-  double in_position = 0;       ///< u, window for "in position"
-  double in_position_time = 0;  ///< s, time in this window
-  double longest_gap = 0;       ///< s, greatest delay of a cycle; 0: 100 cycles
+  double modulo = 0;              ///< u, period of a modulo axis
+  double stop_acceleration = 0;   ///< deceleration of a stop
+  double stop_jerk = 0;           ///< jerk of a stop
+  double abort_acceleration = 0;  ///< deceleration of an abort; 0: the setpoint freezes
+  double limit_acceleration = 0;  ///< deceleration before a soft limit
+  double following_error = 0;     ///< u, greatest following error
+  double following_time = 0;      ///< s, time for which it may be exceeded
+  double in_position = 0;         ///< u, window for "in position"
+  double in_position_time = 0;    ///< s, time in this window
+  double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
   /// s; without a message for this time, the owner of the session loses the axis.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
@@ -143,10 +143,10 @@ struct DriveAlone {};
 
 /// The data of one axis of a spec. A spec of a single axis has one AxisPart, without a name.
 struct AxisPart {
-  std::string name;
-  Units units;
-  TableOptions table;
-  Limits limits;  ///< limits; per master unit for a cam
+  std::string name;    ///< name of the axis
+  Units units;         ///< units of the axis
+  TableOptions table;  ///< conversion of its curve to a table
+  Limits limits;       ///< limits; per master unit for a cam
   std::optional<DriveSpec> drive;
 };
 
@@ -155,8 +155,8 @@ struct CompareSpec {
   std::string axis = {};  ///< the axis, if the spec has several; "path": the length along the path
   /// For kind "axis": setpoint (`position`) or actual position.
   SwitchesOf of = SwitchesOf::position;
-  PositionCompare compare;
-  CompareDevice device;  ///< in the spec's unit of time
+  PositionCompare compare;  ///< points and mode
+  CompareDevice device;     ///< in the spec's unit of time
   /// Modes "zone" and "zone_equal": compare in a plane of two axes.
   std::optional<PlaneCompare> plane = {};
   std::array<std::string, 2> plane_axes = {};  ///< names of these two axes
@@ -166,9 +166,9 @@ struct CompareSpec {
 struct Spec {
   static constexpr int version = 1;  ///< value of the key `jounce` in the file
 
-  Document document;
-  std::string name;  ///< name of the motion
-  Units units;       ///< units of x and the position; x is the master of a cam, otherwise the time
+  Document document;  ///< the file, for places in messages
+  std::string name;   ///< name of the motion
+  Units units;        ///< units of x and the position; x is the master of a cam, otherwise the time
   std::string time_unit;    ///< unit of time; default "s"
   std::string master_unit;  ///< unit of the master that an axis follows; otherwise ""
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,

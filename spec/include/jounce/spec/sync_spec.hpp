@@ -21,9 +21,9 @@ namespace jounce {
 
 /// kind = "gear": slave = master * numerator / denominator, without drift.
 struct GearSpec {
-  std::int64_t numerator = 1;
-  std::int64_t denominator = 1;
-  double master_period = 1;  ///< m, length of the cam, which continues from its end
+  std::int64_t numerator = 1;    ///< any sign
+  std::int64_t denominator = 1;  ///< > 0
+  double master_period = 1;      ///< m, length of the cam, which continues from its end
 };
 
 /// kind = "gear" with engage = "position": MC_GearInPos. (With engage = "distance" the spec is a

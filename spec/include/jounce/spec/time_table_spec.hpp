@@ -20,16 +20,17 @@ struct PtSpec {
   std::vector<PtPoint> points;
   std::size_t loops = 1;      ///< number of passes; 0: endless
   double start_velocity = 0;  ///< initial velocity of a first point of type `continue`
-  Extrapolation outside = Extrapolation::hold;
-  bool googol = false;  ///< true: the limits of a Googol controller apply
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
+  bool googol = false;                          ///< true: the limits of a Googol controller apply
 };
 
 /// A table of the PMC600: MC_PositionProfile, MC_VelocityProfile or MC_AccelerationProfile.
 struct ProfileTableSpec {
   enum class Quantity { position, velocity, acceleration } quantity = Quantity::position;
   pmc600::ProfileTable table;
+  /// Motion between the points of a position table.
   pmc600::PositionRule rule = pmc600::PositionRule::cubic;
-  Extrapolation outside = Extrapolation::hold;
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
 };
 
 using TimeTableSpec = std::variant<PtSpec, ProfileTableSpec>;

@@ -40,7 +40,7 @@ struct CouplingSpec {
   double slave_offset = 0;      ///< u, added after scaling
   bool master_absolute = true;  ///< false: the master's position at the start counts as 0
   bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the start
-  StartMode start = StartMode::absolute;
+  StartMode start = StartMode::absolute;  ///< default: at once, with a jump
   /// u/s, > 0: limit of a correction's velocity; for ramp_in...
   std::optional<double> velocity_diff = {};
   /// u/s^2, > 0: limit while the correction speeds up; for ramp_in...
@@ -129,9 +129,9 @@ class Coupling {
 /// The state of a coupling. engage() creates it, step() advances it (coupling_cycle.hpp). A small
 /// value type.
 struct Engaged {
-  Placement placement;
-  Correction correction;
-  double time = 0;  ///< s, time of the last cycle
+  Placement placement;    ///< placement of the cam since the engagement
+  Correction correction;  ///< present correction
+  double time = 0;        ///< s, time of the last cycle
   Jet master{};  ///< position of the master at that time, and its derivatives with respect to time
   bool lost = false;  ///< true while the master is NaN; the slave is then at rest
 };
@@ -139,7 +139,7 @@ struct Engaged {
 /// Result of engage() and exchange().
 struct Engagement {
   CouplingStatus status = CouplingStatus::ok;
-  Engaged engaged{};
+  Engaged engaged{};   ///< state after the engagement; valid if the status is ok
   MotionState jump{};  ///< step of the setpoints at the engagement: u, u/s, u/s^2; zero with a ramp
 
   explicit operator bool() const { return status == CouplingStatus::ok; }

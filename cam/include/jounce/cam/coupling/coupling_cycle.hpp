@@ -26,6 +26,7 @@ Jet point(const Released& released, double t);
 
 /// Result of one cycle.
 struct Stepped {
+  /// ok; the reason why the start mode could not ramp in; or not_finite.
   CouplingStatus status = CouplingStatus::ok;
   Engaged engaged{};     ///< state for the next cycle
   Jet slave{};           ///< setpoint: u, u/s, u/s^2, u/s^3

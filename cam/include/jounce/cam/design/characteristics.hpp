@@ -7,8 +7,8 @@ namespace jounce {
 
 /// A characteristic value, and the master position (m) at which it occurs.
 struct Coefficient {
-  double value = 0;
-  double where = 0;
+  double value = 0;  ///< normalized, no unit
+  double where = 0;  ///< m
 };
 
 /// The characteristic values of a rise (VDI 2143), normalized to stroke 1 and master length 1. For

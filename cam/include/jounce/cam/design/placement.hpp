@@ -19,12 +19,12 @@ namespace jounce {
 
 /// Scale and offset of a cam on both axes.
 struct Placement {
-  double master_scaling = 1;
-  double master_offset = 0;  ///< m, added after scaling
-  double slave_scaling = 1;
-  double slave_offset = 0;  ///< u, added after scaling
-  double advance = 0;       ///< u, change of the slave in each period
-  bool periodic = false;    ///< true: the cam repeats
+  double master_scaling = 1;  ///< > 0
+  double master_offset = 0;   ///< m, added after scaling
+  double slave_scaling = 1;   ///< > 0
+  double slave_offset = 0;    ///< u, added after scaling
+  double advance = 0;         ///< u, change of the slave in each period
+  bool periodic = false;      ///< true: the cam repeats
 
   /// The position X on the cam for a master at x: equation (1).
   [[nodiscard]] double at(double x) const { return master_scaling * x + master_offset; }

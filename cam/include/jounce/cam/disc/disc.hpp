@@ -42,12 +42,12 @@ enum class Rotation { counterclockwise, clockwise };
 /// an arm is at (centre_distance, 0), with the roller on the +y side; lift turns the arm clockwise,
 /// away from the cam.
 struct DiscSpec {
-  Follower follower = Follower::translating;
-  double base_radius = 0;      ///< u, > 0: radius of the base circle
-  double roller_radius = 0;    ///< u, >= 0
-  double offset = 0;           ///< u, any sign; for a translating follower
-  double arm_length = 0;       ///< u, > 0; for an oscillating follower
-  double centre_distance = 0;  ///< u, > 0; for an oscillating follower
+  Follower follower = Follower::translating;  ///< kind of follower
+  double base_radius = 0;                     ///< u, > 0: radius of the base circle
+  double roller_radius = 0;                   ///< u, >= 0
+  double offset = 0;                          ///< u, any sign; for a translating follower
+  double arm_length = 0;                      ///< u, > 0; for an oscillating follower
+  double centre_distance = 0;                 ///< u, > 0; for an oscillating follower
   Rotation rotation = Rotation::counterclockwise;
   /// rad of the cam per master unit; default: a master in deg.
   double angle = std::numbers::pi / 180;
@@ -113,6 +113,7 @@ struct DiscExtremes {
   /// degenerate.
   double error = 0;
 };
+/// The extremes of pressure angle and curvature over one turn.
 DiscExtremes extremes(const Disc& disc);
 
 /// An overlap of the profile with itself: a circle that touches the profile at one place covers the

@@ -10,9 +10,9 @@ namespace jounce {
 /// A vertex of a contour, and the piece to the next vertex: a line, or an arc. bulge = tan(a/4),
 /// where a is the angle of the arc, positive counterclockwise (as in DXF); 0: a line.
 struct Vertex {
-  double x = 0;  ///< u
-  double y = 0;  ///< u
-  double bulge = 0;
+  double x = 0;       ///< u
+  double y = 0;       ///< u
+  double bulge = 0;   ///< tan(a/4) of the piece to the next vertex
   double master = 0;  ///< m, master position at the vertex
 };
 

@@ -99,11 +99,11 @@ void require_valid(Law law, const LawForm& form);
 /// So `rise` is the law from 0 to 1 at rest. The shape of a value that the law does not take is
 /// zero. The lengths of all pieces of a law have the sum 1.
 struct LawPiece {
-  Segment rise;
-  Segment enter;
-  Segment leave;
-  Segment bend_in;
-  Segment bend_out;
+  Segment rise;      ///< factor of the stroke h
+  Segment enter;     ///< factor of v0 L
+  Segment leave;     ///< factor of v1 L
+  Segment bend_in;   ///< factor of a0 L^2
+  Segment bend_out;  ///< factor of a1 L^2
 };
 
 /// Returns the pieces of a law. polynomial, hermite and the splines have no pieces, because their
@@ -132,6 +132,7 @@ std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 /// (stroke 1, length 1). The deceleration must exceed least_deceleration(law), which belongs to
 /// lambda = 0. For the R-U laws that take an inflection.
 double inflection_for(Law law, double deceleration);
+/// The deceleration -f''(1) of an R-U law for lambda = 0.
 double least_deceleration(Law law);
 
 }  // namespace jounce

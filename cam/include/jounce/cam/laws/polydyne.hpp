@@ -9,7 +9,7 @@ namespace jounce {
 
 /// A cam that moves a follower on a spring as specified.
 struct Polydyne {
-  Cam cam;
+  Cam cam;          ///< the cam f of the profile
   Report warnings;  ///< "polydyne/geo_acceleration" if the cam's geo_acceleration steps
 };
 

@@ -55,9 +55,9 @@ struct SplineEnd {
 /// Input of the splines.
 struct SplineSpec {
   std::vector<SplinePoint> points;
-  SplineEnds ends = SplineEnds::natural;
-  SplineEnd start = {};
-  SplineEnd end = {};
+  SplineEnds ends = SplineEnds::natural;  ///< kind of both ends
+  SplineEnd start = {};                   ///< derivatives at the first point
+  SplineEnd end = {};                     ///< derivatives at the last point
 };
 
 /// Returns the cubic spline: geo_acceleration is continuous, geo_jerk steps at every joint. It has

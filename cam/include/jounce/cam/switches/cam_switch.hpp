@@ -66,10 +66,10 @@ enum class SwitchesOf : std::uint8_t {
 
 /// One range of a track: an entry of PLCopen's MC_CAMSWITCH_REF.
 struct CamSwitch {
-  int track = 1;                                ///< 1 to 32
-  double first_on_position = 0;                 ///< u; start of the range
-  std::optional<double> last_on_position = {};  ///< u; end of the range, in position mode
-  AxisDirection axis_direction = AxisDirection::both;
+  int track = 1;                                       ///< 1 to 32
+  double first_on_position = 0;                        ///< u; start of the range
+  std::optional<double> last_on_position = {};         ///< u; end of the range, in position mode
+  AxisDirection axis_direction = AxisDirection::both;  ///< direction in which the switch works
   CamSwitchMode mode = CamSwitchMode::position;
   std::optional<double> duration = {};  ///< s, > 0; in time mode
 };
@@ -77,7 +77,7 @@ struct CamSwitch {
 /// Options of one track: an entry of PLCopen's MC_TRACK_REF, with inversion and with the initial
 /// value of SMC_GetTappetValue (PMC600 manual 6.2).
 struct SwitchTrack {
-  int track = 1;
+  int track = 1;                ///< 1 to 32
   double on_compensation = 0;   ///< s; negative: early
   double off_compensation = 0;  ///< s; negative: early
   double hysteresis = 0;        ///< u, >= 0
@@ -91,10 +91,10 @@ struct SwitchTrack {
 
 /// All switches of one axis. A track without an entry in `tracks` has the default options.
 struct CamSwitchSpec {
-  static constexpr int most_tracks = 32;
+  static constexpr int most_tracks = 32;  ///< greatest number of tracks
 
   std::vector<CamSwitch> switches = {};
-  std::vector<SwitchTrack> tracks = {};
+  std::vector<SwitchTrack> tracks = {};  ///< options of tracks
   std::optional<double> period = {};  ///< u, > 0: period of a rotary axis; omitted: a linear axis
 
   /// The options of a track: its entry, or the defaults.
@@ -116,21 +116,21 @@ void require_valid(const CamSwitchSpec& spec);
 
 /// The switches of an axis, and the position that they use.
 struct AxisSwitches {
-  SwitchesOf of = SwitchesOf::position;
-  CamSwitchSpec table = {};
+  SwitchesOf of = SwitchesOf::position;  ///< position that the switches use
+  CamSwitchSpec table = {};              ///< the switches
 };
 
 /// A change of an output.
 struct SwitchEdge {
   double time = 0;  ///< s
-  int track = 1;
+  int track = 1;    ///< 1 to 32
   bool on = false;  ///< true: the output goes on
 };
 
 /// All edges of a motion, in ascending order of time.
 struct SwitchTimes {
-  std::uint32_t outputs = 0;  ///< outputs at the start: bit k - 1 is track k
-  std::vector<SwitchEdge> edges;
+  std::uint32_t outputs = 0;      ///< outputs at the start: bit k - 1 is track k
+  std::vector<SwitchEdge> edges;  ///< ascending in time
 };
 
 /// Returns the edges of a given motion over its interval, at the exact instants that satisfy (1).

@@ -11,9 +11,9 @@ namespace jounce {
 /// An extreme value of a curve, and its place. If the value is only a one-sided limit, `side` is
 /// the side.
 struct Extremum {
-  double value = 0;  ///< in the unit of the value or its derivative
-  double where = 0;  ///< position on the curve's axis
-  Side side = Side::right;
+  double value = 0;         ///< in the unit of the value or its derivative
+  double where = 0;         ///< position on the curve's axis
+  Side side = Side::right;  ///< side from which the value is approached
 };
 
 /// The least and the greatest value.

@@ -12,7 +12,7 @@ namespace jounce {
 /// the same unit of length, q is the arc length, except in a rounded corner, where q advances
 /// slightly faster (see Path).
 struct PathPoint {
-  double position = 0;
+  double position = 0;        ///< u
   double direction = 0;       ///< this axis' component of the tangent
   double curvature = 0;       ///< this axis' component of the curvature vector
   double curvature_rate = 0;  ///< derivative of the curvature

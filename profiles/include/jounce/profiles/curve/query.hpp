@@ -67,8 +67,8 @@ std::optional<double> entry_velocity(double distance, double exit_velocity,
 /// Velocities at both ends of a span, and its velocity limit: u/s, >= 0. Neither end exceeds the
 /// limit.
 struct SpanEnds {
-  double entry = 0;
-  double exit = 0;
+  double entry = 0;                                           ///< velocity at the start
+  double exit = 0;                                            ///< velocity at the end
   double velocity = std::numeric_limits<double>::infinity();  ///< limit, > 0; default: none
 };
 

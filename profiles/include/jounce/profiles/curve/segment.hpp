@@ -25,8 +25,8 @@ struct SineTerm {
 /// only the degree in use is evaluated. Derivatives, shifted, scaled and reversed segments and
 /// parts are again segments; `sum` returns nothing if the result does not fit.
 struct Segment {
-  static constexpr int max_degree = 11;
-  static constexpr int max_sines = 3;
+  static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
+  static constexpr int max_sines = 3;    ///< greatest number of sine terms
 
   double length = 1;                       ///< > 0, finite
   int degree = 0;                          ///< degree of the polynomial, 0 to max_degree

@@ -15,11 +15,11 @@ namespace jounce {
 /// are per master unit m: u/m, u/m^2, u/m^3. A limit of a rate is a magnitude > 0. An omitted limit
 /// does not apply.
 struct Limits {
-  std::optional<double> position_min = {};
-  std::optional<double> position_max = {};
-  std::optional<double> velocity = {};
-  std::optional<double> acceleration = {};
-  std::optional<double> jerk = {};
+  std::optional<double> position_min = {};  ///< u
+  std::optional<double> position_max = {};  ///< u
+  std::optional<double> velocity = {};      ///< u/s; cam: u/m
+  std::optional<double> acceleration = {};  ///< u/s^2; cam: u/m^2
+  std::optional<double> jerk = {};          ///< u/s^3; cam: u/m^3
 };
 
 /// Throws InputError if a limit is not finite, a limit of a rate is not positive, or min > max.
@@ -44,12 +44,12 @@ struct Finding {
   /// For a position it is a share of the permitted travel, or of the curve's stroke if only one end
   /// is limited.
   double margin = 0;
-  bool broken = false;
+  bool broken = false;                 ///< true: the rule is broken
   std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0
   std::string advice;                  ///< change that is suggested to the user; may be empty
   std::string unit = {};               ///< unit of value and limit; empty: the quantity defines it
   std::string where_unit = {};         ///< unit of `where`; empty: that of the curve's axis
-  Severity severity = Severity::required;
+  Severity severity = Severity::required;  ///< kind of the finding
   /// False for a step or a figure without a limit; `limit` and `margin` then only order the
   /// findings.
   bool has_limit = true;

@@ -18,10 +18,10 @@ namespace jounce {
 struct Bounds {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
-  double velocity_min = -none, velocity_max = none;
-  double acceleration_min = -none, acceleration_max = none;
-  double jerk_min = -none, jerk_max = none;
-  double position_min = -none, position_max = none;
+  double velocity_min = -none, velocity_max = none;          ///< u/s
+  double acceleration_min = -none, acceleration_max = none;  ///< u/s^2
+  double jerk_min = -none, jerk_max = none;                  ///< u/s^3
+  double position_min = -none, position_max = none;          ///< u
 
   bool operator==(const Bounds&) const = default;
 };
@@ -63,7 +63,7 @@ const char* explain(MoveStatus status) noexcept;
 /// A move, if one exists; otherwise an empty profile.
 struct MoveResult {
   MoveStatus status = MoveStatus::ok;
-  Profile profile;
+  Profile profile;  ///< empty unless the status is ok
 
   /// True if the move exists.
   explicit operator bool() const noexcept { return status == MoveStatus::ok; }
@@ -107,8 +107,8 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
 /// one of the ends.
 struct Durations {
   struct Interval {
-    double from = 0;
-    double to = 0;
+    double from = 0;  ///< s
+    double to = 0;    ///< s
   };
   MoveStatus status = MoveStatus::ok;  ///< not ok: there is no move
   double minimum = 0;                  ///< s

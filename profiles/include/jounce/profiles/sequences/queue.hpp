@@ -92,7 +92,7 @@ struct QueueSpec {
   /// State at time 0; acceleration must be 0 if the first command is a Dwell, or is issued later
   /// than 0 s.
   MotionState start = {};
-  std::vector<QueuedCommand> commands;
+  std::vector<QueuedCommand> commands;  ///< in the order of the queue
 };
 
 /// Outcome of a command.

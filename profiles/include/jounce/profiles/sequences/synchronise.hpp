@@ -18,9 +18,9 @@ enum class MoveGoal : std::uint8_t {
 
 /// The part of one axis in a common motion. Units: u, u/s, u/s^2, u/s^3.
 struct AxisMove {
-  MotionState from, to;  ///< start state and goal
-  Bounds bounds;
-  MoveGoal goal = MoveGoal::state;
+  MotionState from, to;             ///< start state and goal
+  Bounds bounds;                    ///< limits of this axis
+  MoveGoal goal = MoveGoal::state;  ///< kind of the goal
   /// False: the axis takes no part; its profile stays at `from` and has no duration.
   bool enabled = true;
   /// A motion from `from` to the goal that is known to keep the bounds, or null. It is used if no
@@ -41,9 +41,9 @@ enum class Sync : std::uint8_t {
 
 /// Result of synchronise().
 struct Synchronised {
-  MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< the axis that causes the status, if it is not ok
-  double duration = 0;   ///< s, the longest duration of an axis
+  MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
+  std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
+  double duration = 0;                 ///< s, the longest duration of an axis
 };
 
 /// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every

@@ -21,7 +21,7 @@ struct NotchSpec {
 
 /// A filtered motion and its error.
 struct Notched {
-  Trajectory motion;
+  Trajectory motion;  ///< the filtered motion; begins with the original one and ends at rest
   /// u; bound of the difference to the exact response at all times, except for rounding (about
   /// 1e-15 of the travel).
   double error = 0;

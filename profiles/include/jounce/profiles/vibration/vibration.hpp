@@ -21,8 +21,8 @@ struct Mode {
 /// One impulse of an input shaper: the time and amplitude of a copy of the command. The amplitudes
 /// have the sum 1.
 struct Impulse {
-  double time = 0;  ///< s, >= 0
-  double amplitude = 1;
+  double time = 0;       ///< s, >= 0
+  double amplitude = 1;  ///< share of the command
 };
 
 /// Residual vibration of a mode after a shaper: the vibration after its last impulse, divided by
