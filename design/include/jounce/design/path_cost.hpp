@@ -24,7 +24,8 @@ enum class LossCause : std::uint8_t {
 constexpr std::size_t loss_causes = 7;  ///< number of causes
 const char* name(LossCause cause);      ///< the cause as a word
 
-/// A place where a plan is slower than full speed, and the time that it loses there.
+/// A place where a plan is slower than full speed, and the time that it loses there. u is the unit
+/// of length of the program, q the position on the path.
 struct SpeedLoss {
   LossCause cause = LossCause::start;
   std::int32_t line = 0;                   ///< source line

@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// Motion of the master of a gear: velocities up to `velocity` (m/s, > 0, in either direction),
-/// with acceleration and jerk up to `rates`.
+/// with acceleration and jerk up to `rates`. m is the master's unit.
 struct MasterRange {
   double velocity = 0;     ///< m/s
   MasterRates rates = {};  ///< m/s^2, m/s^3

@@ -24,7 +24,7 @@ namespace jounce {
 /// **Vocabulary.** The master m is the travel of the material, the slave u that of the carriage
 /// along its guide. The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, and
 /// *wait* at home if the return ends early. It begins at home (u = 0) at rest, and ends there
-/// exactly.
+/// exactly. The letters m and u also stand for their units.
 ///
 /// **Omitted values are computed.** Accelerating and braking are as short as the limits permit,
 /// times `safety`. The return takes the rest of the cycle. The default sync is the longest that the

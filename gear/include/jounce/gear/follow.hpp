@@ -11,7 +11,8 @@
 
 namespace jounce {
 
-/// Nominal end of a follow table. It is a check sum for increments that were typed by hand.
+/// Nominal end of a follow table. It is a check sum for increments that were typed by hand. u is
+/// the slave's unit, m the master's.
 struct FollowEnd {
   double master = 0;  ///< m
   double slave = 0;   ///< u

@@ -12,7 +12,8 @@ namespace jounce {
 
 /// A sync point: master and slave reach these positions together. If no ratio is given, the ratio
 /// is between the mean ratios before and after the point (0 if these differ in sign). At the last
-/// point the slave comes to rest, or a periodic plan begins again.
+/// point the slave comes to rest, or a periodic plan begins again. u is the slave's unit, m the
+/// master's.
 struct FollowPoint {
   double master = 0;                 ///< m
   double slave = 0;                  ///< u

@@ -7,7 +7,8 @@
 namespace jounce {
 
 /// Plays follow tables with a live master: start event, direction and progress. A value. The rows
-/// are in SegmentFifos, over the master's travel since following began.
+/// are in SegmentFifos, over the master's travel since following began. u is the slave's unit, m
+/// the master's.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};
 ///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);

@@ -23,7 +23,7 @@ enum class FollowEvent : std::uint8_t {
 ///
 /// `position` is absolute (m). The master *passes* it when it leaves it in `direction`, if it was
 /// before the position or on it. If the master is already beyond the position, the slave waits
-/// until the master returns and passes it again.
+/// until the master returns and passes it again. u is the slave's unit, m the master's.
 struct FollowStart {
   FollowEvent event = FollowEvent::start;
   double position = 0;  ///< m

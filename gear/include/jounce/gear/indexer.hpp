@@ -7,7 +7,7 @@
 namespace jounce {
 
 /// An indexer: a turntable or a feed that repeatedly moves by the same distance, with a stop in
-/// between.
+/// between. u is the slave's unit, m the master's.
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
 ///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless

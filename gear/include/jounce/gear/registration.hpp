@@ -23,7 +23,7 @@ namespace jounce {
 /// **Vocabulary.** The correction c(x) is added to the slave, or to the master (a *phase*), and has
 /// its unit. Outside the window it is constant, so it disturbs no sync zone; inside it follows a
 /// law from rest to rest. An *error* is the required move: a positive error moves the slave (or the
-/// phase of the master) forward.
+/// phase of the master) forward. m is the master's unit, c that of the correction.
 ///
 /// The part of an error beyond `most` is applied to the next products. The applied and the
 /// outstanding correction together are the sum of all errors, so nothing drifts.

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// Options of overlapped().
+/// Options of overlapped(). u is the axes' unit of length.
 struct OverlapOptions {
   /// Greatest permitted distance between a corner and the path, u, > 0; default: no limit.
   double deviation = std::numeric_limits<double>::infinity();

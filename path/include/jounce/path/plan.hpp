@@ -47,7 +47,8 @@ struct JointMark {
   bool rests = false;  ///< true: the plan stops here
 };
 
-/// Full result of the joint at the start of a command.
+/// Full result of the joint at the start of a command. u is the axes' unit of length, q the
+/// position on the path (path.hpp).
 struct CornerRecord {
   std::int32_t line = 0;        ///< source line of the command that begins here
   double where = 0;             ///< q of the middle of the corner

@@ -14,7 +14,8 @@
 
 namespace jounce {
 
-/// Kind of the corner at the start of a command. `value` is that of PathSettings.
+/// Kind of the corner at the start of a command. `value` is that of PathSettings. u is the axes'
+/// unit of length.
 enum class Corner : std::uint8_t {
   stop,  ///< exact corner with a stop (TM_NONE, TMNone, G61)
   /// Rounded: at most `value` (u) between corner and curve, and between the curve and the sides

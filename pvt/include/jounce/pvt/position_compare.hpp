@@ -21,7 +21,7 @@ enum class CompareMode : std::uint8_t {
   fifo_level = 6,  ///< at each position of a list, the output takes the level of the point
 };
 
-/// A position at which the output fires.
+/// A position at which the output fires. u is the axis' unit.
 struct ComparePoint {
   double position = 0;  ///< u
   bool level = true;    ///< for fifo_level: new level of the output

@@ -8,7 +8,8 @@
 
 /// The time tables of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
 /// the blocks are CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s
-/// and u. The manual calls them PVT, but each has only one column in addition to the time.
+/// and the axis' unit u. The manual calls them PVT, but each has only one column in addition to the
+/// time.
 ///
 ///     using namespace jounce::pmc600;
 ///     const ProfileTable stages{.points = {{1, 10000}, {2, 40000}, {1, -10000}, {0.5, -5000}},

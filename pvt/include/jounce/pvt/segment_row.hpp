@@ -13,7 +13,7 @@ namespace jounce {
 
 /// A row: one segment of a path that is sent row by row (a rolling stream, the FIFO of a
 /// controller). It gives the end of the segment and the data of its polynomial. x is the time or
-/// the position of the master.
+/// the position of the master. u is the axis' unit.
 ///
 ///     const SegmentRow row{.x_end = 1024, .p_end = 1024, .v_start = 0, .degree = 2};
 ///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: Googol example 7-3

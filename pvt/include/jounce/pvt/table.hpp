@@ -22,14 +22,14 @@ enum class Interpolation {
 enum class Domain { time, master };
 
 /// Instants at equal distances on a table's axis: instant k is start + k * step, each operation
-/// rounded.
+/// rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m
 };
 
 /// The columns of a table, each with one entry for each knot. v and a are empty unless the rule
-/// needs them.
+/// needs them. u is the unit of the position.
 struct Columns {
   std::vector<double> x;  ///< s or m: time or position of the master, strictly ascending
   std::vector<double> p;  ///< u, position

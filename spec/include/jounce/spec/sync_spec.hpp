@@ -19,7 +19,7 @@
 
 namespace jounce {
 
-/// kind = "gear": slave = master * numerator / denominator, without drift.
+/// kind = "gear": slave = master * numerator / denominator, without drift. m is the master's unit.
 struct GearSpec {
   std::int64_t numerator = 1;    ///< any sign
   std::int64_t denominator = 1;  ///< > 0

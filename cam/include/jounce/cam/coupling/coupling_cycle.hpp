@@ -10,7 +10,8 @@
 
 namespace jounce {
 
-/// A released slave, which keeps its velocity (PMC600 manual 6.2, MC_CamOut).
+/// A released slave, which keeps its velocity (PMC600 manual 6.2, MC_CamOut). u is the slave's
+/// unit.
 struct Released {
   double t = 0;     ///< s, time of the release
   Profile profile;  ///< motion from the release on, until the acceleration is zero

@@ -10,6 +10,7 @@
 namespace jounce {
 
 /// Acceleration and jerk of the master that may occur together with its velocity: magnitudes, >= 0.
+/// u is the slave's unit, m the master's.
 struct MasterRates {
   double acceleration = 0;  ///< m/s^2
   double jerk = 0;          ///< m/s^3

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// The master in one cycle.
+/// The master in one cycle. m is the master's unit.
 struct Sample {
   double t = 0;  ///< s
   Jet master{};  ///< position (m) and derivatives with respect to time

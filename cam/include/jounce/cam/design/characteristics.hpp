@@ -5,7 +5,8 @@
 
 namespace jounce {
 
-/// A characteristic value, and the master position (m) at which it occurs.
+/// A characteristic value, and the master position (m) at which it occurs. u is the slave's unit, m
+/// the master's.
 struct Coefficient {
   double value = 0;  ///< normalized, no unit
   double where = 0;  ///< m

@@ -12,7 +12,7 @@ namespace jounce {
 
 /// A knot: the joint of two segments of a cam, or one of its ends. Derivatives are with respect to
 /// the master's position. An omitted derivative follows from the adjacent laws; if they leave it
-/// free, it is zero, or chosen as in boundaries.hpp.
+/// free, it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the master's.
 struct CamKnot {
   double master = 0;                            ///< m, master position
   double slave = 0;                             ///< u, slave position

@@ -15,7 +15,8 @@ namespace jounce {
 ///     (2)  y = slave_scaling CAM(X) + n advance + slave_offset,    n: whole periods before X
 ///
 /// A cam that is not periodic holds its end values outside. The functions below take as a cam any
-/// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master.
+/// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master. u is the
+/// slave's unit, m the master's.
 
 /// Scale and offset of a cam on both axes.
 struct Placement {

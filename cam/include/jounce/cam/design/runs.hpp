@@ -7,7 +7,8 @@
 
 namespace jounce {
 
-/// A run: a longest interval of the master on which the slave moves in one direction, or rests.
+/// A run: a longest interval of the master on which the slave moves in one direction, or rests. u
+/// is the slave's unit, m the master's.
 ///
 ///     for (const CamRun& run : runs(cam))               // rise 0..120, dwell 120..200, fall ..360
 ///       if (run.kind == CamRun::Kind::dwell) use(run.to - run.from);

@@ -8,7 +8,8 @@
 namespace jounce {
 
 /// A vertex of a contour, and the piece to the next vertex: a line, or an arc. bulge = tan(a/4),
-/// where a is the angle of the arc, positive counterclockwise (as in DXF); 0: a line.
+/// where a is the angle of the arc, positive counterclockwise (as in DXF); 0: a line. u is the
+/// slave's unit, a length; m the master's.
 struct Vertex {
   double x = 0;       ///< u
   double y = 0;       ///< u

@@ -10,7 +10,7 @@
 namespace jounce {
 
 /// A point of a cam table with derivatives with respect to the master, as in a controller's table
-/// of format XYVA.
+/// of format XYVA. u is the slave's unit, m the master's.
 struct HermitePoint {
   double master = 0;                    ///< m, master position
   double slave = 0;                     ///< u, slave position

@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// A condition of a polynomial at one position: its value (order 0), or a derivative with respect
-/// to the master.
+/// to the master. u is the slave's unit, m the master's.
 struct Condition {
   double at = 0;     ///< m, distance from the start of the segment, in [0, length]
   int order = 0;     ///< 0 to 3

@@ -8,7 +8,7 @@ namespace jounce {
 /// Returns the motion of an axis within one cycle of length dt (s), from position x0 (u) and
 /// velocity v0 (u/s) to x1 and v1. It is the cubic with these four values, which is exact for a
 /// constant jerk. If noise or a jump makes this cubic implausible, it is the straight line from x0
-/// to x1.
+/// to x1. u is the axis' unit.
 ///
 ///     const Segment f = cycle_motion(x0, v0, x1, v1, 1e-3);
 ///

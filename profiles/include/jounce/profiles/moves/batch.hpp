@@ -15,7 +15,7 @@ namespace jounce {
 ///
 /// Every move has limits of velocity, acceleration and jerk, and zero acceleration at its ends. A
 /// column holds one value for each move, or one value for all moves. query.hpp answers the same
-/// question for a single move.
+/// question for a single move. u is the axis' unit.
 struct MoveColumns {
   std::span<const double> distance;      ///< u, of either sign
   std::span<const double> entry = {};    ///< velocity at the start, u/s, any sign; empty: 0

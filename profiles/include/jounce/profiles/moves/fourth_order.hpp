@@ -6,7 +6,7 @@
 namespace jounce {
 
 /// A move of fourth order from rest to rest: it has limits of velocity, acceleration, jerk and
-/// jounce (the derivative of the jerk, also called snap).
+/// jounce (the derivative of the jerk, also called snap). u is the axis' unit.
 ///
 ///     const Trajectory move = fourth_order(
 ///         {.to = 0.1, .velocity = 0.25, .acceleration = 2, .jerk = 40, .jounce = 2000});

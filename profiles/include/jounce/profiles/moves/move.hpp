@@ -14,7 +14,7 @@ namespace jounce {
 /// Bounds of a move, separate for each direction: u, u/s, u/s^2, u/s^3, signed. Every max is > 0
 /// and every min is < 0 (positions: min < max). An infinite value means no limit. Without jerk
 /// limits the motion is of second order: the acceleration steps. Without acceleration limits it is
-/// of first order: the velocity steps.
+/// of first order: the velocity steps. u is the axis' unit.
 struct Bounds {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 

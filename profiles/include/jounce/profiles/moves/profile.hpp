@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// Position (u), velocity (u/s) and acceleration (u/s^2) of an axis.
+/// Position (u), velocity (u/s) and acceleration (u/s^2) of an axis. u is the axis' unit.
 struct MotionState {
   double position = 0;
   double velocity = 0;

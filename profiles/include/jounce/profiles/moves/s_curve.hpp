@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// A move with trapezoidal velocity, from rest to rest.
+/// A move with trapezoidal velocity, from rest to rest. u is the axis' unit.
 struct TrapezoidSpec {
   double from = 0;          ///< u
   double to = 0;            ///< u; must differ from `from`

@@ -11,7 +11,7 @@ namespace jounce {
 
 /// Generator of setpoints for N axes, called once in each cycle. Targets, bounds and all other
 /// settings may change at any time. It plans a new motion only if the present motion no longer fits
-/// them.
+/// them. u is the unit of an axis.
 ///
 ///     OnlineGenerator<2> xy(Sync::time);
 ///     xy.set_bounds(0, within(2, 10, 100));          // u/s, u/s^2, u/s^3

@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// A motion of one or more axes through several points without stopping at them. It begins and ends
-/// at rest, or at given velocities.
+/// at rest, or at given velocities. u is the unit of an axis.
 ///
 ///     const ViaMotion motion = via({.axes = {within(2, 10, 100), within(1, 5, 50)},
 ///                                   .points = {{0, 0}, {1, 0.5}, {2, 2}}});

@@ -19,7 +19,7 @@ struct NotchSpec {
   double settled = 1e-6;
 };
 
-/// A filtered motion and its error.
+/// A filtered motion and its error. u is the axis' unit.
 struct Notched {
   Trajectory motion;  ///< the filtered motion; begins with the original one and ends at rest
   /// u; bound of the difference to the exact response at all times, except for rounding (about
