@@ -44,7 +44,7 @@ auto of_motion(const Input& input, const Act& act) {
 
 /// Positions of slave and master when a coupling engages. Omitted: the slave rests at the first
 /// value of the cam, and the master is at the start of the cam with the velocity of [master] (0 if
-/// there is none).
+/// there is none). u is the slave's unit, m the master's.
 struct EngageState {
   std::optional<double> slave = {};            ///< u
   std::optional<double> master = {};           ///< m

@@ -18,7 +18,7 @@ namespace jounce {
 /// Predicted residual vibration of a mode at the end of the motion, in the unit of the position.
 /// There is one for each mode for which the spec has an operator.
 struct Residual {
-  Mode mode;          ///< Hz
+  Mode mode;          ///< the mode, frequency in Hz
   double before = 0;  ///< vibration of the motion without its operators
   double after = 0;   ///< vibration of the finished motion
 };
