@@ -58,7 +58,8 @@ profiles_detail::Majorant asin_series(double q) {
   return a;
 }
 
-/// asin over [from, to], 0 <= from < to < 1, whose whole [0, 1] is `scale` m of web: for profiles_detail::fit().
+/// asin over [from, to], 0 <= from < to < 1, for profiles_detail::fit(). [0, 1] corresponds to
+/// `scale` m of web.
 struct AsinPiece {
   double from;
   double to;
@@ -79,7 +80,7 @@ struct AsinPiece {
   }
 };
 
-/// True if the rise starts without jerk, to rounding of its greatest.
+/// True if the rise starts without jerk, to rounding of its greatest jerk.
 bool starts_without_jerk(const std::vector<Segment>& rise) {
   const double most = std::abs(extrema(Cam(rise), 3).peak().value);
   return std::abs(evaluate(rise.front(), 0)[3]) <= 1e-12 * most;

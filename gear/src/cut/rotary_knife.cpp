@@ -57,13 +57,13 @@ using gear_detail::KnifeSync;
 using std::numbers::pi;
 constexpr double same_length = 1e-12;  ///< relative
 
-/// A spec made into numbers; angles in rad.
+/// The numbers of a spec; angles in rad.
 struct Knife {
-  double pitch = 0;  ///< between two blades
+  double pitch = 0;  ///< angle between two blades
   double contact = 0;
   KnifeSync sync = {};
   KnifeShape shape;
-  double unit = 1;  ///< u by rad
+  double unit = 1;  ///< u per rad
 };
 
 bool is_rise_at_rest(Law law) {
@@ -91,12 +91,12 @@ void require_valid(const RotaryKnifeSpec& spec) {
                      "must be left out: the recovery is symmetric about its middle");
 }
 
-/// (2), by half the angle, which loses no digits where the web is thin.
+/// Equation (2), by half the angle: this loses no digits if the web is thin.
 double contact_angle(const RotaryKnifeSpec& spec) {
   return 2 * std::asin(std::sqrt(spec.thickness / spec.diameter));
 }
 
-/// psi_s, as the spec gives it.
+/// psi_s as given by the spec.
 double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
   if (spec.sync_angle && spec.sync_length)
     throw InputError("sync_length", *spec.sync_length,
@@ -122,7 +122,7 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
   return contact_angle(spec);
 }
 
-/// (5) and (6).
+/// Equations (5) and (6).
 KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
   const double slope = spec.speed_ratio / (spec.diameter / 2);
   if (spec.matching == KnifeMatching::surface) return {angle, angle / slope, slope, 0, 0};
@@ -132,7 +132,8 @@ KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
           slope * slope * slope * (1 + 2 * s * s) / std::pow(c, 5)};
 }
 
-/// That psi_s leaves a recovery, and (4) an angle. Named by the key it was given by.
+/// Requires that psi_s leaves an angle for the recovery, and that (4) gives an angle. The error
+/// names the given key.
 void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
   const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
@@ -163,7 +164,7 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
           KnifeShape(normalised(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }
 
-/// The cut that is a straight line: with surface matching alone.
+/// True if the cut is a straight line; this is possible with surface matching only.
 bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
   return spec.matching == KnifeMatching::surface &&
          std::abs(spec.cut_length - synchronous) <= same_length * synchronous;
@@ -173,12 +174,12 @@ double synchronous_length(const RotaryKnifeSpec& spec) {
   return pi * spec.diameter / static_cast<double>(spec.blades) / spec.speed_ratio;
 }
 
-/// Lcrit.
+/// Lcrit: the longest cut without a stop.
 double longest_cut(const Knife& knife) {
   return 2 * knife.sync.length + knife.shape.longest();
 }
 
-/// The segments of a cut as they are put together, each with its name.
+/// The segments of a cut under construction, each with its name.
 struct Parts {
   std::vector<Segment> segments;
   std::vector<std::string> names;
@@ -189,8 +190,8 @@ struct Parts {
   }
 };
 
-/// The cam whose last break lies at the cut's length and whose last value is `end`, to the last
-/// digit: else a million cuts would drift. The correction is within the rounding of the joints.
+/// The cam whose last break is exactly at `length`, and whose last value is exactly `end`;
+/// otherwise a million cuts would drift. The correction is within the rounding of the joints.
 Cam closed(std::vector<Segment> segments, double length, double end) {
   Segment& last = segments.back();
   for (int i = 0; i < 6; ++i) {

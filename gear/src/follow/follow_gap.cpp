@@ -36,7 +36,7 @@ namespace {
 using Gap = FollowGap;
 using Piece = FollowPiece;
 
-// Deceleration of the slave to rest, or to the ratio c, and its start from there: (4), (5).
+// The slave slows down to rest, or to the ratio c, and speeds up again: (4), (5).
 struct Rest {
   double a;
   double b;
@@ -47,7 +47,7 @@ Rest rest_of(const Gap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
   const double a = std::abs(g.r0) / k;
   const double b = std::abs(g.r1) / k;
-  // From an end at rest, one unit leads to the ratio c.
+  // From a ratio of 0 at an end, one unit of the master leads to the ratio c.
   const double p = a > 0 ? std::floor(a) : 1;
   const double q = b > 0 ? std::floor(b) : 1;
   if (!whole || p < 1 || q < 1 || p + q >= g.length) return {a, b, 0};
@@ -87,7 +87,8 @@ std::vector<Piece> pieces_of(const Gap& g, bool whole) {
   double a = (g.length + w / k) / 2;
   if (whole && g.length >= 2) a = std::clamp(std::round(a), 1.0, std::ceil(g.length) - 1);
   const double b = g.length - a;
-  if (!(a > 0 && b > 0)) return {{g.length, g.travel}};  // one slope is all of it, to rounding
+  // to rounding, a single slope covers the whole gap
+  if (!(a > 0 && b > 0)) return {{g.length, g.travel}};
   const double r = (2 * g.travel - g.r0 * a - g.r1 * b) / g.length;  // (2)
   if (way(g) * r < 0 && way(g) * g.travel > 0) return resting(g, whole);
   const double first = (g.r0 + r) / 2 * a;

@@ -30,7 +30,7 @@ Wide absolute(Wide a) {
   return a < 0 ? -a : a;
 }
 
-/// Both ratios over their common denominator.
+/// Both ratios with a common denominator.
 struct Shared {
   Wide common, from, to;
   Shared(const Gear& r0, const Gear& r1) {
@@ -63,8 +63,8 @@ Gear nearest(const Gear& r, Wide limit) {
                      gear_detail::narrow(last ? q1 : q0 + k * q1));
 }
 
-/// The ratio to begin with: r0 itself where counts are exact with it, else the nearest with which
-/// they are, as long as that is within 2^-20 of it.
+/// The ratio at the start: r0 if counts are exact with it. Otherwise the nearest ratio for which
+/// they are exact, provided that it differs from r0 by at most 2^-20 of r0.
 Gear begun(const Gear& r0, const Gear& r1, Wide scale) {
   if (Shared(r0, r1).fits(scale)) return r0;
   const Wide whole = 1 + std::max(absolute(r0.numerator()) / r0.denominator(),

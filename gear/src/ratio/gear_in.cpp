@@ -36,7 +36,7 @@ Dynamics dynamics(const GearInSpec& spec) {
   return {.acceleration = spec.acceleration, .deceleration = spec.deceleration, .jerk = spec.jerk};
 }
 
-/// c of (2), from t on.
+/// The correction c of (2), which begins at t.
 Trajectory correction(const GearedIn& gear, double t) {
   const Trajectory ramp = gear.ramp.curve();
   const double T = ramp.end();

@@ -26,7 +26,7 @@ void require_valid(const Registration& registration, double period) {
   require_positive("window_length", registration.window_length);
   require_positive("most", registration.most);
   gearing::require_rest_to_rest("law", registration.law, registration.form);
-  // The rounding of the sum is no way out of the period.
+  // The sum may exceed the period by rounding.
   if (registration.window_from + registration.window_length > period * (1 + 1e-12))
     throw InputError("window_length", registration.window_length,
                      "must be at most " + six_digits_down(period - registration.window_from) +
@@ -38,7 +38,7 @@ void require_repeats(const Cam& cam) {
     throw InputError("cam", "", "must wrap or advance: each product is one of its periods");
 }
 
-/// One product of the cam, moved by what the products before it advanced.
+/// One product of the cam, shifted by the advance of the previous products.
 Cam product(const Cam& cam, std::size_t n) {
   const double at = static_cast<double>(n);
   if (n == 0) return with(cam, Extrapolation::refuse);
@@ -141,7 +141,7 @@ double greatest_correction(const Cam& cam, const Registration& registration, con
   const auto both = [&](double step) { return fits(step) && fits(-step); };
   if (!fits(0)) return 0;
   if (both(registration.most)) return registration.most;
-  // |f + s g| <= limit is convex in s: from 0 on it holds up to one bound.
+  // |f + s g| <= limit is convex in s, so it holds from 0 up to one bound.
   double lo = 0;
   double hi = registration.most;
   while (hi - lo > 1e-10 * registration.most) {
