@@ -64,7 +64,7 @@ Gear nearest(const Gear& r, Wide limit) {
 }
 
 /// The ratio at the start: r0 if counts are exact with it. Otherwise the nearest ratio for which
-/// they are exact, provided that it differs from r0 by at most 2^-20 of r0.
+/// they are exact, provided that it differs from r0 by at most 2^-20.
 Gear begun(const Gear& r0, const Gear& r1, Wide scale) {
   if (Shared(r0, r1).fits(scale)) return r0;
   const Wide whole = 1 + std::max(absolute(r0.numerator()) / r0.denominator(),

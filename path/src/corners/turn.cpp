@@ -73,7 +73,7 @@ Turn fastest_turn(const TurnRates& rates, double offset, double length) {
   const double m = scale * length;
   const double by_length = m > 2 ? 2 / (1 + std::sqrt(1 + 4 * m)) : 0.5;  // (8)
   if (turn_offset(by_length) * length <= offset) return with(by_length);
-  // Both bind: i(b) l = offset, between the two. i falls from 1/8 to 1/12.
+  // Both limits apply: i(b) l = offset, with b between the two. i falls from 1/8 to 1/12.
   const double i = offset / length;
   const double half = 3 - 12 * i;  // 4 b^2 - (6 - 24 i) b + 3 - 24 i = 0
   const double share = (half - profiles_detail::root(half * half - 4 * (3 - 24 * i))) / 4;

@@ -36,8 +36,8 @@ using path_detail::none;
 struct Leg {
   Point start{}, direction{};
   LawStretch law;
-  double up = 0, down = 0;  ///< s, of its first and last ramp
-  double dwell = 0;         ///< s, before it
+  double up = 0, down = 0;  ///< s, durations of its first and last ramp
+  double dwell = 0;         ///< s, dwell before it
   std::int32_t line = 0;
 };
 
@@ -60,7 +60,7 @@ std::vector<Segment> law_between(const LawStretch& law, double from, double to) 
   return out;
 }
 
-/// Both laws over the overlap, cut at the phases of both.
+/// Both laws over the overlap, divided at the phases of both.
 struct Common {
   Segment before, behind;
 };
@@ -104,10 +104,10 @@ class Overlapping {
         throw InputError("overlap", "", "needs lines: this command is none").at({}, p.line);
   }
 
-  /// `shared`: legs by (2).
+  /// Plans the legs. `shared`: their rates are reduced by (2).
   [[nodiscard]] Overlapped run(bool shared) const {
     const std::vector<Leg> legs = legs_of(shared);
-    std::vector<double> overlaps(legs.size() + 1, 0.0);  // before each
+    std::vector<double> overlaps(legs.size() + 1, 0.0);  // overlap before each leg
     for (std::size_t k = 1; k < legs.size(); ++k)
       if (!route_.joints[k].rests) overlaps[k] = longest(legs[k - 1], legs[k]);
     return joined(legs, overlaps);
@@ -161,7 +161,7 @@ class Overlapping {
     return *sum(first, scaled(c.behind, b.direction[i]));
   }
 
-  /// The longest overlap that keeps limits and deviation: the lower end of a bracket.
+  /// The longest overlap that keeps the limits and the deviation: the lower end of a bracket.
   [[nodiscard]] double longest(const Leg& a, const Leg& b) const {
     const double most = options_.share * std::min(a.down, b.up);
     if (!(most > 0)) return 0;
@@ -200,7 +200,7 @@ class Overlapping {
     return least;
   }
 
-  /// |u x w| a where a = b.
+  /// The greatest distance from the nearer line: |u x w| a at the instant at which a = b.
   [[nodiscard]] double one_sided(const Leg& a, const Leg& b, double overlap) const {
     const double begin = a.law.duration - overlap;
     double low = 0;

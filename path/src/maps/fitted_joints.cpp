@@ -29,12 +29,13 @@ namespace jounce {
 namespace {
 
 using path_detail::none;
-constexpr int deepest = 44;     ///< halvings
-constexpr int deepest_box = 6;  ///< halvings for boxes that vary less
-constexpr double even = 0.85;   ///< share of its ends' velocities that a part may allow, at least
-/// rad of an arc, whose polynomial of degree 11 is then exact to rounding.
+constexpr int deepest = 44;     ///< greatest number of halvings
+constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
+constexpr double even =
+    0.85;  ///< a part must permit at least this share of the velocity at its ends
+/// rad of an arc; over this angle, a polynomial of degree 11 is exact to rounding.
 constexpr double widest = 0.25;
-constexpr int samples = 8;  ///< samples of a map without bounds, for each part
+constexpr int samples = 8;  ///< number of samples in each part, for a map without bounds
 constexpr double joint_rounding = 8e-15;
 
 using Axes = std::array<Segment, max_axes>;
@@ -154,7 +155,7 @@ class Fitting {
         .at({}, path_.pieces()[tool_units_[unit_].piece].line);
   }
 
-  /// The map is defined at `good` and not at `bad`.
+  /// Reports that the map is defined at `good` and not at `bad`.
   [[noreturn]] void fail_between(const Part& part, double good, double bad) const {
     Jets point{};
     Jets joint{};
@@ -166,7 +167,8 @@ class Fitting {
     fail(part, bad, beyond);
   }
 
-  /// Joins the angles of a part with those before, and of its end with those of its start.
+  /// Removes jumps of angles by whole turns: between this part and the previous one, and between
+  /// its start and its end.
   void join(Jets& begin, Jets& end) const {
     for (std::size_t j = 0; j < map_.joints(); ++j) {
       const double turn = map_.turn(j);
@@ -176,7 +178,7 @@ class Fitting {
     }
   }
 
-  /// Bound of the distance of the fitted joints from the map; infinite where the part is too long.
+  /// Bound of the distance of the fitted joints from the map; infinite if the part is too long.
   double error_of(const Part& part, const Axes& fitted) {
     std::array<JointBounds, max_axes> bounds{};
     double error = 0;
@@ -253,7 +255,7 @@ class Fitting {
     }
   }
 
-  /// The bounds of the part leave about the velocity that its ends allow.
+  /// True if the bounds over the part permit about the same velocity as its ends.
   [[nodiscard]] bool is_even(const Part& part, const Derivatives& bounds, const Jets& begin,
                              const Jets& end) const {
     const double feed = std::min(settings(unit_).velocity, rates_.path.velocity);

@@ -25,7 +25,7 @@ struct Scara {
   std::size_t axes = 2, joints = 2;
   double a = 1, b = 1, c = 0, side = 1;
   bool with_z = false;
-  std::array<double, 4> offset{};  ///< by joint
+  std::array<double, 4> offset{};  ///< one for each joint
 
   [[nodiscard]] std::size_t arms() const { return c > 0 ? 3 : 2; }
   [[nodiscard]] double turn(std::size_t joint) const { return joint < arms() ? 360 : 0; }

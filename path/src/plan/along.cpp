@@ -28,12 +28,12 @@
 namespace jounce {
 namespace {
 
-/// Bounds of the derivatives of a piece, for the quantities of the law.
+/// Bounds of the derivatives of a piece, for the quantities along the path.
 struct PieceShape {
   double speed = 1;
   double curvature = 0;  ///< factor of v^2 in the normal acceleration
   bool exact = true;
-  Derivatives bounds;  ///< if not exact
+  Derivatives bounds;  ///< if the values are not exact
 };
 
 PieceShape shape_of(const Plan& plan, std::size_t piece) {
@@ -72,7 +72,7 @@ PieceShape shape_of(const Plan& plan, std::size_t piece) {
   return shape;
 }
 
-/// The worst use of a limit.
+/// The greatest use of a limit.
 struct Use {
   const char* quantity;
   double value = 0, limit = PathSettings::none, where = 0;
@@ -129,7 +129,7 @@ class Along {
  private:
   enum { velocity, acceleration, deceleration, jerk, normal_acceleration, total_acceleration };
 
-  /// Time in which a phase covers a distance; its duration if it covers less.
+  /// Time in which a phase covers a distance; its whole duration if it covers less.
   static double time_over(const LawPhase& p, double distance) {
     const auto covered = [&](double t) {
       return t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6));
@@ -142,7 +142,7 @@ class Along {
     return low;
   }
 
-  /// One phase of the law on one piece, from t on.
+  /// Takes one phase of the law on one piece into account, from t on.
   void consider(std::size_t piece, const LawPhase& p, double t) {
     if (!(p.duration > 0)) return;
     if (piece != shaped_) shape_ = shape_of(plan_, shaped_ = piece);
@@ -155,7 +155,7 @@ class Along {
       own.velocity = std::min(own.velocity, plan_.given().settings[drawn[k - 1].settings].velocity);
     own.velocity *= feed_factor_;
     const double h = p.duration;
-    // The fastest place: an end, or where a changes its sign.
+    // The fastest place of the phase: an end, or the place where the acceleration changes its sign.
     const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
     double fastest = v_at(0) >= v_at(h) ? 0 : h;
     const double turns = p.jerk == 0 ? 0 : -p.acceleration / p.jerk;
@@ -181,7 +181,7 @@ class Along {
     }
   }
 
-  /// The greatest total acceleration on a phase, and its time after the start.
+  /// The greatest total acceleration on a phase, and its time after the start of the phase.
   [[nodiscard]] std::pair<double, double> total(const LawPhase& p, double a, double v,
                                                 double fastest) const {
     if (!shape_.exact) {  // (1)

@@ -28,18 +28,18 @@ namespace {
 
 using path_detail::none;
 
-/// dB/dq <= 2 (f + s B) over a cell, for each axis that bounds it.
+/// dB/dq <= 2 (f + s B) over a cell, for each axis that limits it.
 struct Growth {
   double f, s;
 };
 
 struct Cell {
   double length = 0;
-  double most = none;  ///< bound of B over the cell: velocities along the path
+  double most = none;  ///< bound of B over the cell, from velocities along the path
   std::array<Growth, max_axes + 1> up{}, down{};
   std::size_t ups = 0, downs = 0;
-  double total = none;   ///< bound of the whole acceleration
-  double curvature = 0;  ///< constant, of a circle with unit speed; 0: none
+  double total = none;   ///< bound of the total acceleration
+  double curvature = 0;  ///< constant curvature of a circle with unit speed; 0: none
 };
 
 double grown(const Cell& cell, std::span<const Growth> growth, double B) {
@@ -47,7 +47,7 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
   for (const auto& [f, s] : growth) {
     const double x = 2 * s * cell.length;
     const double factor = std::abs(x) < 1e-12 ? 2 * cell.length : std::expm1(x) / s;
-    // A slope below 0 is bounded by 0: (1) holds with p only where it is positive.
+    // A negative slope is replaced by 0, because (1) holds with p only if the slope is positive.
     most = std::min(most, f + s * B > 0 ? B * std::exp(x) + f * factor : B);
   }
   if (cell.total < none && cell.curvature > 0) {
@@ -58,7 +58,7 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
   return most;
 }
 
-/// The greatest dB/dq over a cell where B is from `from` to `cell.most`.
+/// The greatest dB/dq over a cell in which B runs from `from` to `cell.most`.
 double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
   double most = none;
   for (const auto& [f, s] : growth)
@@ -70,7 +70,7 @@ double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
   return most;
 }
 
-/// Time over x, with B linear from b0 to b1.
+/// Time over the distance x, if B is linear from b0 to b1.
 double linear_time(double x, double b0, double b1) {
   return x > 0 ? 2 * x / (std::sqrt(b0) + std::sqrt(b1)) : 0;
 }
@@ -137,7 +137,7 @@ class Bound {
     for (std::size_t i = 0; i < path.axes(); ++i) path.segments(k, i, axes[i]);
     double feed = std::min(settings.velocity, rates_.path.velocity);
     if (piece.kind == PieceKind::turn || piece.kind == PieceKind::blend) {
-      // A corner belongs to both commands; the law there is bound by both feeds.
+      // A corner belongs to both commands, so both feeds limit the law there.
       if (k > 0)
         feed = std::min(feed, plan_.given().settings[path.pieces()[k - 1].settings].velocity);
     }
@@ -175,7 +175,7 @@ class Bound {
     if (std::abs(speed - 1) < 1e-9) cell.curvature = std::sqrt(bend) * (1 - 1e-9);
   }
 
-  /// (1) of one axis over [u0, u1] of a piece.
+  /// Adds (1) of one axis over [u0, u1] of a piece.
   void add_axis(std::size_t i, const std::vector<Segment>& segments, double u0, double u1,
                 Cell& cell) const {
     double p = none, P = -none, c = none, C = -none;
@@ -210,7 +210,7 @@ class Bound {
     cell.down[cell.downs++] = {A / least, C / least};
   }
 
-  /// (4), and the velocities of the axes.
+  /// The limit by (4) and by the velocities of the axes.
   [[nodiscard]] double cap_at(std::size_t k, double u) const {
     std::array<Jet, max_axes> jet{};
     const std::size_t n = rates_.axes;
