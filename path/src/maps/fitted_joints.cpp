@@ -31,8 +31,8 @@ namespace {
 using path_detail::none;
 constexpr int deepest = 44;     ///< greatest number of halvings
 constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
-constexpr double even =
-    0.85;  ///< a part must permit at least this share of the velocity at its ends
+/// A part must permit at least this share of the velocity at its ends.
+constexpr double even = 0.85;
 /// rad of an arc; over this angle, a polynomial of degree 11 is exact to rounding.
 constexpr double widest = 0.25;
 constexpr int samples = 8;  ///< number of samples in each part, for a map without bounds

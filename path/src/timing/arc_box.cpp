@@ -41,7 +41,7 @@
 namespace jounce {
 namespace {
 
-/// The limits of an arc as limits of its law.
+/// The limits of an arc, as limits of the law on it.
 class ArcRates {
  public:
   ArcRates(const Rates& rates, const ArcNumbers& arc, double length) : k_(arc.sweep() / length) {
@@ -74,7 +74,8 @@ class ArcRates {
                           std::cbrt(jerk_ / (k_ * k_))});
   }
 
-  /// The jerk of the curvature at V: of its size are the jerks with which (4) leaves an acceleration at every velocity.
+  /// The jerk that corresponds to the curvature at V. With jerks of this size, (4) leaves an
+  /// acceleration at every velocity.
   [[nodiscard]] double natural_jerk(double V) const { return k_ * k_ * V * V * V; }
   /// The greatest constant velocity.
   [[nodiscard]] double velocity() const { return velocity_; }
@@ -82,7 +83,7 @@ class ArcRates {
   [[nodiscard]] double most_acceleration() const { return most_acceleration_; }
   [[nodiscard]] double most_jerk() const { return most_jerk_; }
 
-  /// The greatest j of (5); not positive if there is none.
+  /// The greatest jerk j by (5); not positive if there is none.
   [[nodiscard]] double jerk(double V) const {
     if (jerk_ == PathSettings::none) return most_jerk_;
     const double normal = natural_jerk(V);
@@ -98,7 +99,8 @@ class ArcRates {
     return j;
   }
 
-  /// The greatest a of (4) that a ramp over dv to V may reach; not positive if there is none.
+  /// The greatest acceleration a by (4) that a ramp over dv up to V may reach; not positive if
+  /// there is none.
   [[nodiscard]] double acceleration(double V, double dv, double j) const {
     if (acceleration_ == PathSettings::none) return most_acceleration_;
     const double square = acceleration_ * acceleration_;
@@ -121,7 +123,7 @@ class ArcRates {
   }
 
  private:
-  /// The velocity at which (5) is greatest.
+  /// The velocity at which the left side of (5) is greatest.
   [[nodiscard]] double place_of_most_jerk(double V, double j) const {
     double v = 0.75 * V;
     for (int step = 0; step < 20; ++step) {  // Newton, from below: convex
@@ -145,7 +147,8 @@ class ArcRates {
   double most_acceleration_ = PathSettings::none, most_jerk_ = PathSettings::none;
 };
 
-/// An arc on which the law goes `length` between two velocities at most: 0 is a rest.
+/// A part of an arc on which the law covers `length` between two greatest velocities; a velocity of
+/// 0 is a rest.
 struct ArcWay {
   double length, entry, exit;
 };
@@ -192,7 +195,7 @@ class ArcSearch {
     return best_;
   }
 
-  /// Stairs, where they are faster than the box.
+  /// Several zones (stairs), if they are faster than the single box.
   [[nodiscard]] ArcZones zones() {
     const Box whole = box();
     ArcZones best;
@@ -219,7 +222,7 @@ class ArcSearch {
     double time = 0, length = 0;
   };
 
-  /// Takes stairs up to v if they are faster than what was found before.
+  /// Keeps stairs up to the velocity v if they are faster than the best so far.
   bool climb(double v, const Steps& steps, ArcZones& best) {
     const Stairs up = stairs(way_.entry, v, steps);
     const Stairs down = stairs(way_.exit, v, steps);
@@ -240,7 +243,8 @@ class ArcSearch {
 
   [[nodiscard]] double most_jerk(double v) const { return std::min(limits_.jerk(v), path_.jerk); }
 
-  /// Jerks that are tried at v, the greatest first: shares of it, and multiples of the natural one below.
+  /// Jerks to be tried at the velocity v, the greatest first: shares of it, and below it multiples
+  /// of the natural jerk.
   [[nodiscard]] std::array<double, 10> jerks(double v) const {
     const double most = most_jerk(v);
     std::array<double, 10> all{1, 0.85, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05, 0.03, 0.02};
@@ -252,14 +256,14 @@ class ArcSearch {
     return all;
   }
 
-  /// Time lost on a neighbor, where the motion is only at v here.
+  /// Time lost on a neighbor, because the velocity here is only v.
   [[nodiscard]] double lost(double v) const {
     if (!(v > 0)) return 0;
     return ramp_time(beyond_ - v, slow_a_, slow_j_) -
            ramp_distance(v, beyond_, slow_a_, slow_j_) / beyond_;
   }
 
-  /// Time with the accelerations and jerks of a slow motion.
+  /// Duration with the accelerations and jerks of a slow motion.
   [[nodiscard]] double least_time() const {
     double time = way_.length / fastest_;
     for (const double v : {std::min(way_.entry, fastest_), std::min(way_.exit, fastest_)})
@@ -268,7 +272,7 @@ class ArcSearch {
     return time;
   }
 
-  /// The box for ramps over dv to v with a jerk; no acceleration if there is none.
+  /// The box for ramps over dv up to v with this jerk; its acceleration is 0 if there is none.
   [[nodiscard]] Box with(double v, double dv, double j) const {
     const double a = j > 0 ? limits_.acceleration(v, dv, j) : 0;
     return {v, std::min(a, path_.acceleration), std::min(a, path_.deceleration), j};
@@ -300,7 +304,7 @@ class ArcSearch {
     best_ = box;
   }
 
-  /// The steps from one velocity up to v; none if there is no way.
+  /// The steps from one velocity up to v; empty if there is no solution.
   [[nodiscard]] Stairs stairs(double from, double v, const Steps& steps) const {
     Stairs result;
     double low = from;
