@@ -33,7 +33,7 @@ constexpr std::size_t chains = 4;
 constexpr std::size_t warm_up = 64;
 constexpr std::size_t worth_cutting = 16 * warm_up;
 
-/// The numbers that elimination carries from row to row.
+/// The numbers that the elimination passes from row to row.
 struct State {
   double c, y;  // from the previous row
   double h, d;  // from the previous piece
@@ -48,7 +48,7 @@ struct Knots {
     return {end.ratio, end.value, h, (p[row] - p[row - 1]) / h};
   }
 
-  /// (2)
+  /// Eliminates row i by (2).
   [[gnu::always_inline]] void eliminate(std::size_t i, State& s) const {
     const double h = x[i + 1] - x[i];
     const double d = (p[i + 1] - p[i]) / h;
@@ -60,7 +60,7 @@ struct Knots {
   }
 };
 
-/// Rows 1 to rows of a stretch: chains of equal length, the remainder in the last.
+/// Rows 1 to `rows` of a stretch, as chains of equal length; the last chain also has the remainder.
 class Sweep {
  public:
   Sweep(Knots knots, std::size_t rows, double* c, double* v)
@@ -102,7 +102,7 @@ class Sweep {
     for (std::size_t i = from; i >= to; --i) next = v_[i] -= c_[i] * next;
   }
 
-  /// The state before the first row of chain k.
+  /// An approximate state before the first row of chain k, which converges to the exact one.
   [[nodiscard]] State warm(std::size_t k) const {
     const std::size_t end = k * length_ + 1;
     State s = knots_.before(end - warm_up, {0, 0});
@@ -128,7 +128,7 @@ class Sweep {
 }  // namespace
 
 EndRow not_a_knot_end(double h0, double chord0, double h1, double chord1) {
-  // de Boor, ch. IV (12): the third derivative is continuous, v_2 eliminated by (1).
+  // de Boor, ch. IV (12): the third derivative is continuous; v_2 is eliminated by (1).
   const double both = h0 + h1;
   return {both / h1, ((h0 + 2 * both) * h1 * chord0 + h0 * h0 * chord1) / (both * h1)};
 }

@@ -58,7 +58,7 @@ Matrix inverse(const Matrix& m) {
   return {1 / m[0] - off * ratio, off, off, 1 / schur};
 }
 
-/// The part of one piece in (2): half of the gradient of (1).
+/// The contribution of one piece to (2): half of the gradient of (1).
 struct Element {
   Matrix first, coupling, second;
   Vector right_first, right_second;
@@ -82,7 +82,8 @@ struct Element {
   }
 
  private:
-  /// State k of the knot whose block is `own` takes `value`; `to_other` is its coupling by rows.
+  /// Fixes state k of the knot with the block `own` to `value`; `to_other` is its coupling, by
+  /// rows.
   static void fix(std::size_t k, double value, Matrix& own, Matrix& to_other, Vector& right,
                   Vector& other_right) {
     const std::size_t j = 1 - k;
@@ -97,7 +98,7 @@ struct Element {
   }
 };
 
-/// (2), one row a knot.
+/// One row of (2), for one knot.
 struct Row {
   Matrix diagonal{}, next{}, border{};
   Vector right{};
@@ -123,7 +124,7 @@ class System {
         }
   }
 
-  /// In the units of x.
+  /// Returns the solution, in the units of x.
   std::vector<Vector> solve() {
     for (std::size_t i = 1; i < rows_.size(); ++i) eliminate(i);
     std::vector<Vector> states(rows_.size());
@@ -160,7 +161,7 @@ class System {
     }
   }
 
-  /// Eliminates x_i from the rows i + 1 and 0, and keeps it as a function of them.
+  /// Eliminates x_i from the rows i + 1 and 0; stores it as a function of their unknowns.
   void eliminate(std::size_t i) {
     Row& row = rows_[i];
     const Matrix inverted = inverse(row.diagonal);
@@ -189,8 +190,8 @@ void close(JerkKnot& first, JerkKnot& last) {
   }
 }
 
-/// Parabolas through two points have no jerk, so one state must be given to choose among them. The
-/// straight line is the one without acceleration.
+/// True if no state is given that selects one of the parabolas through two points, all of which
+/// have no jerk. Then the straight line is chosen: it has no acceleration.
 bool undetermined(std::span<const JerkKnot> knots) {
   if (knots.size() > 2) return false;
   for (const JerkKnot& knot : knots)

@@ -9,7 +9,7 @@ namespace jounce::pvt_detail {
 
 /// Velocity and acceleration at a knot, and which of them are fixed.
 struct JerkKnot {
-  std::array<double, 2> state{};  ///< u/x, u/x^2; an output where it is free
+  std::array<double, 2> state{};  ///< u/x, u/x^2; an output if not fixed
   std::array<bool, 2> fixed{};
 };
 

@@ -23,7 +23,7 @@
 namespace jounce::pvt_detail {
 namespace {
 
-/// The end of the parabola through three points, inside the square.
+/// The velocity at the end of the parabola through three points, limited to the square.
 double open_end(double h0, double d0, double h1, double d1) {
   const double v = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (!(v > 0 && d0 > 0) && !(v < 0 && d0 < 0)) return 0;
@@ -36,7 +36,7 @@ double between_chords(double h0, double d0, double h1, double d1) {
   if (!(d0 > 0 && d1 > 0) && !(d0 < 0 && d1 < 0)) return 0;
   const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
   const double smaller = std::abs(d0) < std::abs(d1) ? d0 : d1;
-  // (2) over the smaller chord, whose reciprocal may overflow.
+  // (2) divided by the smaller chord, because its reciprocal may overflow.
   const double mean = smaller * (w0 + w1) / (w0 * (smaller / d0) + w1 * (smaller / d1));
   return std::abs(mean) < 3 * std::abs(smaller) ? mean : 3 * smaller;
 }

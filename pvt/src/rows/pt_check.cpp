@@ -20,14 +20,15 @@ bool is_chained(PtType type) {
   return type == PtType::normal || type == PtType::continued;
 }
 
-/// Segments first to last, each of which changes the rate against the one before.
+/// Segments first to last, each of which changes the rate in the opposite direction to the previous
+/// one.
 struct Swing {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t worst = 0;
 };
 
-/// All runs of at least `least_swings` segments.
+/// All such runs of at least `least_swings` segments.
 std::vector<Swing> swings(std::span<const PtPoint> points, const std::vector<PtRate>& rates,
                           double least) {
   const auto change = [&](std::size_t i) { return rates[i].end - rates[i].start; };

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int refinements = 8;
 constexpr double most_parts = 64;
-constexpr int around = 3;  ///< places on each side of a knot that moves
+constexpr int around = 3;  ///< number of places on each side of a knot to which it may move
 
 template <class Over>
 class Places {
@@ -56,7 +56,7 @@ class Places {
     return sorted(std::move(places));
   }
 
-  /// (1) with one layer for all places.
+  /// Solves (1) with all places in one layer.
   [[nodiscard]] std::optional<BestTable> best(const std::vector<Knot>& places, std::size_t most,
                                               bool fewest) const {
     const std::size_t n = places.size();
@@ -90,7 +90,7 @@ class Places {
     return table;
   }
 
-  /// (1) with a layer for each knot, around which it may move by h.
+  /// Solves (1) with one layer for each knot, which contains places at distances of h around it.
   [[nodiscard]] BestTable moved(BestTable table, double h) const {
     std::vector<std::vector<Knot>> layers;
     for (const Knot& knot : table.knots) layers.push_back(near(knot, h));
@@ -130,7 +130,7 @@ class Places {
     return std::binary_search(fixed_.begin(), fixed_.end(), x);
   }
 
-  /// The knots at x, between the ends that are fixed: two where the curve steps.
+  /// Adds the knots at x, unless x is a fixed end: two knots if the curve steps there.
   void add(std::vector<Knot>& places, double x) const {
     if (!(x > f_.start() && x < f_.end()) || is_fixed(x) || is_inside_a_stretch(x)) return;
     if (target_.x_step > 0 && !is_whole(x, target_.x_step)) return;
@@ -176,7 +176,7 @@ class Places {
   const Target& target_;
   const Tolerances& tolerances_;
   const std::vector<Straight>& kept_;
-  std::vector<double> fixed_;  ///< ends of the curve and of the stretches, ascending
+  std::vector<double> fixed_;  ///< ends of the curve and of the straight stretches, ascending
 };
 
 }  // namespace

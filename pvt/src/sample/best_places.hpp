@@ -12,13 +12,14 @@
 
 namespace jounce::pvt_detail {
 
-/// The knots of a table, and the greatest share of the tolerances that one of its intervals uses up.
+/// The knots of a table, and the greatest share of the tolerances that an interval uses.
 struct BestTable {
   std::vector<Knot> knots;
   double share = 0;  ///< at most 1
 };
 
-/// The search over places is limited to tables of so many knots, of curves of so many segments.
+/// The search over places is used only for tables of at most so many knots, and curves of at most
+/// so many segments.
 constexpr std::size_t most_searched_knots = 64;
 constexpr std::size_t most_searched_segments = 128;
 

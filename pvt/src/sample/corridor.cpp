@@ -17,7 +17,7 @@ struct Corner {
   double v1 = 0;
 };
 
-/// A cut adds at most one corner.
+/// A cut by a half plane adds at most one corner.
 struct Polygon {
   std::array<Corner, 4 + Demand::most + 1> corners;
   std::size_t size = 0;

@@ -12,7 +12,7 @@
 /// at a knot between them.
 namespace jounce::pvt_detail {
 
-/// True if one quadratic piece leads from a to b, with the velocities of both.
+/// True if a single quadratic piece connects a and b with the velocities of both.
 bool is_one_quadratic(const Knot& a, const Knot& b);
 
 /// The knot at which the two pieces meet: in the middle, or at the nearest step of x. Nothing if
@@ -22,8 +22,8 @@ bool is_one_quadratic(const Knot& a, const Knot& b);
 ///     (1)  v = (2 P - v_a h_a - v_b h_b) / (h_a + h_b),     p = p_a + (v_a + v) h_a / 2
 std::optional<Knot> knot_between(const Target& target, const Knot& a, const Knot& b);
 
-/// share() of the pieces that the target's table has between two knots; infinite where there is no place
-/// for the knot between.
+/// share() of the two pieces that the target's table has between two knots; infinite if there is no
+/// place for the knot between them.
 template <class Over>
 double share(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& b,
              const Tolerances& tolerances);

@@ -6,15 +6,15 @@
 
 namespace jounce::pvt_detail {
 
-/// A knot of a table to be: its place, the side of the curve there whose limits it takes, and the
-/// numbers that the table will hold.
+/// A knot of a future table: its position, the side of the curve whose limits it has, and the
+/// numbers that the table will contain.
 struct Knot {
   double x = 0;
   Side side = Side::right;
   Jet jet{};
 };
 
-/// For position and velocity; infinite where nothing is asked.
+/// Tolerances of position and velocity; infinite: no requirement.
 struct Tolerances {
   double position = 0;
   double velocity = 0;

@@ -52,7 +52,7 @@ template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side) {
   Knot knot = knot_at(f, x, side);
   knot.jet[0] = rounded_to(knot.jet[0], target.p_step);
-  // A period ends on the position of its first knot, as that one was rounded.
+  // A period ends at the rounded position of its first knot, plus the travel.
   if (target.p_step > 0 && repeats(f.outside()) && x == f.end()) {
     const double first = f.jet(f.start())[0];
     const double travel = f.jet(x, Side::left)[0] - first;
@@ -68,7 +68,7 @@ namespace {
 template <class Over>
 class Search {
  public:
-  /// Knots may be anywhere: the caller keeps the target's steps and spacing.
+  /// Knots may be anywhere; the caller observes the target's steps and spacing.
   Search(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& limit,
          const Tolerances& tolerances)
       : f_(f),
@@ -93,7 +93,8 @@ class Search {
  private:
   [[nodiscard]] double lo() const { return best_ ? best_->x : a_.x; }
 
-  /// The share up to x, which is the new end of the bracket on its side of 1.
+  /// The share of the tolerances up to x. x becomes the new end of the bracket on its side of a
+  /// share of 1.
   double tried(double x) {
     const Knot b = knot_at(f_, x, x == limit_.x ? limit_.side : Side::right);
     const double e = share(f_, target_, a_, b, tolerances_);
@@ -104,7 +105,7 @@ class Search {
     return e;
   }
 
-  /// (1), within the bracket.
+  /// The next length by (1), within the bracket.
   [[nodiscard]] double next(double h, double e, int i) const {
     const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(target_));
     if (hi_ == profiles_detail::inf) return h * std::clamp(factor, 1.01, 8.0);
@@ -139,11 +140,11 @@ class Search {
   const Knot& a_;
   const Knot& limit_;
   const Tolerances& tolerances_;
-  double hi_ = profiles_detail::inf;  ///< the least end that was found to be too far
+  double hi_ = profiles_detail::inf;  ///< the least position that is known to be too far
   std::optional<Knot> best_;
 };
 
-/// True if the curve differs to the left and to the right of x.
+/// True if the curve differs on the left and on the right of x.
 template <class Over>
 bool steps_at(const Curve<Over>& f, double x) {
   if (!std::binary_search(f.breaks().begin() + 1, f.breaks().end() - 1, x)) return false;
@@ -151,13 +152,14 @@ bool steps_at(const Curve<Over>& f, double x) {
   return !std::equal(left.begin(), left.begin() + 3, f.jet(x, Side::right).begin());
 }
 
-/// True if a knot may be at x after one at a: by their distance, and the distance from the limit.
+/// True if a knot at x is permitted after one at a: checks the spacing to a and to the limit.
 bool may_be(const Target& target, double a, double x, double limit) {
   const double least = target.spacing * (1 - 1e-12);
   return x > a && x - a >= least && (x == limit || limit - x >= least);
 }
 
-/// Places where the next knot may be, `reach` and before it, farthest first; at most some thousands.
+/// Permitted positions of the next knot: `reach` and positions before it, the farthest first; at
+/// most some thousands.
 std::vector<double> places(const Target& target, double a, double reach, double limit) {
   constexpr double many = 4096;
   std::vector<double> all;
@@ -178,7 +180,7 @@ std::vector<double> places(const Target& target, double a, double reach, double 
   return all;
 }
 
-/// The stretch that the next knot after one at x is for; null behind the last.
+/// The first stretch that ends after x; null if there is none.
 const Straight* stretch_behind(const std::vector<Straight>& stretches, double x) {
   const auto at =
       std::upper_bound(stretches.begin(), stretches.end(), x,
@@ -221,7 +223,7 @@ class Followers {
   }
 
  private:
-  /// (3): `reach`, or less.
+  /// Applies (3): returns `reach`, or a lower position.
   [[nodiscard]] double from_where_the_limit_is_reached(double reach) const {
     const double whole = limit_.x - a_.x;
     if (reach == limit_.x || limit_.x - reach > 1e-3 * whole) return reach;
@@ -232,7 +234,8 @@ class Followers {
     return reach;
   }
 
-  /// The knot at x, if it keeps the tolerances: with what the curve has to the right, or to the left.
+  /// The knot at x with the curve's numbers on the right or on the left, if it keeps the
+  /// tolerances.
   std::optional<Knot> keeping(double x) {
     if (x == limit_.x)
       return share(f_, target_, a_, limit_, tolerances_) <= 1 ? std::optional(limit_)
@@ -250,7 +253,7 @@ class Followers {
       if (const auto b = keeping(x)) return all_.push_back(*b);
   }
 
-  /// The last break before the farthest knot, and the next one behind it.
+  /// Adds the last break before the farthest knot, and the first one after it.
   void add_breaks_near(double x) {
     const auto breaks = f_.breaks();
     const auto next = std::upper_bound(breaks.begin(), breaks.end(), x);
@@ -270,7 +273,7 @@ class Followers {
   const Target& target_;
   const Knot& a_;
   Knot limit_;
-  bool is_line_;  ///< the form of the curve up to the limit
+  bool is_line_;  ///< true: the curve is a straight line up to the limit
   const Tolerances& tolerances_;
   std::vector<Knot> all_;
 };

@@ -10,11 +10,11 @@
 
 namespace jounce::pvt_detail {
 
-/// The curve's own numbers at x, from one side (at the ends from within).
+/// The curve's own numbers at x, on one side (at the ends of the curve: inside).
 template <class Over>
 Knot knot_at(const Curve<Over>& f, double x, Side side);
 
-/// The same as the target's table would hold them.
+/// The same numbers as the target's table would contain them: rounded.
 template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
@@ -27,8 +27,8 @@ std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Kn
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess);
 
-/// The power of its length to which the error of an interval is proportional: 2, 4, 6; 3 for two quadratic
-/// pieces.
+/// The error of an interval is proportional to this power of its length: 2, 4, 6; 3 for two
+/// quadratic pieces.
 int order(const Target& target);
 
 }  // namespace jounce::pvt_detail

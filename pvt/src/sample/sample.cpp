@@ -21,7 +21,8 @@
 namespace jounce {
 namespace {
 
-/// Makes the last values of a periodic table exactly the first ones, where they differ by rounding.
+/// Sets the last values of a periodic table exactly to the first ones, if they differ only by
+/// rounding.
 void close_period(std::vector<double>& column) {
   if (column.empty()) return;
   double scale = 0;
@@ -138,7 +139,7 @@ class Spread {
     return pvt_detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
   }
 
-  /// (2) of this interval is what its rounding may add to the jerk, and d^2 / 12 of it to the velocity.
+  /// Rounding in this interval may add (2) to the jerk, and d^2 / 12 times (2) to the velocity.
   [[nodiscard]] bool keeps_peaks(double a, double b) const {
     constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
     const Table table(axis, rule_, Extrapolation::refuse, columns_at(f_, rule_, {a, b}));
@@ -152,7 +153,7 @@ class Spread {
     return true;
   }
 
-  /// Knot k at x, or without it; false where the tolerance does not allow it.
+  /// Moves knot k to x, or removes it (no x); returns false if the tolerance does not permit this.
   bool replaced(std::vector<double>& knots, std::size_t k, std::optional<double> x) const {
     if (k == 0 || k + 1 >= knots.size()) return false;
     const double before = knots[k - 1];
@@ -168,7 +169,7 @@ class Spread {
     return true;
   }
 
-  /// True if the interval from knot i was made longer.
+  /// Makes the interval after knot i longer; returns true if this was possible.
   bool parted(std::vector<double>& knots, std::size_t i) const {
     return replaced(knots, i + 1, {}) || replaced(knots, i, {}) ||
            replaced(knots, i + 1, knots[i] + 2 * least_) ||
@@ -221,7 +222,8 @@ class ShortIntervals {
   }
 
  private:
-  /// A knot at x, so that the interval between it and another one has the curve's rise but for `error`.
+  /// A position x for a knot. In the interval to another knot, the rise equals that of the curve
+  /// except for `error`.
   struct Place {
     double x = 0;
     double position = 0;
@@ -255,7 +257,7 @@ class ShortIntervals {
     all.v[i + 1] += more;
   }
 
-  /// The place of the least error among the doubles from x towards `limit`.
+  /// The position of the least error among the doubles from x towards `limit`.
   template <class At>
   static Place best(double x, double limit, At at) {
     constexpr int most = 1 << 16;
@@ -337,7 +339,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short pieces have few digits
+    const Curve<Over> piece({f.segments()[i]});  // from 0: far from 0, short pieces have few digits
     const auto fits = [&](std::size_t n) {
       return sample(piece, rule, n).error.position <= wanted;
     };
@@ -362,7 +364,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
-  // An interval that kept the tolerance by its symmetry may not keep it once it is shorter.
+  // An interval that kept the tolerance because of its symmetry may exceed it when it is shorter.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
     knots.insert(above, (*(above - 1) + *above) / 2);

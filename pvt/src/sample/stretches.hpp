@@ -9,11 +9,11 @@
 
 namespace jounce::pvt_detail {
 
-/// A straight line of the curve, which a reduced table keeps: from knot to knot.
+/// A straight line of the curve that a reduced table keeps exactly, from knot to knot.
 struct Straight {
   Knot begin;
   Knot end;
-  bool dwell = false;  ///< stands still
+  bool dwell = false;  ///< true: without motion
 };
 
 /// The dwells and straight lines that the target's table keeps exactly, in their order (see

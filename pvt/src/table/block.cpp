@@ -30,7 +30,7 @@ std::size_t first_not_before(const Instants& at, double bound, std::size_t low, 
   return pvt_detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
 }
 
-/// `size` ascending samples.
+/// Evaluates `size` ascending samples.
 template <class Instants>
 void sample_block(const Table& table, const Instants& at, std::size_t size, Samples out,
                   void (*kernel)(const pvt_detail::KnotColumns&, Interpolation, Instants,
