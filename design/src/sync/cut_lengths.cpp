@@ -28,7 +28,7 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   const RotaryKnifeFigures f = figures(spec);
   const CamOfLength cams = cams_of(spec, f.sync_length);
   CutLengths all;
-  // the longest cut does not yet reverse
+  // The longest cut does not yet reverse.
   if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);
   all.fastest = [cams, back = all.turns_back](double length, const CutLimits& limits) -> CutSpeed {
     if (length > back) return {length, 0, "reversal", 0};

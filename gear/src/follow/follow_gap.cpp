@@ -87,7 +87,7 @@ std::vector<Piece> pieces_of(const Gap& g, bool whole) {
   double a = (g.length + w / k) / 2;
   if (whole && g.length >= 2) a = std::clamp(std::round(a), 1.0, std::ceil(g.length) - 1);
   const double b = g.length - a;
-  // to rounding, a single slope covers the whole gap
+  // To rounding, a single slope covers the whole gap.
   if (!(a > 0 && b > 0)) return {{g.length, g.travel}};
   const double r = (2 * g.travel - g.r0 * a - g.r1 * b) / g.length;  // (2)
   if (way(g) * r < 0 && way(g) * g.travel > 0) return resting(g, whole);

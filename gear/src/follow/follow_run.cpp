@@ -39,7 +39,7 @@ Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample
   const bool back = behind > 0 || (behind == 0 && run.dir * now.master[1] < 0);
   Jet f = fifos.at(travel(run, now.master[0]));
   if (run.dir != 0 && back) return {f[0], 0, 0, 0};
-  // derivatives with respect to a master that moves backwards
+  // Derivatives with respect to a master that moves backwards.
   if (run.dir < 0) f = {f[0], -f[1], f[2], -f[3]};
   return f;
 }

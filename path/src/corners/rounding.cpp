@@ -240,7 +240,7 @@ class Rounding {
     const PathSettings& asked = settings(k);
     double trim = room;
     bool fits = true;
-    // the least trim for which enough(trim) holds, or `most`
+    // The least trim for which enough(trim) holds, or `most`.
     const auto least = [&](double most, auto enough) {
       if (!(fits = enough(most))) return most;
       double low = 0;

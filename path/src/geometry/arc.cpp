@@ -17,7 +17,7 @@
 namespace jounce {
 namespace {
 
-// relative tolerance for coincident points, and for a chord of twice the radius
+// Relative tolerance for coincident points, and for a chord of twice the radius.
 constexpr double coincident = 1e-9;
 
 void require_axes(Plane plane) {
@@ -106,7 +106,7 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const Point spoke = vec::difference(from, arc.center);
   arc.radius = vec::norm(spoke, axes);
   arc.e1 = vec::scaled(spoke, 1 / arc.radius);
-  // the side of `via` determines the direction of rotation
+  // The side of `via` determines the direction of rotation.
   const Point side = vec::perpendicular(a, arc.e1);
   const Point other = vec::perpendicular(b, arc.e1);
   const Point& e2 = vec::dot(side, side) >= vec::dot(other, other) ? side : other;

@@ -166,7 +166,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   const double angle = degrees * (std::numbers::pi / 180);
   const double cs = std::cos(angle);
   const double sn = std::sin(angle);
-  // coordinates along the major axis, and perpendicular to it
+  // Coordinates along the major axis, and perpendicular to it.
   const auto local = [&](const Point& p) {
     const double x = p[plane.first] - center[plane.first];
     const double y = p[plane.second] - center[plane.second];

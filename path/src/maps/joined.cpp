@@ -117,7 +117,7 @@ Rates Joined::corner_rates(const Route& route) const {
   const AxisMap& map = *joints_->map;
   Rates rates = tool_;
   constexpr std::size_t places = 64;
-  // position within a piece; not its middle, which may be the base of a robot
+  // Position within a piece; not its middle, which may be the base of a robot.
   constexpr double inside = 0.382;
   const std::size_t count = route.path.pieces().size();
   const std::size_t step = std::max<std::size_t>(1, count / places);

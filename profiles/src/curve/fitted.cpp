@@ -115,7 +115,7 @@ void require_fitting(std::size_t pieces) {
 
 namespace {
 
-/// A segment that becomes one without sines.
+/// A segment that is replaced by one without sines.
 struct Whole {
   Segment f;
 

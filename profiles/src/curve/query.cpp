@@ -28,7 +28,7 @@ bool valid(const Ramp& ramp) {
   return profiles_detail::is_magnitude(ramp.acceleration) && profiles_detail::is_limit(ramp.jerk);
 }
 
-/// A state that moves along under constant jerk.
+/// A state that advances with constant jerk.
 struct Walk {
   double velocity, acceleration;
   Extent done = {};
@@ -48,13 +48,13 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
   walk.acceleration = -p;
   const double let_go = p * p / (2 * jerk);
   if (p == limit) walk.go(std::max(walk.velocity - let_go, 0.0) / p, 0);
-  walk.velocity = let_go;  // without the rounding of the phases before
+  walk.velocity = let_go;  // exact, without the rounding of the previous phases
   walk.go(p / jerk, jerk);
   return walk.done;
 }
 
-/// The fastest motion. If the distance is too short for the direct ramp only by rounding of the velocities
-/// that entry_velocity() returns, it is that ramp.
+/// The fastest motion. If the distance is too short for the direct ramp only by rounding of a
+/// velocity that entry_velocity() has returned, it is this ramp.
 constexpr double rounding = 1e-15;
 std::optional<profiles_detail::Way<double>> way(double distance, const SpanEnds& ends,
                                                 const Ramp& ramp) {

@@ -28,8 +28,8 @@ const profiles_detail::Kernels& best_kernels() {
   return profiles_detail::kernels_anywhere;
 }
 
-/// Values [first, first + n) of a column that has one value a move, one for all, or none (zero); the
-/// last one fills the block.
+/// Copies the values [first, first + n) of a column that has one value for each move, one for all
+/// moves, or none (zero). The last value fills the rest of the block.
 void fill(std::span<const double> column, std::size_t first, std::size_t n, double* lanes) {
   if (column.size() <= 1) {
     std::fill_n(lanes, Block::size, column.empty() ? 0.0 : column[0]);

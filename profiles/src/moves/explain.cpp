@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
+/// Text such as "velocity 12 is above velocity_max = 10"; "" if the value is within its bounds.
 std::string outside(const std::string& name, double value, double min, double max) {
   if (value > max)
     return name + " " + six_digits(value) + " is above " + name + "_max = " + number(max);
@@ -38,7 +38,8 @@ std::string numbers_of(const Bounds& b) {
   return text;
 }
 
-/// The velocity at which the acceleration of the target builds up from 0 with the greatest jerk.
+/// The velocity from which the acceleration increases from 0 to that of the target with the
+/// greatest jerk.
 std::string velocity_before(const MotionState& to, const Bounds& b) {
   const double jerk = to.acceleration > 0 ? b.jerk_max : b.jerk_min;
   const double before = to.velocity - to.acceleration * to.acceleration / (2 * jerk);

@@ -48,7 +48,7 @@ struct Phase {
   double duration, jounce;
 };
 
-/// The first half of a move, with p, d and q of the derivation.
+/// The first half of a move, with the p, d and q of the derivation.
 struct Half {
   std::array<Phase, 7> phases;
 
@@ -66,7 +66,7 @@ struct Half {
   [[nodiscard]] Jet end() const;
 };
 
-/// The state a time t (of either sign) after x.
+/// The state at the time t (of either sign) after x.
 Jet advanced(const Jet& x, double jounce, double t) {
   return {x[0] + t * (x[1] + t * (x[2] / 2 + t * (x[3] / 6 + t * jounce / 24))),
           x[1] + t * (x[2] + t * (x[3] / 2 + t * jounce / 6)), x[2] + t * (x[3] + t * jounce / 2),
@@ -85,7 +85,7 @@ Jet Half::end() const {
   return x;
 }
 
-/// The largest x in [0, high] for which `below` holds, to the last bit.
+/// The greatest x in [0, high] for which `below` holds, to the last bit.
 template <class Below>
 double largest(double high, const Below& below) {
   double low = 0;
@@ -94,23 +94,23 @@ double largest(double high, const Below& below) {
   return low;
 }
 
-/// (2): the half that covers h/2, without a velocity limit.
+/// The half by (2) over h/2, without a velocity limit.
 Half unlimited_half(double h, const Rates& l) {
   const auto way = [&](double p, double d) { return Half(p, d, 0, l).end()[0]; };
   if (way(l.a, 0) >= h / 2)
     return {largest(l.a, [&](double p) { return way(p, 0) < h / 2; }), 0, 0, l};
-  const double more = 2 * std::sqrt(h / l.a);  // in this time a alone covers more than h/2
+  const double more = 2 * std::sqrt(h / l.a);  // in this time, a alone covers more than h/2
   return {l.a, largest(more, [&](double d) { return way(l.a, d) < h / 2; }), 0, l};
 }
 
-/// The half with the peak velocity v, for a given q.
+/// The half with the peak velocity v for a given q.
 Half half_to(double v, double q, const Rates& l) {
   const double without = Half(l.a, 0, q, l).end()[1];
   if (v >= without) return {l.a, (v - without) / l.a, q, l};
   return {largest(l.a, [&](double p) { return Half(p, 0, q, l).end()[1] < v; }), 0, q, l};
 }
 
-/// The first half and the cruise after it.
+/// The first half, and the duration of the cruise after it.
 struct Plan {
   Half half;
   double cruise;

@@ -42,11 +42,12 @@
 namespace jounce::profiles_detail {
 namespace {
 
-constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
-constexpr double little = 0x1p-10;    ///< share of a length below which a ramp almost fits it
+constexpr double rounding = 0x1p-48;  ///< relative error of a length
+/// A ramp that exceeds a length by a smaller share almost fits it.
+constexpr double little = 0x1p-10;
 
-/// The last v from `holds` towards `fails` that holds, to 2^-64 of their distance. A fixed number of
-/// halvings: the same in every unit.
+/// The last v from `holds` towards `fails` that satisfies the condition, to 2^-64 of their
+/// distance. The number of bisections is fixed, so the result is the same in every unit.
 template <class Predicate>
 double last_that_holds(double holds, double fails, const Predicate& predicate) {
   for (int i = 0; i < 64; ++i) {
@@ -112,7 +113,7 @@ Bounds with_swapped_acceleration(Bounds b) {
   return b;
 }
 
-/// The error of a distance by rounding of the positions of its ends.
+/// The error of a distance by rounding of the positions at its ends.
 double position_rounding(const MotionState& from, double target) {
   return rounding * std::max(std::abs(from.position), std::abs(target));
 }
@@ -161,8 +162,8 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
   const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
   if (fits(wanted)) return {wanted, backwards};
   const double settled = std::max(natural_velocity(from, bounds), 0.0);
-  // Too short to speed up to it: (2). Too short to slow down: passes faster if the next moves can take that
-  // over, otherwise stops there if (3) permits, or comes back.
+  // Too short for speeding up: (2). Too short for slowing down: passes faster if the next moves
+  // permit that; otherwise stops there if (3) permits, or returns.
   const double nearest = settled < wanted ? settled : std::min(settled, cap);
   if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
   return {0, ramp_length(from, 0, bounds) > length + position_rounding(from, target)};

@@ -44,7 +44,7 @@ MotionState times(double factor, const MotionState& s) {
   return {factor * s.position, factor * s.velocity, factor * s.acceleration};
 }
 
-/// The direction in which the axis goes without a command: 1 or -1.
+/// The direction in which the axis would move without a command: 1 or -1.
 double heading(const MotionState& s) {
   return s.velocity < 0 || (s.velocity == 0 && s.acceleration < 0) ? -1 : 1;
 }
@@ -52,7 +52,7 @@ double heading(const MotionState& s) {
 /// One position move of a run.
 struct Leg {
   double target = 0;   ///< u
-  double length = 0;   ///< u, signed: from the target of the leg before
+  double length = 0;   ///< u, signed: from the target of the previous leg
   double planned = 0;  ///< V_k of (1), >= 0
   double exit = 0;     ///< W_k of (1)
 };
@@ -68,7 +68,7 @@ class Planner {
 
  private:
   struct Place {
-    std::size_t begin = 0, end = 0;  ///< breaks of the path
+    std::size_t begin = 0, end = 0;  ///< indices of breaks of the path
   };
 
   void plan_run(std::size_t first, std::size_t last);
@@ -183,7 +183,7 @@ std::vector<Leg> Planner::legs(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// The greatest velocity, up to `cap`, that the legs after leg k can take over: (1).
+/// The greatest velocity, up to `cap`, with which the legs after leg k can begin: (1).
 double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::size_t first,
                              double cap) const {
   if (legs[k].planned == 0) return 0;
@@ -203,8 +203,8 @@ void Planner::plan_run(std::size_t first, std::size_t last) {
   }
 }
 
-/// Leg k from the present state of the axis. After a stop to reverse, which may lie beyond the target, it
-/// goes the rest from there.
+/// Plans leg k from the present state of the axis. After a stop to reverse, which may be beyond the
+/// target, the axis covers the remaining distance.
 void Planner::travel(const std::vector<Leg>& run, std::size_t k, std::size_t first) {
   const Dynamics& dynamics = commands_[first + k].dynamics;
   const double way = run[k].target - path_.state().position;

@@ -44,7 +44,7 @@ double sign(double x) {
   return static_cast<double>((x > 0) - (x < 0));
 }
 
-/// The least velocity of a profile in the direction d, and its greatest in magnitude.
+/// The least velocity of a profile in the direction d, and its greatest magnitude.
 struct Reach {
   double least = none;
   double greatest = 0;
@@ -64,14 +64,15 @@ bool turns_back(const Profile& profile, double d) {
     const Profile::Phase phase = profile.phase(i);
     const Motion m = profile.at(t);
     if (i > 0) reach.see(m.velocity, d);
-    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;  // the velocity's extremum
+    // Time of the velocity's extremum.
+    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;
     if (level > 0 && level < phase.duration) reach.see(m.velocity + m.acceleration * level / 2, d);
     t += phase.duration;
   }
   return reach.least < -0x1p-40 * reach.greatest;
 }
 
-/// True if the axis is within its bounds there, and can go on without leaving them.
+/// True if the axis is within its bounds in this state, and can continue without leaving them.
 bool is_inside(const MotionState& s, const Bounds& b) {
   constexpr double most = 1 + 0x1p-40;
   const auto within = [](double x, double min, double max) {
@@ -82,7 +83,7 @@ bool is_inside(const MotionState& s, const Bounds& b) {
          within(s.acceleration, b.acceleration_min, b.acceleration_max);
 }
 
-/// The length for which (6) is a thousandth of the jerk; 0 without a limit of the jerk.
+/// The length for which (6) is a thousandth of the jerk; 0 if the jerk is not limited.
 double shortest_phase(const Bounds& b, double largest) {
   const double jerk = std::min(b.jerk_max, -b.jerk_min);
   if (!std::isfinite(jerk)) return 0;
@@ -117,7 +118,7 @@ class Search {
   [[nodiscard]] double way(std::size_t stretch, std::size_t axis) const {
     return knots_[stretch + 1][axis].position - knots_[stretch][axis].position;
   }
-  /// The common direction of (1); 0 where the axis cannot pass.
+  /// The common direction by (1); 0 if the axis cannot pass.
   [[nodiscard]] double passing(std::size_t knot, std::size_t axis) const {
     const double before = sign(way(knot - 1, axis));
     return before == sign(way(knot, axis)) ? before : 0;
@@ -132,15 +133,16 @@ class Search {
   [[nodiscard]] std::vector<Knot> directions(std::size_t knot, bool bends) const;
   bool advance(std::size_t knot, const Knot& direction, double step);
   bool accept(std::size_t knot, const Knot& candidate);
-  /// The duration of a stretch from one knot to the next; infinite where there is none without short phases.
+  /// The duration of a stretch between two knots; infinite if there is none without very short
+  /// phases.
   [[nodiscard]] double duration(std::size_t stretch, const Knot& from, const Knot& to) const;
 
   const StretchBounds& bounds_;
   std::size_t axes_;
   std::span<Knot> knots_;
-  std::vector<double> rest_;     ///< durations of the motion with which the search begins
+  std::vector<double> rest_;     ///< durations of the motion at the start of the search
   std::vector<double> time_;     ///< present durations
-  std::vector<double> largest_;  ///< position of each axis, in magnitude
+  std::vector<double> largest_;  ///< greatest magnitude of each axis' position
 };
 
 double Search::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
@@ -160,7 +162,7 @@ double Search::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
          ((t1 + 2 * t2) * t1 / way(knot - 1, axis) + (2 * t1 + t2) * t2 / way(knot, axis));
 }
 
-/// Each knot in turn: as much of (5) as is shorter than stopping there.
+/// For each knot in turn: the greatest part of (5) that is faster than a stop there.
 void Search::start() {
   for (std::size_t k = 1; k + 1 < knots_.size(); ++k)
     for (double share = 1; share > 0x1p-6; share /= 2) {
@@ -170,7 +172,8 @@ void Search::start() {
     }
 }
 
-/// Velocities first, since an acceleration keeps a velocity from its bound; then all.
+/// First varies the velocities, because an acceleration limits the change of a velocity; then all
+/// values.
 void Search::refine(bool bends) {
   constexpr double finest = 0x1p-14;
   constexpr int sweeps = 400;
@@ -186,8 +189,8 @@ void Search::refine(bool bends) {
   }
 }
 
-/// The joint changes: all velocities; each velocity alone, and on request each acceleration;
-/// both of an axis, in the same and in opposite directions.
+/// The directions of the search: all velocities together; each velocity alone and, if requested,
+/// each acceleration; both values of one axis, in the same and in opposite directions.
 std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
   const Knot nothing(axes_);
   std::vector<Knot> all{nothing};
@@ -229,7 +232,7 @@ double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) c
   return hop.duration;
 }
 
-/// Takes the candidate if the two stretches at the knot become shorter by more than rounding.
+/// Accepts the candidate if it shortens the two adjacent stretches by more than rounding.
 bool Search::accept(std::size_t knot, const Knot& candidate) {
   for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;

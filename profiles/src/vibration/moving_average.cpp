@@ -32,8 +32,8 @@ Segment integrated(const Segment& f, double start_value) {
   return *g;
 }
 
-/// In a piece as long as the window, the rounding of f, about 1e-16 of its stroke, is a change
-/// of velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
+/// In a piece as long as the window, the rounding of f (about 1e-16 of its stroke) acts like a
+/// change of the velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
 constexpr double shortest = 1e-5;
 constexpr double longest_window = 1e4;
 
@@ -49,11 +49,11 @@ void require_window(double window, double length) {
                          six_digits_down(longest_window * length));
 }
 
-/// (1) at the right end of the window f.
+/// The average (1) at the right end of the window f.
 template <class Over>
 double mean(const Curve<Over>& f) {
   double total = 0;
-  double length = 0;  // the difference of start and end would have fewer digits
+  double length = 0;  // a difference of start and end would have fewer digits
   for (const Segment& piece : f.segments()) {
     total += value(integrated(piece, 0), 1);
     length += piece.length;
@@ -80,7 +80,7 @@ Segment averaged(const Segment& f, double q) {
   return g;
 }
 
-/// g over one piece of (2), from x on.
+/// The average g over one piece of (2), which begins at x.
 template <class Over>
 Segment piece(const Curve<Over>& f, double window, double x, const Segment& slope) {
   const auto swept = between(f, x - window, x + slope.length);

@@ -35,12 +35,13 @@ namespace jounce {
 namespace {
 
 using profiles_detail::two_pi;
-constexpr double widest_step = 0.125;  // rad, of the filter and of any sine in f
-constexpr std::size_t kept = 11;       // to degree 10, so that the result can still be integrated
-constexpr std::size_t terms = 32;      // beyond, (1/8)^32 / 32! is nothing
+constexpr double widest_step = 0.125;  // rad of the filter and of any sine in f
+// Coefficients up to degree 10, so that the result can still be integrated.
+constexpr std::size_t kept = 11;
+constexpr std::size_t terms = 32;  // the next terms are negligible: (1/8)^32 / 32!
 using Series = std::array<double, terms>;
 
-/// The Taylor coefficients f_k over a piece.
+/// The Taylor coefficients f_k of a piece.
 Series series(const Segment& f) {
   Series a{};
   std::copy(f.c.begin(), f.c.end(), a.begin());
@@ -79,7 +80,7 @@ class Filter {
     for (double i = 0; i < n; ++i) step(n == 1 ? f : part(f, i / n, (i + 1) / n));
   }
 
-  /// Bound of the response at all later times, if the command rests from now on.
+  /// Bound of the response at all later times, if the command is at rest from now on.
   [[nodiscard]] double tail() const { return gain_ * std::hypot(q_, rate_); }
   [[nodiscard]] double error() const { return gain_ * error_; }
   [[nodiscard]] double longest() const { return widest_step / w_; }

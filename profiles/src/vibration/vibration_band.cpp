@@ -34,7 +34,7 @@ namespace {
 
 using profiles_detail::two_pi;
 
-/// M_0, M_1, M_2: a step of the position counts at its instant.
+/// The moments M_0, M_1, M_2. A step of the position counts at its instant.
 struct Moments {
   double travel = 0;
   double first = 0;
@@ -53,7 +53,7 @@ struct Moments {
   }
 
  private:
-  /// A distance spread evenly over the times a to b before the end.
+  /// Adds a distance that is evenly distributed over the times from a to b before the end.
   void add(double way, double a, double b) {
     travel += way;
     first += way * (a + b) / 2;
@@ -65,10 +65,10 @@ double cofactor(double damping) {
   return std::sqrt((1 - damping) * (1 + damping));
 }
 
-/// One side of the band, from q = a to b.
+/// One side of the band, from q = a to q = b.
 struct Border {
   bool over_frequency = true;  ///< q = w; otherwise q = asin D
-  double fixed = 0;            ///< D, respectively w
+  double fixed = 0;            ///< D, or w
   double a = 0;
   double b = 0;
 
@@ -83,8 +83,8 @@ struct Border {
 };
 
 struct Piece {
-  double a, b;        ///< q
-  double at_a, at_b;  ///< |I|
+  double a, b;        ///< values of q
+  double at_a, at_b;  ///< values of |I|
 };
 
 class Search {

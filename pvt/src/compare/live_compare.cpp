@@ -73,7 +73,7 @@ std::optional<double> LiveCompare::reach(double level) {
   const double here = value(piece_, s_) - level;
   const bool met = (compare_.mode == CompareMode::less && here < 0) ||
                    (compare_.mode == CompareMode::greater && here > 0);
-  // at the end of the previous piece, missed by rounding
+  // At the end of the previous piece, missed by rounding.
   const bool passed = side_ && *side_ * here < 0;
   side_ = here;
   if (std::abs(here) <= flat || passed || met) return arrive(s_);

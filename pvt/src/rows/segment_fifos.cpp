@@ -71,7 +71,7 @@ RowRule SegmentFifos::admits(int fifo, const SegmentRow& row) const {
   if (space(fifo) == 0) return RowRule::full;
   const auto [from, rate] = tail(fifo);
   if (const RowRule wrong = check(row, from); wrong != RowRule::none) return wrong;
-  // computed when the row is played
+  // Computed when the row is played.
   if (std::isnan(rates(row, from, rate).start)) return RowRule::none;
   RowPeaks f = jounce::peaks(row, from, rate);
   if (std::isnan(rate)) f.velocity_step = 0;

@@ -182,7 +182,7 @@ std::array<Jump, 4> largest_jumps(const Table& table) {
   if (repeats(table.outside()))
     steps.consider(before, at_start(first), table.end(),
                    table.outside() == Extrapolation::wrap ? 0 : 1);
-  // the table is at rest before its start and after its end
+  // The table is at rest before its start and after its end.
   if (table.outside() == Extrapolation::hold) {
     steps.consider({}, at_start(first), table.start(), 1);
     steps.consider(before, {}, table.end(), 1);
