@@ -37,7 +37,7 @@ bool Extremals::is_timed(const Stretch& p) const noexcept {
   const double s1 = half_[1].s;
   if (!(uneven * (s0 + s1) > -(std::abs(s0) + std::abs(s1)))) return false;
   if (rises_slowly_) return true;
-  // Also where the acceleration keeps its sign and lasts long beside its change.
+  // Also if the acceleration keeps its sign, and lasts long compared with its change.
   const bool keeps_sign = p.hi * p.hi <= q_ * (1 + rounding);
   return keeps_sign && (s0 + s1 >= 0 || ijd_ <= uneven * ijp_);
 }
@@ -69,7 +69,7 @@ Extremal Extremals::timed_one(int free, double x) const noexcept {
   e.fall = rises_slowly_ ? (z + l) * ijd_ : x;
   const double gained = e.rise[f] * (h.s + z) / 2;
   e.vp = h.v + gained + z * z * ijd_ / 2;
-  const double apart = free == high_ ? k_ * q_ / 2 : -k_ * q_ / 2;  // c - c'
+  const double apart = free == high_ ? k_ * q_ / 2 : -k_ * q_ / 2;  // c - c' of both halves
   const double over = rises_slowly_ ? (free == 0 ? excess_ : -excess_) + k_ / ijp_ * gained -
                                           k_ * (l - held.s) * (l + held.s) / 2
                                     : apart + k_ / ijd_ * x * (z - l) / 2;
@@ -81,7 +81,7 @@ Extremal Extremals::timed(const Stretch& p, double x) const noexcept {
   return p.held == Stretch::Held::none ? timed_none(x) : timed_one(p.free, x);
 }
 
-/// The time at which a stretch's own parameter, z or the sum of both, has the value z.
+/// The time at which the parameter of a stretch (z, or the sum of both) has the value z.
 double Extremals::time_of(const Stretch& p, double z) const noexcept {
   if (p.held == Stretch::Held::none) return (z - (half_[0].s + half_[1].s)) * ijp_;
   const auto f = static_cast<std::size_t>(p.free);
@@ -94,7 +94,8 @@ double Extremals::time_lasting(const Stretch& p, double t) const noexcept {
   const double begin = time_of(p, p.lo);
   const Extremal e = timed(p, begin);
   const double sum = e.z[f] + e.z[1 - f];
-  const double squares = 2 * ik_ * e.z[1 - f] * (t - duration(e));  // added to that of the sum
+  // added to the square of the sum
+  const double squares = 2 * ik_ * e.z[1 - f] * (t - duration(e));
   const double end = root(sum * sum + squares);
   return rises_slowly_ ? begin + ijp_ * (sum > 0 ? squares / (sum + end) : end - sum) : ijd_ * end;
 }
@@ -112,8 +113,8 @@ Extremal Extremals::solve_time(const Stretch& p, double d, bool rising) const no
     const double v = h.v + e.rise[0] * (h.s + e.z[0]) / 2 + e.z[0] * e.hold[0];
     return newton(sign, (v + e.z[0] * e.fall / 2) * rate * held, rising);  // (4)
   };
-  // The ends of the stretch are no more exact than the accelerations from which they follow or, for
-  // slow rises, than the velocities c.
+  // The ends of the stretch are not more exact than the numbers from which they follow: the
+  // accelerations or, for slow rises, the velocities c.
   double terms = std::abs(half_[0].s) + std::abs(half_[1].s) + std::abs(p.lo);
   if (rises_slowly_ && p.lo != 0)
     terms += ik_ * (std::abs(half_[0].c) + std::abs(half_[1].c)) / std::abs(p.lo);

@@ -15,7 +15,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// z - a, given z^2 - a^2.
+/// z - a, computed from z^2 - a^2.
 double difference(double z, double a, double squares) {
   return z * a > 0 ? squares / (z + a) : z - a;
 }
@@ -32,7 +32,7 @@ VelocityChange::VelocityChange(const MotionState& from, double velocity, double 
   const bool up = dv >= ramp;
   const double jp = up ? b.jerk_max : b.jerk_min;
   const double jd = up ? b.jerk_min : b.jerk_max;
-  if (std::abs(dv - ramp) <= 0x1p-49 * scale) {  // rounding alone keeps it from being the ramp
+  if (std::abs(dv - ramp) <= 0x1p-49 * scale) {  // to rounding, the change is that of the ramp
     first_ = (a1 - a0) / jp;
     last_ = (a1 - a0) / jd;
   } else {

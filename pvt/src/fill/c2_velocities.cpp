@@ -128,7 +128,7 @@ class Sweep {
 }  // namespace
 
 EndRow not_a_knot_end(double h0, double chord0, double h1, double chord1) {
-  // De Boor, ch. IV (12): the third derivative is continuous; v_2 is eliminated by (1).
+  // C. de Boor, ch. IV (12): the third derivative is continuous; v_2 is eliminated by (1).
   const double both = h0 + h1;
   return {both / h1, ((h0 + 2 * both) * h1 * chord0 + h0 * h0 * chord1) / (both * h1)};
 }
