@@ -21,7 +21,8 @@ struct EventPlace {
   Point position{};  ///< position of the axes
 };
 
-/// Results of a check for a planned path as a whole.
+/// Results of a check for a planned path as a whole. Durations are in the spec's unit of time,
+/// lengths in its unit of length.
 struct PathSummary {
   double duration = 0;                ///< without the override
   std::optional<double> played = {};  ///< duration with [[override]], if the spec has it

@@ -15,8 +15,8 @@ Report check_sync(const Spec& spec);
 
 /// A figure of a synchronous slave for a report.
 struct SyncFigure {
-  std::string name;  ///< name, such as "longest cut"
-  double value = 0;
+  std::string name;     ///< name, such as "longest cut"
+  double value = 0;     ///< in `unit`
   std::string unit;     ///< unit of the value
   std::string meaning;  ///< explanation, such as "without a stop"; may be empty
 };

@@ -50,7 +50,7 @@ enum class KnifeMatching {
 struct RotaryKnifeSpec {
   double diameter = 0;                    ///< m, > 0: diameter of the cutting circle
   std::size_t blades = 1;                 ///< >= 1; evenly spaced
-  double cut_length = 0;                  ///< m; greater than the sync length
+  double cut_length = 0;                  ///< m; above the sync length of the web
   std::optional<double> sync_angle = {};  ///< u, whole zone; give this or sync_length
   /// m, whole zone; both omitted: the sync angle is 2 contact angles.
   std::optional<double> sync_length = {};
@@ -96,8 +96,9 @@ struct RotaryKnifeFigures {
 /// (4567, 56789, ...) also the jerk. The knife reverses if the cut is too long and `dwell` is not
 /// set.
 ///
-/// Throws InputError for a value out of range: two sync values or none; a sync zone that leaves no
-/// recovery or (horizontal) reaches 90 deg; a law that is not a symmetric rise from rest to rest.
+/// Throws InputError for a value out of range: both sync values; none of them for a web without
+/// thickness; a sync zone that leaves no recovery or (horizontal) reaches 90 deg; a law that is not
+/// a symmetric rise from rest to rest.
 SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 
 /// The key figures. Throws like rotary_knife().

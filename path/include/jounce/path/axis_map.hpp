@@ -138,8 +138,8 @@ std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec);
 
 /// Joints of a plan.
 struct JointSpace {
-  std::shared_ptr<const AxisMap> map;
-  std::vector<Limits> limits;  ///< limits of the joints, one for each joint
+  std::shared_ptr<const AxisMap> map;  ///< from the axes of the program to the joints
+  std::vector<Limits> limits;          ///< limits of the joints, one for each joint
   /// Greatest distance of the fitted joints from the map, in their unit, > 0.
   double tolerance = 1e-9;
 };

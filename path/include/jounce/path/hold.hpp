@@ -13,11 +13,11 @@ namespace jounce {
 ///
 /// Returns the plan until time t (s), followed by the earliest rest on the path within the limits,
 /// by the law of stations (docs/path/README.md; stations are rests, corners, and changes of the
-/// limits along the path). A corner is passed at constant velocity, because
-/// its limits leave nothing for a deceleration; the axes slow down on all other pieces. If the plan
-/// itself rests earlier, the plan is kept. After t, no station is passed faster than in the plan.
-/// On averages and splines with the law of a window, the plan continues to its next rest. Throws
-/// InputError "t" outside [0, duration].
+/// limits along the path). A corner is passed at constant velocity, because there the limits permit
+/// no deceleration; the axes slow down on all other pieces. If the plan itself rests earlier, the
+/// plan is kept. After t, no station is passed faster than in the plan. On averages and splines
+/// with the law of a window, the plan continues to its next rest. Throws InputError "t" outside [0,
+/// duration].
 Plan halted(const Plan& plan, double t);
 
 /// Returns the motion from the rest at the end of `held` to the end of `plan`, with the remaining

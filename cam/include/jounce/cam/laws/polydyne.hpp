@@ -9,7 +9,7 @@ namespace jounce {
 
 /// A cam that moves a follower on a spring as specified.
 struct Polydyne {
-  Cam cam;          ///< the cam f of the profile
+  Cam cam;          ///< the cam f of (1) below
   Report warnings;  ///< "polydyne/geo_acceleration" if the cam's geo_acceleration steps
 };
 

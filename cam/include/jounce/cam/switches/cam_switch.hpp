@@ -60,7 +60,7 @@ enum class CamSwitchMode : std::uint8_t { position, time };
 /// The position that the switches use.
 enum class SwitchesOf : std::uint8_t {
   position,  ///< position of the axis, u
-  master,    ///< position of its master, m
+  master,    ///< position of its master, in its unit
   actual,    ///< actual position of its drive, u
 };
 

@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// A curve that approximates a function, with a bound of its error. For functions that no Segment
-/// holds.
+/// A curve that approximates a function, with a bound of its error. For functions that do
+/// not fit a Segment.
 ///
 ///     Fitted<OverMaster> slave = composed_within(cam, camshaft, 1e-9);   // degree 25: not exact
 ///     double error = slave.error[0];                    // <= 1e-9, certified
@@ -15,8 +15,8 @@ namespace jounce {
 ///
 /// **How.** The curve consists of polynomials of degree 11. At both ends of each piece they have
 /// the value and the first five derivatives of the function, so the joints are as smooth as the
-/// function. Pieces are halved until the error bound is within the tolerance. A piece that a
-/// Segment holds stays exact.
+/// function. Pieces are halved until the error bound is within the tolerance. A piece that
+/// fits a Segment stays exact.
 ///
 /// **Certified.** `error` bounds |curve - function| and the same for the first three derivatives.
 /// The bound comes from a bound of the twelfth derivative over the whole piece, not from samples.

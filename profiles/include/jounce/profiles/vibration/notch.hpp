@@ -15,7 +15,8 @@ struct NotchSpec {
   double frequency = 0;     ///< Hz, > 0
   double damping = 1;       ///< D of the poles, >= 0.05
   double mode_damping = 0;  ///< D0 of the zeros, >= 0 and < damping
-  /// The tail is cut when the rest of it is below this share of the travel; > 0 and < 1.
+  /// The filtered motion decays after the end of the given one. This tail is cut when the rest of
+  /// it is below this share of the travel; > 0 and < 1.
   double settled = 1e-6;
 };
 
