@@ -24,7 +24,7 @@
 namespace jounce {
 namespace {
 
-/// Equation (1); with sign = -1 and majorants, (2). Ignores a[0] and a[1] of `higher`.
+/// Equation (1); with sign = -1, for majorants, equation (2). Ignores a[0] and a[1] of `higher`.
 template <std::size_t n>
 profiles_detail::Series<n> reverted(profiles_detail::Series<n> higher, double a1, double sign = 1) {
   higher[0] = higher[1] = 0;
@@ -36,13 +36,13 @@ profiles_detail::Series<n> reverted(profiles_detail::Series<n> higher, double a1
   return d;
 }
 
-/// An interval of the slave between two breaks of the inverse, and its position in a segment of the
+/// An interval of the slave between two breaks of the inverse, and its place in a segment of the
 /// cam.
 struct Stroke {
   const Inverse* inverse;
   std::size_t segment;
   double from, to;  ///< slave positions
-  double s0, s1;    ///< in that segment
+  double s0, s1;    ///< the same ends, as positions in the segment
 
   [[nodiscard]] const Segment& f() const { return inverse->cam().segments()[segment]; }
   [[nodiscard]] double s_at(double slave, Side side) const {

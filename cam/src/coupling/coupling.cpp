@@ -45,7 +45,8 @@ bool finite(const MotionState& s) {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.acceleration);
 }
 
-/// Speeds up in the direction of the correction by acceleration, slows down by deceleration.
+/// The bounds of a correction in this direction: it speeds up with `acceleration` and slows down
+/// with `deceleration`.
 Bounds bounds_of(const CouplingSpec& spec, double direction) {
   Bounds bounds = within(*spec.velocity_diff, *spec.acceleration, spec.jerk.value_or(Bounds::none));
   const double deceleration = spec.deceleration.value_or(*spec.acceleration);
@@ -60,8 +61,8 @@ double whole_periods(double x, double period) {
   return period * std::nearbyint(x / period);
 }
 
-/// The end of the correction of a rotary slave, a multiple of its period: (2). A target behind by
-/// at most `near` still counts as ahead.
+/// The end of the correction of a rotary slave, which is a multiple of its period: (2). A target
+/// that is behind by at most `near` counts as ahead.
 double rotary_target(const MotionState& d, const CouplingSpec& spec, double near) {
   const double period = *spec.slave_period;
   const double nearest = whole_periods(d.position, period);
@@ -77,8 +78,8 @@ double rotary_target(const MotionState& d, const CouplingSpec& spec, double near
   return target.status == MoveStatus::ok ? whole_periods(target.position, period) : nearest;
 }
 
-/// True if a correction from d to zero moves in the requested direction, except for `near` and for
-/// the braking of a slave that moves the other way at first.
+/// True if a correction from d to zero moves only in the requested direction. Exceptions: `near`,
+/// and the braking of a slave that first moves the other way.
 bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& bounds,
                   double near) {
   if (spec.start == StartMode::ramp_in) return true;
@@ -87,7 +88,7 @@ bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& 
   return sign * (halt ? halt.profile.end().position : d.position) <= near;
 }
 
-/// True if the slave is on its cam, to rounding: no motion in any direction is then necessary.
+/// True if the slave is on its cam to rounding, so that no correction is necessary.
 bool is_there(const MotionState& d, const CouplingSpec& spec, const Jet& near) {
   const double off =
       spec.slave_period ? d.position - whole_periods(d.position, *spec.slave_period) : d.position;

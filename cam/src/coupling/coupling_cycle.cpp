@@ -24,8 +24,8 @@ bool ramps(StartMode mode) {
   return mode != StartMode::absolute && mode != StartMode::relative;
 }
 
-/// Levels X = origin + n * length between two cycles: their number, and the last of them in master
-/// position.
+/// Passed levels X = origin + n * length between two cycles: their number, and the master position
+/// of the last one.
 struct Ends {
   double count = 0;  ///< signed
   double level = 0;
@@ -57,7 +57,7 @@ int left_at(const Cam& cam, double X0, double X1, bool rests) {
   return leaves(X0 - cam.start(), X1 - cam.start()) ? -1 : 0;
 }
 
-/// The position of the master if it had not jumped.
+/// The master as its velocity predicts it, without a jump.
 Sample expected(const Engaged& e, const Sample& now) {
   Sample calm = now;
   calm.master[0] = e.master[0] + (now.t - e.time) * (e.master[1] + now.master[1]) / 2;
@@ -89,8 +89,8 @@ void count_periods(const Coupling& coupling, const Sample& before, const Sample&
   out.end_time = at ? at->t : first ? before.t : now.t;
 }
 
-/// The slave at the time of `now` if its master had not jumped. With a lost master, the slave is at
-/// rest.
+/// The slave at the time of `now`, as if its master had not jumped. If the master was lost, the
+/// slave is at rest.
 Jet carried_on(const Coupling& coupling, const Engaged& engaged, const Sample& now) {
   if (engaged.lost) return {point(coupling, engaged, engaged.master, engaged.time)[0], 0, 0, 0};
   return point(coupling, engaged, expected(engaged, now).master, now.t);

@@ -45,7 +45,7 @@ struct Place {
   double sum = -1;
 };
 
-/// A limit of the slave and its sum (2): weight k is factor[k] * x^power[k].
+/// A limit of the slave and its sum (2); the weight of term k is factor[k] * x^power[k].
 struct Constraint {
   const char* quantity;
   double limit;

@@ -26,7 +26,7 @@ Shifted shifted_to(const Segment& f, double m) {
   return q;
 }
 
-/// Equation (1), by s.
+/// Equation (1), with respect to s.
 Interval polynomial(const Shifted& q, std::size_t degree, std::size_t k, double h) {
   double radius = 0;
   double factor = 1;  // C(j, k) h^(j-k)
@@ -37,7 +37,7 @@ Interval polynomial(const Shifted& q, std::size_t degree, std::size_t k, double 
   return {q[k] - radius, q[k] + radius};
 }
 
-/// Equation (2), by s, without the factorial.
+/// Equation (2), with respect to s, without the factorial.
 Interval sine(const SineTerm& term, std::size_t k, double m, double h) {
   const double middle = term.angle * m + term.phase + static_cast<double>(k) * std::numbers::pi / 2;
   const double half = std::abs(term.angle) * h;
@@ -97,8 +97,8 @@ class Maximum {
     look(over, over.s1);
   }
 
-  /// g' is monotone over the interval: it is 0 at one point at most. Newton's method inside a
-  /// bracket finds it.
+  /// g' is monotone over the interval, so it is 0 at one point at most, which Newton's method
+  /// inside a bracket finds.
   void bend(const SegmentPart& over) {
     const double first = look(over, over.s0).c[1].middle();
     const double last = look(over, over.s1).c[1].middle();

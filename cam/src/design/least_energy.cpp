@@ -94,7 +94,7 @@ class System {
            (energy_ == Energy::acceleration && k == 2);
   }
 
-  /// Adds one interval's share of (2).
+  /// Adds the contribution of one interval to (2).
   void add(std::size_t i) {
     const std::size_t j = i + 1 < unknowns_ ? i + 1 : i + 1 - unknowns_;
     const double h = (knots_[i + 1].master - knots_[i].master) / unit_;
@@ -127,7 +127,7 @@ class System {
       next_[i] = k;
   }
 
-  /// The states of an interval's ends: values relative to its start, free derivatives zero.
+  /// The states at the ends of an interval: values relative to its start, free derivatives zero.
   [[nodiscard]] States given(std::size_t i) const {
     States u = States::Zero();
     u[3] = knots_[i + 1].state[0] - knots_[i].state[0];
@@ -179,7 +179,7 @@ void close(std::vector<EnergyKnot>& knots) {
   }
 }
 
-/// Two knots with only the values fixed: every parabola through them has jerk 0. Selects the line.
+/// Two knots with given values only: all parabolas through them have jerk 0. Selects the line.
 void straighten(std::vector<EnergyKnot>& knots) {
   constexpr std::array values{true, false, false};
   if (knots.size() > 2 || knots[0].fixed != values || knots[1].fixed != values) return;

@@ -112,7 +112,8 @@ class Inspection {
     if (v0 * v1 < 0) return;
     const int way = v0 != 0 ? v0 : (v1 != 0 ? v1 : sign(g.end[0] - g.begin[0]));
     if (way == 0) return;
-    const bool inevitable = sign(g.end[0] - g.begin[0]) != way;  // it ends behind its start
+    // the segment ends behind its start
+    const bool inevitable = sign(g.end[0] - g.begin[0]) != way;
     against("warning/reversal", g, 1, way, rounded_input,
             inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
@@ -191,7 +192,7 @@ class Inspection {
     }
   }
 
-  /// The lowest derivative from `lowest` on that steps from `left` to `right`.
+  /// Reports the lowest derivative, of order `lowest` or higher, that steps from `left` to `right`.
   void joint(const Jet& left, const Jet& right, std::size_t lowest, double where,
              std::size_t segment) {
     for (std::size_t k = lowest; k < left.size(); ++k) {

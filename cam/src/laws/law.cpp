@@ -64,7 +64,7 @@ Segment sine_piece(double length, double from, double to) {
   return f;
 }
 
-/// From rest over `length`, with a peak acceleration of 1.
+/// A ramp from rest over `length`, with a peak acceleration of 1, as a curve of the position.
 Cam ramp_up(const Ramp& ramp, double length) {
   std::vector<Segment> acceleration;
   if (ramp.rise > 0) acceleration.push_back(sine_piece(ramp.rise * length, 0, pi / 2));
@@ -73,7 +73,7 @@ Cam ramp_up(const Ramp& ramp, double length) {
   return integral(integral(Cam(std::move(acceleration))));
 }
 
-/// The rise of (1). `down` is described from the far end.
+/// The rise of (1). `down` is described from its end backwards.
 std::vector<Segment> ramped(const Ramp& up, double up_length, double straight, const Ramp& down,
                             double down_length) {
   const Cam a = ramp_up(up, up_length);
@@ -262,7 +262,7 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
   return {};
 }
 
-/// The n of a polynomial law that takes its end values by (2); 0 otherwise.
+/// The n of a polynomial law whose end values enter by (2); 0 for all other laws.
 int hermite_order(Law law) {
   switch (law) {
     case Law::cubic:

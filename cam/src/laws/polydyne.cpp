@@ -24,7 +24,7 @@ namespace {
 using profiles_detail::rounded_input;
 using profiles_detail::two_pi;
 
-/// Equation (1) on one segment. A derivative has no sines or powers that its function lacks.
+/// Equation (1) on one segment. Derivatives have no sines or powers that the function lacks.
 Segment driving(const Segment& y, double by_velocity, double by_acceleration) {
   const Segment velocity = derivative(y);
   const Segment with_velocity = sum(y, scaled(velocity, by_velocity)).value();

@@ -23,7 +23,8 @@ struct Event {
   bool rising = true;    ///< the compensated position rises there
 };
 
-/// One boundary of a switch, repeated in each period. It counts the repetitions behind the axis.
+/// One boundary of a switch, repeated in each period. It counts the repetitions that the axis has
+/// passed.
 struct Boundary : Event {
   double position = 0;
   double period = 0;  ///< 0: a single boundary
@@ -72,11 +73,11 @@ class SwitchMachine {
   /// Sets the position x without passing anything.
   void place(double x, double velocity);
   void begin(const Segment& motion);
-  /// Instead of begin(): time passes without a motion.
+  /// Instead of begin(): only time passes, without a motion.
   void wait(double length);
   std::optional<SwitchEdge> next();
-  /// Shifts the origin of positions by so many periods: positions of the next piece are less by
-  /// that.
+  /// Shifts the origin of positions by this number of periods; the positions of the next piece are
+  /// less by it.
   void shift(std::int64_t periods);
   void enable(std::uint32_t mask) { enabled_ = mask; }
 
