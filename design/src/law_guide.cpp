@@ -87,7 +87,7 @@ or by the motion:
 | no particular limit | `modified_sine`, or `345` if the controller accepts only polynomials |
 | speed of the motor | `modified_sine`; for long strokes `modified_constant_velocity` |
 | torque of the motor (inertia) | `modified_trapezoid` |
-| heat of the motor | `345`; `cubic` if steps of the acceleration are permitted |
+| heat of the motor | `modified_sine`; `cubic` if steps of the acceleration are permitted |
 | vibration | `inclined_sine`, `4567`; if the natural frequency is known, compare the results of `jounce validate` |
 | back and forth without a dwell | `simple_sine` |
 | from a dwell to a reversal, or back | `harmonic_combination` |
