@@ -14,8 +14,8 @@
 namespace jounce {
 
 /// A move that is added to the motion of an axis (MC_MoveSuperimposed). It uses the part of the
-/// limits that the motion below it does not need. Their sum therefore keeps the limits, at whatever
-/// time the move begins. Unit u: the unit of the axis.
+/// limits that the motion below it does not need. Their sum therefore keeps the limits, no
+/// matter when the move begins. Unit u: the unit of the axis.
 ///
 ///     SuperimposedMove above(config);
 ///     if (const auto no = above.begin(tick, 5, {.velocity = 20}, below, end)) ...    // rejected

@@ -13,7 +13,7 @@
 
 namespace jounce {
 
-/// Who may send a command.
+/// Permitted sender of a command.
 enum class CommandSender : std::uint8_t {
   executor,  ///< only the executor, when it carries out a message of another type
   owner,     ///< the session that owns the axis: the streamer to which the axis is connected
