@@ -12,7 +12,7 @@ namespace jounce {
 /// Permitted change from one setpoint to the next.
 struct StepAllowance {
   double dt = 0;  ///< time between the setpoints, s
-  /// Velocity step that the checked path may contain, u/s (unit of the axis)
+  /// Velocity step that the checked path may contain, u/s (unit of the axis).
   double velocity_step = 0;
 };
 

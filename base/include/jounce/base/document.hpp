@@ -22,7 +22,7 @@ struct Document {
   /// The whole text.
   std::string text;
   Sha256 hash{};  ///< SHA-256 of the text
-  /// Place of each key, by its full name ("move.to")
+  /// Place of each key, by its full name ("move.to").
   std::map<std::string, Place> places;
   /// Unit of each plain number that was read, by key.
   std::map<std::string, std::string> units = {};

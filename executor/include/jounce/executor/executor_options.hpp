@@ -31,7 +31,7 @@ struct ExecutorOptions {
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
   bool enable = true;          ///< true: enabled at the start; false: a command must enable it
   std::optional<StoredTable> table = {};  ///< table over time that StartTable plays; nullopt: none
-  /// true: at standstill, arming a table sets the position of the axis to the start of the table.
+  /// True: at standstill, arming a table sets the position of the axis to the start of the table.
   bool adopt_start = false;
   bool stop_when_silent = true;  ///< true: stop a motion if its session times out
   /// Tables with more knots than this are prepared in a separate thread, so that a stop need not

@@ -23,7 +23,7 @@ struct MadeFrom {
 
 /// A movement made from tables.
 struct MadeMovement {
-  /// null: the tables do not fit together.
+  /// Null: the tables do not fit together.
   std::shared_ptr<Movement> movement = {};
   /// Start position, u (unit of the axis), if known.
   std::optional<double> first = {};

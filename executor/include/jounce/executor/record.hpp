@@ -36,7 +36,7 @@ struct RecordedAxis {
   /// Its configuration.
   AxisConfig config = {};
   bool whole = true;  ///< false: a black box, which begins in the middle of a run
-  /// true: it has outputs that are not in the record, so a replay is not possible.
+  /// True: it has outputs that are not in the record, so a replay is not possible.
   bool switches = false;
   AxisSwitches outputs = {};  ///< its cam switches; recorded as RecordedOutput events
   AxisCompare compare = {};   ///< its position compare; recorded as RecordedOutput events

@@ -20,7 +20,7 @@ struct Replay {
     std::size_t axis = 0;  ///< index of the axis or of the master
     std::int64_t tick = 0;
     TickDifference what = {};
-    /// true: index of a master.
+    /// True: index of a master.
     bool of_master = false;
   };
 

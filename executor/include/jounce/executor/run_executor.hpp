@@ -16,15 +16,15 @@ namespace jounce {
 /// Options of run_executor().
 struct RunOptions {
   std::optional<double> seconds{};  ///< duration of the run, s, > 0; nullopt: until a signal
-  /// Masters of the machine; their notices are sent to the first axis's `notify`
+  /// Masters of the machine; their notices are sent to the first axis's `notify`.
   std::vector<MachineMaster> masters = {};
-  /// true: ends when a motion has ended, for any reason, and all axes are at rest.
+  /// True: ends when a motion has ended, for any reason, and all axes are at rest.
   bool once = false;
   Realtime realtime = {};  ///< real-time requests of the cyclic thread
   /// Limit of the watchdog, s: if the communication thread does not respond for longer, all axes
   /// stop. 0: no watchdog.
   double watchdog = 0.5;
-  /// Files of the record; its notices are sent to the first axis's `notify`
+  /// Files of the record; its notices are sent to the first axis's `notify`.
   RecorderOptions record = {};
   /// Called when the executor owns the names of its axes, its files are open, and it accepts
   /// commands.

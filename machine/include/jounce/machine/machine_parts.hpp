@@ -16,7 +16,7 @@ struct MachineOptions {
   std::vector<std::string> files = {};  ///< specs of the kind "axis", or one of the kind "machine"
   std::string log = {};                 ///< name of the tick log, see log_of(); "": none
   bool adopt_start = false;             ///< see ExecutorOptions::adopt_start
-  /// true: a motion continues if its session times out (not ExecutorOptions::stop_when_silent)
+  /// True: a motion continues if its session times out (not ExecutorOptions::stop_when_silent).
   bool finish_when_silent = false;
   bool enable = false;  ///< see ExecutorOptions::enable
   /// Receives the notices of all axes, with the name of the axis if there are several.

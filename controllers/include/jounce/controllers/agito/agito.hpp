@@ -74,7 +74,7 @@ Settings quasi_sine(double amplitude, double frequency);
 struct SpeedChange {
   double position = 0;   ///< SpeedChgPos: position of the change, user units
   double new_speed = 0;  ///< SpeedChgNew: new speed, user units/s, -6e7 to 6e7
-  /// SpeedChgDir: when crossed upwards (1), downwards (-1), or in either direction (0)
+  /// SpeedChgDir: when crossed upwards (1), downwards (-1), or in either direction (0).
   int direction = 0;
 };
 

@@ -24,7 +24,7 @@
 /// **Errors**: functions throw InputError for a value out of the range of the manual.
 namespace jounce::googol {
 
-/// Greatest |position|, pulse (manual I-144)
+/// Greatest |position|, pulse (manual I-144).
 inline constexpr std::int64_t max_position = 1'073'741'823;
 
 /// A trapezoidal move: GT_PrfTrap, GT_SetTrapPrm, GT_SetPos, GT_SetVel, GT_Update (manual 7.2).
