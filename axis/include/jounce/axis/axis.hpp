@@ -34,9 +34,8 @@ struct GroupStart {
 
 /// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
 struct Tick {
-  /// Number of the tick.
-  std::int64_t tick = 0;
-  double time = 0;  ///< tick * period, s
+  std::int64_t tick = 0;  ///< number of the tick
+  double time = 0;        ///< tick * period, s
   State state = State::disabled;
   double master = 0;                   ///< position of the master, m
   double master_velocity = 0;          ///< velocity of the master, m/s

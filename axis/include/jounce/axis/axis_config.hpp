@@ -43,8 +43,7 @@ struct AxisConfig {
   double in_position = 0;
   double in_position_time = 0;  ///< s; see in_position
 
-  /// Homing that the command Home uses.
-  HomingSpec homing = {};
+  HomingSpec homing = {};     ///< homing that the command Home uses
   bool require_home = false;  ///< reject motions to absolute positions until the axis is homed
 };
 

@@ -30,9 +30,8 @@ struct Disarm {
 /// Starts the armed movement.
 struct Start {
   static constexpr auto kind = CommandKind::start;
-  /// Condition of the start.
-  StartAt when = StartAt::tick;
-  std::int64_t tick = -1;  ///< tick of the start, for StartAt::tick; -1: at once
+  StartAt when = StartAt::tick;  ///< condition of the start
+  std::int64_t tick = -1;        ///< tick of the start, for StartAt::tick; -1: at once
   /// Master position of the start, m (unit of the master), for StartAt::master_position.
   double position = 0;
   std::int64_t group = 0;  ///< group of the armed movement
@@ -40,8 +39,7 @@ struct Start {
 /// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
-  /// Deceleration and jerk; default: as configured.
-  StopDynamics dynamics = {};
+  StopDynamics dynamics = {};  ///< deceleration and jerk; default: as configured
 };
 /// Stops at once and sets a fault.
 struct Abort {

@@ -49,8 +49,7 @@ namespace jounce {
 struct FifoSpec {
   /// Rows in one FIFO, 1 to 1e6; Googol: 32 or 1024. A sender may send 2 * each rows ahead.
   std::size_t each = 32;
-  /// True: a rolling stream; false: tables.
-  bool stream = true;
+  bool stream = true;      ///< true: a rolling stream; false: tables
   std::int64_t loops = 1;  ///< passes of the first table; below 1: endless
   /// x, s, and position, u, at the start of the first row; for a stream.
   std::optional<RowStart> from = {};

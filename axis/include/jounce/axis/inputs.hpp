@@ -44,10 +44,9 @@ struct Feedback {
   double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual velocity, u/s
   /// Torque as a share of the rated torque.
   double torque = std::numeric_limits<double>::quiet_NaN();
-  bool ready = true;   ///< true if the drive follows setpoints (CiA 402: operation enabled)
-  bool fault = false;  ///< true if the drive has failed (CiA 402: fault)
-  /// States of the position sensors.
-  Sensors sensors = {};
+  bool ready = true;     ///< true if the drive follows setpoints (CiA 402: operation enabled)
+  bool fault = false;    ///< true if the drive has failed (CiA 402: fault)
+  Sensors sensors = {};  ///< states of the position sensors
 };
 
 /// Inputs of an axis in one cycle, besides commands. The axis stays within its limits for all

@@ -14,8 +14,7 @@ namespace jounce {
 
 /// The limits for the target of a move: those of the axis, and its limit switches.
 struct MoveRules {
-  /// Configuration of the axis.
-  const AxisConfig& config;
+  const AxisConfig& config;      ///< configuration of the axis
   bool positive_switch = false;  ///< true if the limit switch is active
   bool negative_switch = false;  ///< true if the limit switch is active
 };

@@ -14,8 +14,7 @@ namespace jounce {
 struct AxisCompare {
   /// The compared position: setpoint (position) or actual position.
   SwitchesOf of = SwitchesOf::position;
-  /// The list; nullopt: no position compare.
-  std::optional<PositionCompare> list = {};
+  std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
 };
 
 /// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m that of its master.

@@ -13,10 +13,9 @@ namespace jounce {
 /// Input of PathPlayer for the rate of a path (path_clock.hpp): the rate is the speed of
 /// path time, 1 at the original speed.
 struct PathRequest {
-  /// The present tick.
-  std::int64_t tick = 0;
-  double rate = 1;   ///< requested rate; 0: rest on the path
-  Peaks added = {};  ///< peaks of a superimposed move
+  std::int64_t tick = 0;  ///< the present tick
+  double rate = 1;        ///< requested rate; 0: rest on the path
+  Peaks added = {};       ///< peaks of a superimposed move
   /// Movement whose start was accepted and that will take over; null: none.
   const Movement* next = nullptr;
 };

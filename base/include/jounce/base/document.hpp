@@ -18,12 +18,10 @@ struct Document {
     int column = 0;
   };
 
-  std::string name;  ///< name of the file, as the user gave it
-  /// The whole text.
-  std::string text;
-  Sha256 hash{};  ///< SHA-256 of the text
-  /// Place of each key, by its full name ("move.to").
-  std::map<std::string, Place> places;
+  std::string name;                     ///< name of the file, as the user gave it
+  std::string text;                     ///< the whole text
+  Sha256 hash{};                        ///< SHA-256 of the text
+  std::map<std::string, Place> places;  ///< place of each key, by its full name ("move.to")
   /// Unit of each plain number that was read, by key.
   std::map<std::string, std::string> units = {};
 

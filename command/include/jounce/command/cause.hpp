@@ -107,10 +107,9 @@ constexpr bool is_fault(Cause cause) {
 /// The reason why a command is rejected or a movement is not admitted, with numbers in the units of
 /// the axis.
 struct Refusal {
-  /// The reason.
-  Cause cause = Cause::none;
-  double value = 0;  ///< the number that breaks the rule
-  double limit = 0;  ///< the bound that it exceeds
+  Cause cause = Cause::none;  ///< the reason
+  double value = 0;           ///< the number that breaks the rule
+  double limit = 0;           ///< the bound that it exceeds
   /// Local time of the movement at which it does, s; NaN: no instant.
   double where = std::numeric_limits<double>::quiet_NaN();
 

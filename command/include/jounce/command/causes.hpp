@@ -9,8 +9,7 @@ namespace jounce {
 
 /// A cause in words, for the machine operator.
 struct CauseInfo {
-  /// The cause.
-  Cause cause;
+  Cause cause;          ///< the cause
   const char* name;     ///< "following_error": the word in logs and messages
   const char* meaning;  ///< one sentence: what happened
   const char* remedy;   ///< one or two sentences: what the operator can do

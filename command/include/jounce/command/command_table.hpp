@@ -29,13 +29,11 @@ struct CommandInfo {
   std::int8_t number = -1;   ///< number on the wire; -1: the command is not sent
   const char* word = "";     ///< word of `jounce order`; "": none
   const char* plcopen = "";  ///< function block of PLCopen; "": none
-  /// Permitted sender.
-  CommandSender sender = CommandSender::executor;
+  CommandSender sender = CommandSender::executor;  ///< permitted sender
   bool moves = false;  ///< true if it sets the axis in motion for the session that sends it
   /// For each State, the reason to reject it; none: accepted.
   std::array<Cause, states> by_state{};
-  /// Fields, in the order of the wire.
-  Fields fields = {};
+  Fields fields = {};  ///< fields, in the order of the wire
 };
 
 /// Returns one row for each command, in the order of CommandKind.

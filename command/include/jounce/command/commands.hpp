@@ -214,9 +214,8 @@ constexpr void each_field(C& c, F f) {
 /// Moves to a position.
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
-  double position = 0;  ///< target, u
-  /// Limits of the move.
-  MoveDynamics dynamics = {};
+  double position = 0;                        ///< target, u
+  MoveDynamics dynamics = {};                 ///< limits of the move
   Direction direction = Direction::shortest;  ///< direction on a modulo axis
   /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
@@ -313,11 +312,9 @@ constexpr void each_field(C& c, F f) {
 /// Couples the axis to its live master at a ratio, at once, in any motion.
 struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
-  /// Ratio = numerator / denominator; the denominator must not be 0.
-  std::int32_t numerator = 0;
+  std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  /// Dynamics until the axis is in gear.
-  RampDynamics dynamics = {};
+  RampDynamics dynamics = {};  ///< dynamics until the axis is in gear
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -329,8 +326,7 @@ constexpr void each_field(C& c, F f) {
 /// Couples the axis to its live master at a ratio, in step from a given pair of positions on.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
-  /// Ratio = numerator / denominator; the denominator must not be 0.
-  std::int32_t numerator = 0;
+  std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
   double master_sync_position = 0;  ///< position of the master from which both are in step, m
   double slave_sync_position = 0;   ///< position of the axis at that moment, u

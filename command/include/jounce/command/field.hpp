@@ -35,11 +35,9 @@ enum class FieldRange : std::uint8_t {
 
 /// One field of a command.
 struct Field {
-  const char* name = "";  ///< name in messages: "search velocity"
-  /// Physical quantity.
-  Quantity quantity = Quantity::none;
-  /// Permitted values.
-  FieldRange range = FieldRange::finite;
+  const char* name = "";                  ///< name in messages: "search velocity"
+  Quantity quantity = Quantity::none;     ///< physical quantity
+  FieldRange range = FieldRange::finite;  ///< permitted values
   /// Option of `jounce order` without dashes, or "VALUE" for its argument; "": none.
   const char* option = "";
   const char* help = "";  ///< help text of that option

@@ -18,13 +18,11 @@ namespace jounce {
 
 /// Capacity of a controller for tables, from its manual.
 struct ControllerTable {
-  const char* name;  ///< name in specs and on the command line: "googol_pt"
-  /// Variable of the table: time or master position.
-  Domain axis;
-  /// Interpolation between the knots.
-  Interpolation rule;
-  std::size_t most;  ///< greatest number of knots, including the first one
-  const char* step;  ///< unit of which the first column has whole numbers: "ms"; "": any numbers
+  const char* name;    ///< name in specs and on the command line: "googol_pt"
+  Domain axis;         ///< variable of the table: time or master position
+  Interpolation rule;  ///< interpolation between the knots
+  std::size_t most;    ///< greatest number of knots, including the first one
+  const char* step;    ///< unit of which the first column has whole numbers: "ms"; "": any numbers
   bool quadratic = false;  ///< true if the velocity is linear between knots (Target::quadratic)
 };
 

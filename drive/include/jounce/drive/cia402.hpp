@@ -32,8 +32,7 @@ const char* name(Cia402State state);
 
 /// Content of the statusword, object 0x6041.
 struct Cia402Status {
-  /// State of the drive.
-  Cia402State state = Cia402State::not_ready_to_switch_on;
+  Cia402State state = Cia402State::not_ready_to_switch_on;  ///< state of the drive
   bool internal_limit = false;   ///< bit 11: a limit inside the drive is active
   bool follows = false;          ///< bit 12: the drive follows the target position
   bool following_error = false;  ///< bit 13: the following error exceeds the drive's own window

@@ -10,8 +10,7 @@ namespace jounce {
 
 /// The request of an axis to its drive in one cycle. Unit u: the unit of the axis.
 struct DriveSetpoint {
-  /// Number of the tick.
-  std::int64_t tick = 0;
+  std::int64_t tick = 0;    ///< number of the tick
   double time = 0;          ///< time of the tick, s
   double position = 0;      ///< commanded position, u, in the coordinate of the drive
   double velocity = 0;      ///< commanded velocity, u/s, for a feed-forward

@@ -23,11 +23,9 @@ struct SharedProcessData {
     T data{};
   };
 
-  std::atomic<std::uint64_t> magic;  ///< magic_number; the executor writes it last
-  /// Written by the executor.
-  Seqlock<Counted<Cia402Outputs>> outputs;
-  /// Written by the process of the drive.
-  Seqlock<Counted<Cia402Inputs>> inputs;
+  std::atomic<std::uint64_t> magic;         ///< magic_number; the executor writes it last
+  Seqlock<Counted<Cia402Outputs>> outputs;  ///< written by the executor
+  Seqlock<Counted<Cia402Inputs>> inputs;    ///< written by the process of the drive
 };
 
 /// A mapping of the shared memory, for the executor or for the process of the drive.

@@ -18,12 +18,9 @@ class CommandQueue {
  public:
   /// The request of a client to which a command belongs.
   struct Request {
-    /// Session of the client.
-    std::int64_t session = 0;
-    /// Number of the request in its session.
-    std::int32_t command = 0;
-    /// Kind of the command.
-    CommandKind kind = CommandKind::none;
+    std::int64_t session = 0;              ///< session of the client
+    std::int32_t command = 0;              ///< number of the request in its session
+    CommandKind kind = CommandKind::none;  ///< kind of the command
   };
   /// An answer of the axis, with the request that waits for it; nullopt: no request waits.
   struct Reply : Answer {

@@ -43,9 +43,8 @@ class MonotonicPacer final : public Pacer {
 
 /// Answer of an axis in one tick: the result of a command, and the movements that it returned.
 struct Answer {
-  std::uint64_t id = 0;  ///< id of the command (Command::id); 0: no command
-  /// Reason why it was rejected; nullopt: accepted.
-  std::optional<Refusal> refused{};
+  std::uint64_t id = 0;              ///< id of the command (Command::id); 0: no command
+  std::optional<Refusal> refused{};  ///< reason why it was rejected; nullopt: accepted
   /// Movements that the axis no longer reads.
   decltype(Tick::handed_back) handed_back{};
 };
@@ -56,12 +55,9 @@ struct Answer {
 struct AxisExchange {
   static constexpr std::size_t most_commands = 8;  ///< commands in transit
   static constexpr std::size_t most_ticks = 2048;  ///< ticks that are kept
-  /// From the communication thread.
-  Ring<Command, most_commands> commands;
-  /// From the cyclic thread.
-  Ring<Answer, 4 * most_commands> answers;
-  /// From the cyclic thread.
-  Ring<Tick, most_ticks> ticks;
+  Ring<Command, most_commands> commands;           ///< from the communication thread
+  Ring<Answer, 4 * most_commands> answers;         ///< from the cyclic thread
+  Ring<Tick, most_ticks> ticks;                    ///< from the cyclic thread
   std::atomic<std::int64_t> lost{0};   ///< ticks that were dropped because the ring was full
   std::atomic<std::uint64_t> rows{0};  ///< number of the last available row of the axis's queues
 };
@@ -88,12 +84,9 @@ struct MachineExchange {
       one->write({});
     }
   }
-  /// Exchange of each axis.
-  std::vector<std::unique_ptr<AxisExchange>> axes;
-  /// Last value of each master.
-  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;
-  /// State of the cycle.
-  CycleStatus cycle;
+  std::vector<std::unique_ptr<AxisExchange>> axes;             ///< exchange of each axis
+  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;  ///< last value of each master
+  CycleStatus cycle;                                           ///< state of the cycle
 };
 
 /// Timing statistics of a cycle.

@@ -12,10 +12,8 @@ namespace jounce {
 
 /// The positions at which the outputs of an axis switch.
 struct OutputsOf {
-  /// For the cam switches.
-  SwitchesOf switches = SwitchesOf::position;
-  /// For the position compare.
-  SwitchesOf compare = SwitchesOf::position;
+  SwitchesOf switches = SwitchesOf::position;  ///< for the cam switches
+  SwitchesOf compare = SwitchesOf::position;   ///< for the position compare
 };
 
 /// Returns the output changes of an axis between two of its ticks (cam switches and position

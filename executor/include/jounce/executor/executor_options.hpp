@@ -19,12 +19,9 @@ class Recorder;
 
 /// Options of one axis of an executor.
 struct ExecutorOptions {
-  /// Configuration.
-  AxisConfig axis;
-  /// Cam switches.
-  AxisSwitches switches = {};
-  /// Position compare.
-  AxisCompare compare = {};
+  AxisConfig axis;                        ///< configuration
+  AxisSwitches switches = {};             ///< cam switches
+  AxisCompare compare = {};               ///< position compare
   Follow follow = {};                     ///< live master of the axis
   std::shared_ptr<AxisDrive> drive = {};  ///< drive that receives the setpoints; null: no drive
   Units units{};  ///< units of the axis; tables in other units are rejected; empty: not checked
@@ -37,8 +34,7 @@ struct ExecutorOptions {
   /// Tables with more knots than this are prepared in a separate thread, so that a stop need not
   /// wait for them.
   std::size_t build_apart = std::size_t{1} << 62U;
-  /// Time between two status messages.
-  Nanos status_period = std::chrono::milliseconds(50);
+  Nanos status_period = std::chrono::milliseconds(50);      ///< time between two status messages
   std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record

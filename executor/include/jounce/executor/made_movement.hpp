@@ -13,24 +13,17 @@ namespace jounce {
 
 /// The parts from which a movement was made, for the record.
 struct MadeFrom {
-  /// Arguments of its constructor.
-  RecordedJob job;
-  /// Table over time; for a cam on a live master, the cam.
-  StoredTable time;
-  /// Cam over a virtual master; nullopt: none.
-  std::optional<StoredTable> cam = {};
+  RecordedJob job;                      ///< arguments of its constructor
+  StoredTable time;                     ///< table over time; for a cam on a live master, the cam
+  std::optional<StoredTable> cam = {};  ///< cam over a virtual master; nullopt: none
 };
 
 /// A movement made from tables.
 struct MadeMovement {
-  /// Null: the tables do not fit together.
-  std::shared_ptr<Movement> movement = {};
-  /// Start position, u (unit of the axis), if known.
-  std::optional<double> first = {};
-  /// End position, u, if known.
-  std::optional<double> last = {};
-  /// Parts of the movement.
-  std::optional<MadeFrom> source = {};
+  std::shared_ptr<Movement> movement = {};  ///< null: the tables do not fit together
+  std::optional<double> first = {};         ///< start position, u (unit of the axis), if known
+  std::optional<double> last = {};          ///< end position, u, if known
+  std::optional<MadeFrom> source = {};      ///< parts of the movement
 };
 
 /// Makes the movement for an arm request. `id`: id of the movement. `period`: tick of the axis, ns.

@@ -19,10 +19,9 @@ namespace jounce {
 /// A master of a machine, in the options of an executor. Follow::index is its index in the list of
 /// masters.
 struct MachineMaster {
-  std::string name;  ///< name; an ExternalMaster receives the channel of this name
-  std::string unit;  ///< unit of its position
-  /// Computes the position.
-  std::shared_ptr<Master> source;
+  std::string name;                ///< name; an ExternalMaster receives the channel of this name
+  std::string unit;                ///< unit of its position
+  std::shared_ptr<Master> source;  ///< computes the position
 };
 
 /// The part of the communication thread that serves the masters. It receives the samples of
@@ -36,8 +35,7 @@ class MasterServer {
  public:
   /// Options of the masters of a machine.
   struct Options {
-    /// The masters of the machine.
-    std::vector<MachineMaster> masters = {};
+    std::vector<MachineMaster> masters = {};  ///< the masters of the machine
     /// For each axis, the master that it follows; its status reports that master.
     std::vector<Follow> follows = {};
     bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake

@@ -25,21 +25,16 @@ struct HandedOver {
   static constexpr std::size_t most_rows = 32;  ///< greatest number of rows in one change
   /// Kind of a change.
   enum class Kind : std::uint8_t {
-    /// Adds rows.
-    rows,
+    rows,          ///< adds rows
     queue_switch,  ///< continues with the other bank
     clear,         ///< empties the bank
     begin,         ///< the queue is armed and will begin with this bank
     end,           ///< ends the stream: no more rows follow
   };
-  /// Id of the movement of the queue.
-  std::uint64_t movement = 0;
-  /// Number of the change.
-  std::uint64_t number = 0;
-  /// Kind of the change.
-  Kind kind = Kind::rows;
-  /// Bank that changes, 0 or 1.
-  int bank = 0;
+  std::uint64_t movement = 0;         ///< id of the movement of the queue
+  std::uint64_t number = 0;           ///< number of the change
+  Kind kind = Kind::rows;             ///< kind of the change
+  int bank = 0;                       ///< bank that changes, 0 or 1
   std::vector<SegmentRow> rows = {};  ///< added rows, at most `most_rows`
 };
 

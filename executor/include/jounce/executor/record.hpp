@@ -29,13 +29,11 @@ namespace jounce {
 
 /// Configuration of an axis. It precedes all other events of the axis.
 struct RecordedAxis {
-  std::size_t axis = 0;  ///< index of the axis
-  /// Name of the axis.
-  std::string name = {};
-  Units units = {};  ///< units of the master (x) and of the position
-  /// Its configuration.
-  AxisConfig config = {};
-  bool whole = true;  ///< false: a black box, which begins in the middle of a run
+  std::size_t axis = 0;    ///< index of the axis
+  std::string name = {};   ///< name of the axis
+  Units units = {};        ///< units of the master (x) and of the position
+  AxisConfig config = {};  ///< its configuration
+  bool whole = true;       ///< false: a black box, which begins in the middle of a run
   /// True: it has outputs that are not in the record, so a replay is not possible.
   bool switches = false;
   AxisSwitches outputs = {};  ///< its cam switches; recorded as RecordedOutput events
@@ -44,37 +42,26 @@ struct RecordedAxis {
 
 /// A table, or a part of a large table: at most 200 knots in an event.
 struct RecordedTable {
-  /// Hash of the whole table.
-  Sha256 hash{};
+  Sha256 hash{};  ///< hash of the whole table
   Units units = {};
-  /// Variable of the table.
-  Domain over = Domain::time;
-  /// Interpolation rule.
-  Interpolation rule = Interpolation::linear;
-  /// Policy outside the table.
-  Extrapolation outside = Extrapolation::hold;
-  /// Number of knots of the whole table.
-  std::size_t knots = 0;
-  /// Index of the first knot of this part.
-  std::size_t first = 0;
-  Columns columns = {};  ///< columns of this part
+  Domain over = Domain::time;                   ///< variable of the table
+  Interpolation rule = Interpolation::linear;   ///< interpolation rule
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
+  std::size_t knots = 0;                        ///< number of knots of the whole table
+  std::size_t first = 0;                        ///< index of the first knot of this part
+  Columns columns = {};                         ///< columns of this part
 };
 
 /// The arguments of a Job or a LiveCam. Its tables are identified by their hashes.
 struct RecordedJob {
-  /// Index of the axis.
-  std::size_t axis = 0;
-  /// Id of the movement.
-  std::uint64_t id = 0;
-  Sha256 time{};  ///< hash of the table over time; for a live cam, of the cam
-  /// Hash of the cam over a virtual master; nullopt: none.
-  std::optional<Sha256> cam = {};
-  bool live = false;  ///< true: a cam that follows the live master of the axis
-  /// Length of a tick, s.
-  double tick = 1e-3;
+  std::size_t axis = 0;            ///< index of the axis
+  std::uint64_t id = 0;            ///< id of the movement
+  Sha256 time{};                   ///< hash of the table over time; for a live cam, of the cam
+  std::optional<Sha256> cam = {};  ///< hash of the cam over a virtual master; nullopt: none
+  bool live = false;               ///< true: a cam that follows the live master of the axis
+  double tick = 1e-3;              ///< length of a tick, s
   CouplingSpec coupling = {};
-  /// Position of the slave at the start, u.
-  double position = 0;
+  double position = 0;         ///< position of the slave at the start, u
   CamEnd end = CamEnd::brake;  ///< behavior at the end of a live cam
 };
 
@@ -82,17 +69,14 @@ struct RecordedJob {
 struct RecordedGear {
   std::size_t axis = 0;
   std::uint64_t id = 0;
-  /// The command, GearIn or GearInPos.
-  ClientCommand gear = command::GearIn{};
-  /// Position of the slave, u.
-  double position = 0;
+  ClientCommand gear = command::GearIn{};  ///< the command, GearIn or GearInPos
+  double position = 0;                     ///< position of the slave, u
 };
 
 /// A queue that was opened: the fields of the message that define its movement.
 struct RecordedQueue {
   std::size_t axis = 0;
-  /// Id of the movement.
-  std::uint64_t id = 0;
+  std::uint64_t id = 0;  ///< id of the movement
   wire::Queue queue = {};
 };
 
@@ -100,8 +84,7 @@ struct RecordedQueue {
 /// several events.
 struct RecordedRows {
   std::size_t axis = 0;
-  /// The change.
-  HandedOver what = {};
+  HandedOver what = {};  ///< the change
 };
 
 /// One axis in one tick: its command, inputs and outputs. `tick` contains neither the edges of the
@@ -109,8 +92,7 @@ struct RecordedRows {
 struct RecordedCycle {
   std::size_t axis = 0;
   Command command = {};
-  /// Id of the movement of the command; 0: none.
-  std::uint64_t movement = 0;
+  std::uint64_t movement = 0;  ///< id of the movement of the command; 0: none
   Inputs inputs = {};
   Tick tick = {};
 };

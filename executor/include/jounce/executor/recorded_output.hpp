@@ -22,24 +22,17 @@ struct RecordedOutput {
   /// Kind of a part.
   enum class Part : std::uint8_t { cam_switch, track, compare };
 
-  /// Index of the axis.
-  std::size_t axis = 0;
-  /// Kind of this part.
-  Part part = Part::cam_switch;
-  /// The position at which the outputs switch.
-  SwitchesOf of = SwitchesOf::position;
+  std::size_t axis = 0;                  ///< index of the axis
+  Part part = Part::cam_switch;          ///< kind of this part
+  SwitchesOf of = SwitchesOf::position;  ///< the position at which the outputs switch
   /// Period of the cam switches in the unit of their position; nullopt: none.
   std::optional<double> period = {};
-  /// The cam switch.
-  CamSwitch cam_switch = {};
-  /// The options of a track.
-  SwitchTrack track = {};
-  /// Mode of the position compare.
-  CompareMode mode = CompareMode::fifo_time;
-  double pulse = 0;         ///< length of the output pulse, s
-  std::int64_t points = 0;  ///< number of points of the whole list
-  /// Points of this part.
-  std::vector<ComparePoint> some = {};
+  CamSwitch cam_switch = {};                  ///< the cam switch
+  SwitchTrack track = {};                     ///< the options of a track
+  CompareMode mode = CompareMode::fifo_time;  ///< mode of the position compare
+  double pulse = 0;                           ///< length of the output pulse, s
+  std::int64_t points = 0;                    ///< number of points of the whole list
+  std::vector<ComparePoint> some = {};        ///< points of this part
 };
 
 /// True if a record can contain the whole position compare: it has at most `longest` points.

@@ -20,22 +20,18 @@ struct Replay {
     std::size_t axis = 0;  ///< index of the axis or of the master
     std::int64_t tick = 0;
     TickDifference what = {};
-    /// True: index of a master.
-    bool of_master = false;
+    bool of_master = false;  ///< true: index of a master
   };
 
-  /// The axes in the record.
-  std::vector<RecordedAxis> axes = {};
+  std::vector<RecordedAxis> axes = {};  ///< the axes in the record
   /// A master in the record.
   struct Master : RecordedMaster {
-    /// Number of cycles.
-    std::int64_t cycles = 0;
-    std::int64_t lost = 0;  ///< cycles in which the master was lost
+    std::int64_t cycles = 0;  ///< number of cycles
+    std::int64_t lost = 0;    ///< cycles in which the master was lost
   };
-  /// The masters in the record.
-  std::vector<Master> masters = {};
-  std::int64_t cycles = 0;    ///< number of cycles in the record, of all axes together
-  std::int64_t compared = 0;  ///< number of cycles that were computed again
+  std::vector<Master> masters = {};  ///< the masters in the record
+  std::int64_t cycles = 0;           ///< number of cycles in the record, of all axes together
+  std::int64_t compared = 0;         ///< number of cycles that were computed again
   /// nullopt: no difference.
   std::optional<Difference> difference = {};
   /// Reason, as a sentence, why a part of the record was not computed again; "" if everything was,
@@ -43,8 +39,7 @@ struct Replay {
   std::string shorter = {};
   /// First tick of the record; nullopt: it has no cycles.
   std::optional<std::int64_t> first_tick = {};
-  /// Last tick of the record.
-  std::int64_t last_tick = 0;
+  std::int64_t last_tick = 0;  ///< last tick of the record
 
   /// True if the whole record was computed again, with identical results.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }

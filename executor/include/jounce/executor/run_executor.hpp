@@ -43,10 +43,8 @@ struct AxisSummary {
 
 /// Result of run_executor().
 struct ExecutorSummary {
-  /// Result of each axis.
-  std::vector<AxisSummary> axes;
-  /// Timing statistics of the cycle.
-  CycleCounts cycle;
+  std::vector<AxisSummary> axes;  ///< result of each axis
+  CycleCounts cycle;              ///< timing statistics of the cycle
   Histogram::Counts lateness{};   ///< lateness of the wake-ups
   Histogram::Counts computing{};  ///< duration of the computations
   std::string realtime;           ///< result of make_realtime(); "" without a request

@@ -47,10 +47,8 @@ struct GcodeEvent {
 
 /// Result of parse_gcode().
 struct GcodeProgram {
-  /// The commands of the path.
-  Program program;
-  /// The words that do not move the axes, in their order.
-  std::vector<GcodeEvent> events;
+  Program program;                 ///< the commands of the path
+  std::vector<GcodeEvent> events;  ///< the words that do not move the axes, in their order
 };
 
 /// True if the text begins like G-code: with `%`, a comment in parentheses, or a word such as G21

@@ -10,10 +10,9 @@ namespace jounce {
 
 /// One column of points, with the name and the unit from the header.
 struct PointColumn {
-  std::string name;  ///< lower case: "time", "position", "geo_velocity", "type"
-  std::string unit;  ///< "" if the header has no unit
-  /// Numbers of the column.
-  std::vector<double> values = {};
+  std::string name;                 ///< lower case: "time", "position", "geo_velocity", "type"
+  std::string unit;                 ///< "" if the header has no unit
+  std::vector<double> values = {};  ///< numbers of the column
   /// Cells of a column of words, such as "type"; `values` is then empty.
   std::vector<std::string> words = {};
 };
@@ -34,10 +33,8 @@ struct PointColumn {
 /// length, an empty cell, text that is not a finite number, decimal commas together with points,
 /// and a file without points.
 struct Points {
-  /// Name of the file.
-  std::string document;
-  /// The columns, in the order of the file.
-  std::vector<PointColumn> columns;
+  std::string document;              ///< name of the file
+  std::vector<PointColumn> columns;  ///< the columns, in the order of the file
   std::vector<std::uint32_t> lines;  ///< line in the file of each point
 
   /// Number of points.

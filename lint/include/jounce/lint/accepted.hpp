@@ -55,8 +55,7 @@ class AcceptedVersions {
 /// The difference between a file and its accepted version.
 struct FileChange {
   enum class What { same, changed, added, removed, renamed };
-  /// Kind of the difference.
-  What what = What::same;
+  What what = What::same;   ///< kind of the difference
   std::string file;         ///< path of the file; "" if it was removed
   std::string before = {};  ///< name of the accepted version; "" if the file was added
   std::vector<Comparison> comparisons = {};  ///< comparison of each axis

@@ -19,14 +19,11 @@ namespace jounce {
 
 /// The words after the name of the executor.
 struct CommandWords {
-  /// The command: "move".
-  std::string what;
-  /// Its value; "": not given.
-  std::string value = {};
+  std::string what;        ///< the command: "move"
+  std::string value = {};  ///< its value; "": not given
   /// Options with a text, by their name without dashes; "": not given.
   std::map<std::string, std::string> options = {};
-  /// Options without a text, by their name without dashes.
-  std::map<std::string, bool> flags = {};
+  std::map<std::string, bool> flags = {};  ///< options without a text, by their name without dashes
 };
 
 /// Returns the words of all commands: "enable", "move", ...
@@ -35,8 +32,7 @@ const std::vector<std::string>& command_words();
 /// An option of one or more commands, made from a field of these commands.
 struct CommandOption {
   std::string name;  ///< name without dashes
-  /// Help text.
-  std::string help;
+  std::string help;  ///< help text
   /// Permitted values; FieldRange::flag: the option has no text.
   FieldRange range = FieldRange::finite;
 };

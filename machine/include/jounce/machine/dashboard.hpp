@@ -28,18 +28,15 @@ using Row = std::vector<Span>;
 
 /// State of the screen.
 struct View {
-  /// Columns of the screen.
-  int width = 80;
-  /// Rows of the screen.
-  int height = 24;
+  int width = 80;      ///< columns of the screen
+  int height = 24;     ///< rows of the screen
   bool ascii = false;  ///< true: use ASCII characters only
   /// Name of the axis that is shown in detail and that the keys command; "", or an unknown name:
   /// the first axis.
   std::string chosen = {};
   bool asks = false;      ///< true: a stop waits for its confirmation
   std::string note = {};  ///< result of the last key
-  /// Present time, by the clock of Watched::received.
-  Nanos now{};
+  Nanos now{};            ///< present time, by the clock of Watched::received
   /// An axis without a message for this time is shown as silent.
   Nanos silence = std::chrono::seconds(3);
 };

@@ -32,11 +32,10 @@ struct LineMaster {
 
 /// Result of send_line_master().
 struct LineMasterResult {
-  /// Number of samples sent.
-  std::int64_t samples = 0;
-  std::int64_t late = 0;  ///< number of samples that were omitted because they were late
-  double seconds = 0;     ///< time of the last sample, s
-  double position = 0;    ///< position of the last sample, without the errors of the encoder
+  std::int64_t samples = 0;  ///< number of samples sent
+  std::int64_t late = 0;     ///< number of samples that were omitted because they were late
+  double seconds = 0;        ///< time of the last sample, s
+  double position = 0;       ///< position of the last sample, without the errors of the encoder
 };
 
 /// Returns the motion of an input as a table over time, in s; nullopt for an input over a master.

@@ -31,9 +31,8 @@ std::string log_of(const std::string& log, const std::string& axis, std::size_t 
 struct MachineParts {
   /// All axes; virtual masters that play a table are the last ones.
   std::vector<ExecutorOptions> axes = {};
-  /// All other masters.
-  std::vector<MachineMaster> masters = {};
-  std::optional<double> watchdog = {};  ///< RunOptions::watchdog, s; nullopt: not in the spec
+  std::vector<MachineMaster> masters = {};  ///< all other masters
+  std::optional<double> watchdog = {};      ///< RunOptions::watchdog, s; nullopt: not in the spec
 };
 
 /// Reads the specs of a machine and makes its axes and masters:

@@ -22,8 +22,7 @@ struct Watched {
   /// Greatest number of masters; without a key, any program can send messages about others.
   static constexpr std::size_t most_masters = 64;
 
-  /// Name of the axis.
-  std::string name;
+  std::string name;  ///< name of the axis
   /// The newest status; nullopt: no message yet.
   std::optional<wire::Status> status = std::nullopt;
   Nanos received{};                              ///< time of its arrival

@@ -53,8 +53,7 @@ struct FreeShape {
 /// **Units.** The independent variable x is the master: quantities depend on the derivatives with
 /// respect to the master.
 struct CamShapeProblem {
-  /// The given cam.
-  CamSpec cam = {};
+  CamSpec cam = {};                    ///< the given cam
   std::vector<FreeShape> shapes = {};  ///< free segments, in ascending order; at least one
   std::vector<FreeKnot> knots = {};    ///< free values at knots, without masters
   Limits limits = {};                  ///< limits of the derivatives with respect to the master
@@ -86,8 +85,7 @@ struct CamRunOutcome {
 /// are those of all runs, one after another. `limits` is check(best, limits), with segments counted
 /// from 0 as in the spec.
 struct CamShapeOutcome : Outcome<CamSpec> {
-  /// Result of each run.
-  std::vector<CamRunOutcome> runs = {};
+  std::vector<CamRunOutcome> runs = {};  ///< result of each run
 };
 
 /// Optimizes the shapes. `keep_going`: see optimize(). Throws InputError like require_valid().

@@ -41,8 +41,7 @@ struct OptimizeOptions {
   std::uint64_t seed = 1;   ///< seed of the random starts
   /// Number of starts, >= 1; nullopt: the default of the optimizer.
   std::optional<int> starts = {};
-  /// Limits of the effort.
-  Budget budget = {};
+  Budget budget = {};  ///< limits of the effort
 };
 
 /// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value
@@ -51,10 +50,9 @@ void require_valid(const OptimizeOptions& options, double greatest_tolerance = 1
 
 /// Progress of an optimizer.
 struct OptimizeProgress {
-  double done = 0;      ///< estimated share of the work, 0 to 1
-  std::size_t run = 0;  ///< index of the present run of free segments (CamShapeProblem)
-  /// Number of runs.
-  std::size_t runs = 1;
+  double done = 0;        ///< estimated share of the work, 0 to 1
+  std::size_t run = 0;    ///< index of the present run of free segments (CamShapeProblem)
+  std::size_t runs = 1;   ///< number of runs
   std::size_t stage = 0;  ///< index of the present entry of `minimize`
   int round = 0;          ///< rounds of an exchange method so far
   int evaluations = 0;    ///< evaluations so far
@@ -111,11 +109,10 @@ struct Outcome {
   /// Obstacles to further improvement: limits that are reached ("limit/..."), free quantities at
   /// their bounds ("bound/..."), places where a peak is reached ("objective/...").
   std::vector<Finding> active = {};
-  /// Number of evaluations.
-  int evaluations = 0;
-  int starts = 0;    ///< number of starts that were tried
-  int agreeing = 0;  ///< number of starts that ended at `best`
-  int rounds = 0;    ///< number of rounds of an exchange method
+  int evaluations = 0;  ///< number of evaluations
+  int starts = 0;       ///< number of starts that were tried
+  int agreeing = 0;     ///< number of starts that ended at `best`
+  int rounds = 0;       ///< number of rounds of an exchange method
 
   /// True if `best` meets all constraints.
   [[nodiscard]] bool usable() const { return feasible; }

@@ -75,10 +75,8 @@ struct RampedLimits {
 /// fixed, too. Next to a line or a law from rest to constant velocity, everything is fixed. A cam
 /// with a law through points cannot be optimized.
 struct CamProblem {
-  /// The given cam.
-  CamSpec cam;
-  /// The free knots.
-  std::vector<FreeKnot> free;
+  CamSpec cam;                 ///< the given cam
+  std::vector<FreeKnot> free;  ///< the free knots
   Limits limits;  ///< limits of the derivatives with respect to the master, over the whole cam
   std::vector<Objective> minimize;  ///< objectives, the most important first, no duplicates
   RampedLimits ramped = {};         ///< additional limits

@@ -13,12 +13,10 @@ namespace jounce {
 
 /// A number that may vary, lower <= start <= upper. If lower == upper, it is fixed.
 struct SearchVariable {
-  /// Name for messages and findings.
-  std::string name = {};
+  std::string name = {};  ///< name for messages and findings
   double lower = 0;
   double upper = 0;
-  /// Initial value.
-  double start = 0;
+  double start = 0;  ///< initial value
 };
 
 /// Result for one choice of the numbers. A choice that is not possible (a rejected spec) is
@@ -28,8 +26,7 @@ struct SearchAnswer {
   double objective = 0;  ///< value to minimize
   /// Each must be <= 0; their number must be the same in every possible answer.
   std::vector<double> constraints = {};
-  /// False: this choice is not possible.
-  bool possible = true;
+  bool possible = true;  ///< false: this choice is not possible
   std::string why = {};  ///< reason why it is not possible, one sentence
 };
 

@@ -19,11 +19,9 @@ namespace jounce {
 /// + by[5] f^(5) + constant. For example, the torque of a load J a + B v + K s + F, with a master
 /// that turns at w, is {"torque", {K, B w, J w^2}, F}.
 struct LinearQuantity {
-  std::string name;  ///< name for the user: "geo_acceleration", "torque"
-  /// Factors of f, f', ..., f^(5).
-  std::array<double, 6> by{};
-  /// Constant term.
-  double constant = 0;
+  std::string name;            ///< name for the user: "geo_acceleration", "torque"
+  std::array<double, 6> by{};  ///< factors of f, f', ..., f^(5)
+  double constant = 0;         ///< constant term
 };
 
 /// Returns a derivative of the shape as a quantity: "value" (order 0), "geo_velocity" (1),
@@ -46,12 +44,10 @@ struct RmsOf {
 /// after the end of the shape (Mode, jounce/profiles/vibration/vibration.hpp). The worst value over
 /// a band of frequencies and damping ratios counts.
 struct ResidualOf {
-  double low = 0;   ///< lowest frequency, cycles per unit of x
-  double high = 0;  ///< highest frequency; equal to low: one frequency
-  /// Lowest damping ratio.
-  double damping_low = 0;
-  /// Highest damping ratio.
-  double damping_high = 0;
+  double low = 0;           ///< lowest frequency, cycles per unit of x
+  double high = 0;          ///< highest frequency; equal to low: one frequency
+  double damping_low = 0;   ///< lowest damping ratio
+  double damping_high = 0;  ///< highest damping ratio
 };
 
 /// Peak power max |force * velocity|, exact: not at samples. Not convex.
@@ -67,9 +63,8 @@ struct PowerOf {
 /// All terms have the unit of `linear`: T is in N m if coulomb and gravity are in N m. With a
 /// master that moves at w (unit of x)/s, an inertia in kg m^2 must be multiplied by w^2 to give J.
 struct LoadTorque {
-  /// Name for the user.
-  std::string name = "torque";
-  LinearQuantity linear = {};  ///< the linear terms J f'' + B f' + K f + F
+  std::string name = "torque";  ///< name for the user
+  LinearQuantity linear = {};   ///< the linear terms J f'' + B f' + K f + F
   /// J(x) over the interval of the shape, in addition to the constant J of `linear`; no sines.
   std::vector<Segment> inertia = {};
   double coulomb = 0;  ///< dry friction, >= 0
@@ -99,16 +94,14 @@ struct EnergyOf {
 /// a drive at every millisecond. Only the numbers of the list count. Throws InputError for a
 /// function that is not affine, a result that is not finite, or a list of varying length.
 struct ResponseOf {
-  /// Name for the user.
-  std::string name;
+  std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
 /// Root of the mean of y^2 for such a list, such as the rms torque of a drive.
 struct RmsResponseOf {
-  /// Name for the user.
-  std::string name;
+  std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
@@ -134,22 +127,17 @@ struct ShapeEnd {
 
 /// A bound that is linear in x, between two values.
 struct Edge {
-  /// Bound at the start of the corridor.
-  double at_from = 0;
-  /// Bound at the end of the corridor.
-  double at_to = 0;
+  double at_from = 0;  ///< bound at the start of the corridor
+  double at_to = 0;    ///< bound at the end of the corridor
 };
 
 /// A quantity that must stay between two bounds over a range of x. Examples: a limit; a keep-out
 /// zone; a monotone interval (geo_velocity with lower 0); a point that is passed within a tolerance
 /// (from == to); an interval in step (value with lower == upper, which is kept exactly).
 struct Corridor {
-  /// The quantity.
-  LinearQuantity quantity;
-  /// Start of the range, x.
-  double from = 0;
-  /// End of the range, x.
-  double to = 0;
+  LinearQuantity quantity;         ///< the quantity
+  double from = 0;                 ///< start of the range, x
+  double to = 0;                   ///< end of the range, x
   std::optional<Edge> lower = {};  ///< nullopt: no lower bound
   std::optional<Edge> upper = {};  ///< nullopt: no upper bound
 };
@@ -157,8 +145,7 @@ struct Corridor {
 /// A figure that must not exceed a value.
 struct Ceiling {
   ShapeFigure figure;
-  /// The greatest permitted value.
-  double at_most = 0;
+  double at_most = 0;  ///< the greatest permitted value
 };
 
 /// A figure in a weighted sum.
@@ -179,28 +166,19 @@ struct WeightedFigure {
 /// The shape is a spline: `pieces` polynomials of `degree`, with degree - 1 continuous derivatives
 /// between them. Their knots are equidistant at first. Unit u: the unit of the values of the shape.
 struct ShapeProblem {
-  /// Start, x.
-  double begin = 0;
-  /// End, x.
-  double end = 1;
-  /// Fixed values at the start.
-  ShapeEnd from = {};
-  /// Fixed values at the end.
-  ShapeEnd to = {};
-  bool periodic = false;  ///< true: all derivatives are equal at both ends
-  int degree = 5;         ///< 2 to 7
-  /// Number of polynomials.
-  std::size_t pieces = 100;
-  /// True: add knots where the optimum switches.
-  bool refine = false;
+  double begin = 0;          ///< start, x
+  double end = 1;            ///< end, x
+  ShapeEnd from = {};        ///< fixed values at the start
+  ShapeEnd to = {};          ///< fixed values at the end
+  bool periodic = false;     ///< true: all derivatives are equal at both ends
+  int degree = 5;            ///< 2 to 7
+  std::size_t pieces = 100;  ///< number of polynomials
+  bool refine = false;       ///< true: add knots where the optimum switches
   /// Shape to start from and to compare with; empty: the smoothest polynomial.
   std::vector<Segment> given = {};
-  /// Objective: the weighted sum of these figures.
-  std::vector<WeightedFigure> minimize = {};
-  /// Constraints at each x.
-  std::vector<Corridor> corridors = {};
-  /// Constraints on figures.
-  std::vector<Ceiling> ceilings = {};
+  std::vector<WeightedFigure> minimize = {};  ///< objective: the weighted sum of these figures
+  std::vector<Corridor> corridors = {};       ///< constraints at each x
+  std::vector<Ceiling> ceilings = {};         ///< constraints on figures
   /// Defaults for a figure that is not convex: 3 starts and 2000 evaluations.
   OptimizeOptions options = {};
 };

@@ -19,13 +19,10 @@ struct CurveLook {
   std::string axis_unit{};
   /// Unit of the position, "mm"; the units of its derivatives follow from both units.
   std::string unit{};
-  std::string label = "curve";  ///< label of the curve in the legend
-  /// Label of the curve before.
-  std::string before = "before";
-  /// Limits that are drawn.
-  Limits limits{};
-  /// Named ranges of the x axis.
-  std::vector<Shade> shades{};
+  std::string label = "curve";               ///< label of the curve in the legend
+  std::string before = "before";             ///< label of the curve before
+  Limits limits{};                           ///< limits that are drawn
+  std::vector<Shade> shades{};               ///< named ranges of the x axis
   std::vector<std::vector<Shade>> strips{};  ///< rows of names above the plots, see Figure
   /// Thin vertical lines; nullopt: at all breaks of the curve.
   std::optional<std::vector<double>> knots{};

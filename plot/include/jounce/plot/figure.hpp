@@ -34,9 +34,8 @@ struct Marker {
 
 /// One plot of a figure.
 struct Panel {
-  std::string y_label{};  ///< label of the y axis, with its unit: "velocity [mm/s]"
-  /// Lines.
-  std::vector<Series> series{};
+  std::string y_label{};          ///< label of the y axis, with its unit: "velocity [mm/s]"
+  std::vector<Series> series{};   ///< lines
   std::optional<double> lower{};  ///< lower limit: the area below is tinted
   std::optional<double> upper{};  ///< upper limit: the area above is tinted
   std::vector<Marker> markers{};  ///< marked points, the most important first
@@ -61,12 +60,9 @@ struct Shade {
 /// a note above the panel gives its value.
 struct Figure {
   std::string title{};
-  /// Name and unit of the x axis.
-  std::string x_label{};
-  /// The plots, from top to bottom.
-  std::vector<Panel> panels{};
-  /// Tinted ranges.
-  std::vector<Shade> shades{};
+  std::string x_label{};        ///< name and unit of the x axis
+  std::vector<Panel> panels{};  ///< the plots, from top to bottom
+  std::vector<Shade> shades{};  ///< tinted ranges
   /// Rows of names above the plots, such as the segments and their laws. Names in the first row are
   /// cut to the width of their range; in other rows, a name is shown only if it fits. A row in
   /// which no name fits is omitted. If there are rows, the names of shades are not shown.

@@ -26,12 +26,10 @@ struct Facts {
 struct DataTable {
   struct Row {
     std::vector<std::string> cells;  ///< one for each column; missing ones are empty
-    /// True: the row shows a broken limit.
-    bool broken = false;
+    bool broken = false;             ///< true: the row shows a broken limit
   };
 
-  /// Text below the table.
-  std::string caption{};
+  std::string caption{};               ///< text below the table
   std::vector<std::string> columns{};  ///< headings; "^2" is shown as "²"
   std::vector<Row> rows{};
 };
@@ -61,8 +59,7 @@ struct Headline {
 struct Page {
   std::string title{};
   std::string subtitle{};
-  /// Nullopt: no verdict.
-  std::optional<Headline> verdict{};
+  std::optional<Headline> verdict{};  ///< nullopt: no verdict
   std::vector<Section> sections{};
   std::string footer{};  ///< origin of the page: version of the program, hash of the table
 };

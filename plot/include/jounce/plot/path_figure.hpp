@@ -22,8 +22,7 @@ struct PathFigure {
   std::vector<double> x{}, y{};  ///< points along the path: at least two, x and y of the same size
   /// Speed at each point, >= 0; a line between two points shows the mean of their speeds.
   std::vector<double> speed{};
-  /// Marked points.
-  std::vector<Mark> marks{};
+  std::vector<Mark> marks{};  ///< marked points
 };
 
 /// Returns the figure as an SVG document, like svg() of a Figure. `options.panel_height` is not

@@ -43,10 +43,8 @@ struct Deviation {
 
 /// Result of compare_played().
 struct Played {
-  /// Number of ticks compared.
-  std::size_t ticks = 0;
-  /// Deviation from the table.
-  Deviation table{};
+  std::size_t ticks = 0;             ///< number of ticks compared
+  Deviation table{};                 ///< deviation from the table
   std::optional<Deviation> curve{};  ///< deviation from the curve, if there is one
   /// Findings:
   /// - "played/table": deviation from the table, limited by the rounding of the arithmetic.

@@ -10,8 +10,7 @@ namespace jounce {
 
 /// The page of `jounce report`, and all findings on the page.
 struct ReportPage {
-  /// The page.
-  Page page;
+  Page page;        ///< the page
   Report findings;  ///< findings of the exact check, then those of the proof
 };
 

@@ -16,13 +16,10 @@ namespace jounce {
 /// One of two versions of a curve, with its properties: from a spec, from a table, or made by a
 /// program.
 struct Version {
-  /// Name of the version, such as its file.
-  std::string name;
-  /// The curve.
-  std::variant<Cam, Trajectory> curve;
-  /// Its units and the names of its segments.
-  Labels labels;
-  std::vector<double> knots = {};  ///< places of the knots; empty: the breaks of the curve
+  std::string name;                     ///< name of the version, such as its file
+  std::variant<Cam, Trajectory> curve;  ///< the curve
+  Labels labels;                        ///< its units and the names of its segments
+  std::vector<double> knots = {};       ///< places of the knots; empty: the breaks of the curve
   /// a name for each knot, "end of 2 in step"; may be empty.
   std::vector<std::string> knot_names = {};
   std::optional<Limits> limits = {};  ///< nullopt: a kind without limits, such as a table
@@ -34,8 +31,7 @@ struct Version {
 /// quantity. `of` permits a difference of one quantity, in its unit. If `of` has a value for any
 /// quantity, and there is no share, the other quantities are shown but not judged.
 struct Tolerance {
-  /// Share of the range of each quantity.
-  std::optional<double> share = {};
+  std::optional<double> share = {};              ///< share of the range of each quantity
   std::array<std::optional<double>, 4> of = {};  ///< for position, velocity, acceleration, jerk
 };
 
@@ -47,8 +43,7 @@ std::optional<double> permitted(const Change& change, std::size_t order,
 /// A property in which two versions differ: "periodic", "unit of position", "limit geo_velocity".
 /// An empty text means that a version does not have it.
 struct Remark {
-  /// Name of the property.
-  std::string what;
+  std::string what;  ///< name of the property
   std::string before;
   std::string after;
 };
@@ -56,11 +51,9 @@ struct Remark {
 /// The differences between two versions. Numbers are in the units of `after`.
 struct Comparison {
   std::string before;  ///< name of the earlier version
-  /// Name of the later version.
-  std::string after;
-  Labels labels;  ///< units and segments of the later version
-  /// Differences of the curves.
-  Changes changes;
+  std::string after;   ///< name of the later version
+  Labels labels;       ///< units and segments of the later version
+  Changes changes;     ///< differences of the curves
   /// For position, velocity, acceleration, jerk: true if the tolerance is exceeded.
   std::array<bool, 4> beyond{};
   std::vector<KnotChange> knots;  ///< changes of the knots: shown, but not judged

@@ -25,39 +25,30 @@ const char* severity(Level level) noexcept;
 
 /// A place in a file.
 struct FilePlace {
-  /// Path of the file.
-  std::string file = {};
-  /// From 1; 0: unknown.
-  int line = 0;
-  /// In characters, from 1; 0: unknown.
-  int column = 0;
+  std::string file = {};  ///< path of the file
+  int line = 0;           ///< from 1; 0: unknown
+  int column = 0;         ///< in characters, from 1; 0: unknown
 };
 
 /// One statement about a file, with its place, for CI systems and editors: a finding of a check, an
 /// error in the input, or a difference from an accepted version.
 struct Diagnostic {
   std::string rule;  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` describes it
-  /// Severity.
-  Level level = Level::note;
-  /// The place that the statement is about.
-  FilePlace place;
+  Level level = Level::note;   ///< severity
+  FilePlace place;             ///< the place that the statement is about
   FilePlace limit_place = {};  ///< the key that sets the limit; an empty file: none
   std::string key = {};        ///< key at the place: "segment[2]", "limits.velocity"
   std::string axis = {};       ///< name of the axis, or of the part that was checked; may be empty
   std::string segment = {};    ///< number and name of the segment: "3 return"; may be empty
   std::string message = {};    ///< one sentence, without the place
   std::string advice = {};     ///< remedy; may be empty
-  /// The quantity: "geo_velocity"; may be empty.
-  std::string quantity = {};
-  std::string unit = {};  ///< unit of value and limit
-  /// The number found.
-  std::optional<double> value = {};
-  /// Its limit.
-  std::optional<double> limit = {};
+  std::string quantity = {};   ///< the quantity: "geo_velocity"; may be empty
+  std::string unit = {};       ///< unit of value and limit
+  std::optional<double> value = {};   ///< the number found
+  std::optional<double> limit = {};   ///< its limit
   std::optional<double> margin = {};  ///< margin as a share of the limit; below 0: broken
   std::optional<double> where = {};   ///< time or master position of the finding
-  /// Unit of `where`.
-  std::string where_unit = {};
+  std::string where_unit = {};        ///< unit of `where`
 };
 
 /// The statements about one file, the worst first.

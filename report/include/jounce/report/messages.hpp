@@ -10,11 +10,10 @@ namespace jounce {
 
 /// A message that a program can print, or an error of a controller.
 struct Message {
-  std::string group;  ///< heading of its group: "Faults of an axis"
-  std::string code;   ///< number; may be empty
-  std::string name;   ///< "following_error"; may be empty
-  /// One sentence: what happened.
-  std::string meaning;
+  std::string group;        ///< heading of its group: "Faults of an axis"
+  std::string code;         ///< number; may be empty
+  std::string name;         ///< "following_error"; may be empty
+  std::string meaning;      ///< one sentence: what happened
   std::string remedy;       ///< remedy; for an error of a controller, the equivalent in Jounce
   bool is_foreign = false;  ///< true for an error of a controller
 };

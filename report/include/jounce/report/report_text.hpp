@@ -16,10 +16,8 @@ namespace jounce {
 
 /// Units and names for the numbers of a report.
 struct Labels {
-  /// Units of the axis of the curve (x) and of the position.
-  Units units;
-  /// True: over a master; false: over time.
-  bool over_master = false;
+  Units units;                        ///< units of the axis of the curve (x) and of the position
+  bool over_master = false;           ///< true: over a master; false: over time
   std::vector<std::string> segments;  ///< one for each piece of the curve: "2 sync"; may be empty
 
   /// Returns the unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown
@@ -36,12 +34,9 @@ struct Labels {
 
 /// Adjacent pieces of a curve that have the same name: the pieces of one law.
 struct SegmentGroup {
-  /// Name; a range for combined groups: "1 to 5000".
-  std::string label;
-  /// Index of the first piece.
-  std::size_t first = 0;
-  /// Index of the last piece.
-  std::size_t last = 0;
+  std::string label;      ///< name; a range for combined groups: "1 to 5000"
+  std::size_t first = 0;  ///< index of the first piece
+  std::size_t last = 0;   ///< index of the last piece
 };
 /// Returns the groups of a curve with this number of pieces. More than `most` groups are combined
 /// as evenly as possible.

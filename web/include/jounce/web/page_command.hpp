@@ -21,14 +21,10 @@ namespace jounce::web {
 /// - jog (`value`: velocity in the unit of the axis) and release: a hold-to-run jog, which the page
 ///   repeats (jogs.hpp). Both have the number of the jog in `hold`.
 struct PageCommand {
-  /// Name of the axis.
-  std::string axis{};
-  /// The command.
-  std::string what{};
-  /// Its value; 0 if it has none.
-  double value = 0;
-  /// Number of the jog; 0 for other commands.
-  std::int64_t hold = 0;
+  std::string axis{};     ///< name of the axis
+  std::string what{};     ///< the command
+  double value = 0;       ///< its value; 0 if it has none
+  std::int64_t hold = 0;  ///< number of the jog; 0 for other commands
 };
 
 /// Reads a command from JSON. Throws InputError for JSON that is not such an object, an unknown key

@@ -10,9 +10,8 @@ namespace jounce::web {
 
 /// The answer to a command.
 struct Answer {
-  int status = 200;  ///< HTTP status
-  /// Body of the answer.
-  std::string json{};
+  int status = 200;    ///< HTTP status
+  std::string json{};  ///< body of the answer
 };
 
 /// The content of a server. Several threads call its functions at the same time.

@@ -28,8 +28,7 @@ struct CamFormat {
   const char* source;  ///< manual or public file that defines the format
   /// Ending of its files: ".st"; "" if the ending does not identify the format.
   const char* extension;
-  /// Interpolation between the knots.
-  KnotJoin join;
+  KnotJoin join;         ///< interpolation between the knots
   bool readable = true;  ///< true if Jounce can also read the format
   /// True if comments can hold the units, the policy outside, the number of knots and the hash.
   bool keeps_notes = false;

@@ -35,8 +35,7 @@ std::string exchange_text(const CamFormat& format, const TableFile& file);
 /// One cam of a file.
 struct ExchangeCam {
   std::string name;  ///< name of its reference, array or tag; "" in formats without names
-  /// Its table, units and provenance.
-  TableFile file;
+  TableFile file;    ///< its table, units and provenance
   std::vector<std::string> unread = {};  ///< a phrase for each part of the file that was not read
 };
 

@@ -20,19 +20,13 @@ namespace jounce::googol {
 enum class Refusal : std::uint8_t {
   none,
   bad_argument,  ///< a value out of its range
-  /// The axis is not in the mode of this instruction.
-  wrong_mode,
-  /// The axis moves.
-  moving,
-  /// The axis does not move.
-  not_moving,
-  in_use,  ///< the FIFO, or the stream that it belongs to, is being played
-  /// The FIFO has no space.
-  full,
-  /// The FIFO has no segment.
-  empty,
-  /// No master was set.
-  no_master,
+  wrong_mode,    ///< the axis is not in the mode of this instruction
+  moving,        ///< the axis moves
+  not_moving,    ///< the axis does not move
+  in_use,        ///< the FIFO, or the stream that it belongs to, is being played
+  full,          ///< the FIFO has no space
+  empty,         ///< the FIFO has no segment
+  no_master,     ///< no master was set
 };
 
 /// Returns the code of the instruction: 0: done, 1: a condition is not met, 7: bad argument.

@@ -36,15 +36,13 @@ const char* explain(GearError error);
 
 /// Gear state of one axis.
 struct GearAxis {
-  bool enabled = false;  ///< true if the axis is powered
-  /// True if the axis follows a cam.
-  bool in_cam = false;
+  bool enabled = false;            ///< true if the axis is powered
+  bool in_cam = false;             ///< true if the axis follows a cam
   std::optional<int> master = {};  ///< the master, after EnableGear; nullopt: none
   bool engaged = false;            ///< true after GearIn
   double ratio = 0;                ///< slave travel divided by master travel; kept after GearOut
   double master_origin = 0;        ///< position of the master at GearIn
-  /// Position of the slave at GearIn.
-  double slave_origin = 0;
+  double slave_origin = 0;         ///< position of the slave at GearIn
 };
 
 /// Gear states of all axes: a value type.

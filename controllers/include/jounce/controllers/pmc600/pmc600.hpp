@@ -56,10 +56,8 @@ inline constexpr double default_end_velocity = 20;
 /// LS_MoveAbs and LS_MoveRel (manual 5.2.4): a trapezoid whose velocity steps from rest to a start
 /// velocity, and from an end velocity to rest.
 struct LsMove {
-  /// Start position, u.
-  double from = 0;
-  /// Target, u.
-  double to = 0;
+  double from = 0;                                    ///< start position, u
+  double to = 0;                                      ///< target, u
   double velocity = 0;                                ///< velocity, u/s, > 0
   double acceleration = 0;                            ///< acceleration, u/s^2, > 0
   double deceleration = 0;                            ///< deceleration, u/s^2; 0: acceleration
@@ -80,19 +78,13 @@ Profile ls_move_velocity(double from, double velocity, double acceleration,
 /// LS_PositionToVelocity (manual 5.2.4): two moves without a stop in between. Arrays contain the
 /// values of the first and of the second move.
 struct PositionToVelocity {
-  /// Start position, u.
-  double from = 0;
+  double from = 0;        ///< start position, u
   bool relative = false;  ///< MoveMode; true: each end position counts from the previous one
-  /// End positions, u.
-  std::array<double, 2> end_pos{};
-  /// u/s, > 0.
-  std::array<double, 2> velocity{10, 10};
-  /// u/s^2, > 0.
-  std::array<double, 2> acceleration{10, 10};
-  /// u/s^2, > 0.
-  std::array<double, 2> deceleration{10, 10};
-  /// u/s^3, > 0, for mode quadratic.
-  std::array<double, 2> jerk{90'000'000, 90'000'000};
+  std::array<double, 2> end_pos{};                     ///< end positions, u
+  std::array<double, 2> velocity{10, 10};              ///< u/s, > 0
+  std::array<double, 2> acceleration{10, 10};          ///< u/s^2, > 0
+  std::array<double, 2> deceleration{10, 10};          ///< u/s^2, > 0
+  std::array<double, 2> jerk{90'000'000, 90'000'000};  ///< u/s^3, > 0, for mode quadratic
   VelocityMode mode = VelocityMode::sigmoid;
 };
 
@@ -125,11 +117,9 @@ Trajectory inch(double from, double distance, const Dynamics& dynamics,
 
 /// Inputs of MC_Jog from a time on. Both inputs at once mean no motion.
 struct JogInput {
-  double time = 0;  ///< s
-  /// The input JogForward.
-  bool forward = false;
-  /// The input JogBackward.
-  bool backward = false;
+  double time = 0;        ///< s
+  bool forward = false;   ///< the input JogForward
+  bool backward = false;  ///< the input JogBackward
 };
 
 /// MC_Jog from standstill. Times ascend strictly. `max_velocity` (u/s), if given, limits the

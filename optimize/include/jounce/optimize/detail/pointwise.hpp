@@ -19,17 +19,13 @@ namespace jounce::optimizer {
 ///
 ///     (1)  g = polynomial + gravity sin(angle)
 struct Wave {
-  std::size_t piece = 0;  ///< index of the piece of the shape
-  double from = 0;        ///< start of the interval, x
-  /// End of the interval, x.
-  double to = 0;
-  double sign = 1;  ///< sign of the velocity in the interval
-  /// First term.
-  Segment polynomial = {};
-  /// Amplitude of the sine.
-  double gravity = 0;
-  /// Angle of the sine, rad.
-  Segment angle = {};
+  std::size_t piece = 0;    ///< index of the piece of the shape
+  double from = 0;          ///< start of the interval, x
+  double to = 0;            ///< end of the interval, x
+  double sign = 1;          ///< sign of the velocity in the interval
+  Segment polynomial = {};  ///< first term
+  double gravity = 0;       ///< amplitude of the sine
+  Segment angle = {};       ///< angle of the sine, rad
 
   /// Returns the value at s, where s from 0 to 1 runs over the interval.
   [[nodiscard]] double at(double s) const;
@@ -39,8 +35,7 @@ struct Wave {
 struct Pointwise {
   enum class Over { peak, rms, integral };  ///< max |g|; root of the mean of g^2; integral of g
 
-  /// Kind of the figure.
-  Over over = Over::peak;
+  Over over = Over::peak;               ///< kind of the figure
   std::vector<LinearQuantity> of = {};  ///< the quantities q
   /// Index of the quantity whose sign g depends on; nullopt: none.
   std::optional<std::size_t> signed_by = {};
