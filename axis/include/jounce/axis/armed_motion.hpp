@@ -19,8 +19,8 @@ namespace jounce {
 /// The slot does not own the movement. Unit m: the unit of the axis's master.
 class ArmedMotion {
  public:
-  /// Arms a movement in place of the previous one. `group`: number of its group (Command::group);
-  /// 0: no group.
+  /// Arms a movement in place of the previous one. `group`: number of its group (command::Arm); 0:
+  /// no group.
   void arm(Movement* movement, std::int64_t group) noexcept { *this = {movement, group}; }
   /// Accepts the start of the armed movement. `now`: the present tick. `tick`: for StartAt::tick,
   /// the tick of the start, `now` or later. `position`: for StartAt::master_position, the position

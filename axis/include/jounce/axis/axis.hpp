@@ -59,9 +59,9 @@ struct Tick {
   bool power = false;      ///< request to the drive: follow the setpoints
   std::int64_t group = 0;  ///< number of the group of the motion; 0: no group
   GroupStart next{};       ///< group and start of the armed movement
-  /// [0]: the group of the last motion, [1]: the group of the last armed movement, that a stop, a
-  /// halt, a fault or a rejected start ended early; 0: none. A number stays until the axis arms a
-  /// movement of that group.
+  /// Groups that this axis has broken; 0: none. A stop, a halt, a fault or a rejected start has
+  /// ended its motion early ([0]: the group of that motion), or its armed movement ([1]). A number
+  /// stays until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
   bool frozen = false;  ///< the velocity fell to 0 at once in this tick, without braking; see fault
   /// u: sum of the set_position changes so far; position of the drive = position - offset.

@@ -11,13 +11,14 @@ namespace jounce {
 /// in. Unit u: the unit of the axis.
 struct HomingSpec {
   int method = 37;  ///< homing method, object 6098h; default 37: home is the present position
-  double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's velocity limit
-  /// u/s, 6099h:2: velocity for the edge and the index; 0: search_velocity / 4.
+  /// Velocity of the search for a switch, u/s (6099h:1); 0: a tenth of the limit.
+  double search_velocity = 0;
+  /// Velocity for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
   double index_velocity = 0;
-  double acceleration = 0;  ///< u/s^2, 609Ah; 0: the acceleration limit of the axis
-  double offset = 0;        ///< u, 607Ch: the position that homing assigns to the home position
-  double timeout = 60;      ///< s, > 0: time limit of the whole homing
-  double distance = 0;      ///< u: greatest length of each search; 0: not limited
+  double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
+  double offset = 0;        ///< position that homing assigns to the home position, u (607Ch)
+  double timeout = 60;      ///< time limit of the whole homing, s, > 0
+  double distance = 0;      ///< greatest length of each search, u; 0: not limited
 };
 
 /// Configuration of an axis, fixed when the executor starts. A value of 0 switches a function off,
@@ -37,9 +38,11 @@ struct AxisConfig {
   double abort_acceleration = 0;
   double limit_acceleration = 0;  ///< deceleration before a soft limit, u/s^2; 0: stop_acceleration
   double modulo = 0;              ///< length of one turn of a modulo axis, u; 0: a linear axis
-  double following_error = 0;     ///< u: a larger following error for following_time is a fault
-  double following_time = 0;      ///< s; see following_error
-  /// u: with a following error up to this for in_position_time, the axis is in position.
+  /// u: the limit of the following error; exceeded for following_time: a fault.
+  double following_error = 0;
+  double following_time = 0;  ///< s; see following_error
+  /// Window of the following error, u: the axis is in position if the error stays inside for
+  /// in_position_time.
   double in_position = 0;
   double in_position_time = 0;  ///< s; see in_position
 

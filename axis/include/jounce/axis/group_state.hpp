@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The broken groups of an axis (machine.hpp): the group of its last motion and the group of its
-/// last armed movement that a stop, a halt, a fault or a rejected start ended early. 0: none.
+/// The groups (machine.hpp) that an axis has broken; 0: none. A stop, a halt, a fault or a rejected
+/// start has ended its motion or its armed movement early.
 ///
 ///     GroupState groups;
 ///     groups.join(42, tick);                   // a movement of this group is armed

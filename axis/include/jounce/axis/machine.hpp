@@ -76,9 +76,10 @@ class Machine {
  public:
   static constexpr std::size_t most_axes = 64;  ///< greatest number of axes
 
-  /// `masters`: number of masters that step() receives. Throws InputError with the name of the
-  /// axis: no axis or more than 64, a missing or duplicate name, different periods, an invalid
-  /// configuration or invalid switches, an index out of range, a ring.
+  /// `masters`: number of masters that step() receives. Throws InputError, with the name of the
+  /// axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
+  /// invalid configuration, invalid switches, an index out of range, and axes that follow each
+  /// other in a ring.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes

@@ -122,7 +122,8 @@ class EncoderMaster final : public Master {
 /// The least delay cannot be measured: if it is available from another source, set
 /// TrackerSpec::latency.
 struct ClockOffset {
-  /// s: long enough to contain a fast sample, short against the drift of quartz clocks.
+  /// Window of the minimum, s: long enough to contain a fast sample, short against the drift of
+  /// quartz clocks.
   double window = 10;
   /// Greatest rate of change of the estimate, s/s; quartz clocks drift by less than 1e-4.
   double slew = 1e-3;

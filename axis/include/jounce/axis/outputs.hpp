@@ -18,8 +18,8 @@ struct AxisCompare {
 };
 
 /// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m that of its master.
-/// A position and its velocity.
 struct OutputPlaces {
+  /// A position and its velocity.
   struct Place {
     double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
     double velocity = std::numeric_limits<double>::quiet_NaN();

@@ -36,10 +36,10 @@ enum class Stop : std::uint8_t {
 /// further out.
 Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept;
 
-/// Checks the rule of the position range: every stop that was the gentlest one at the setpoint
-/// `last` must still be possible at the setpoint `next`. The axis can therefore stop inside the
-/// range at every tick. Returns none, or positive_soft_limit or negative_soft_limit if `next`
-/// violates the rule. In that case, the stop from `last` is still possible.
+/// Checks that the axis can always stop inside its position range: the gentlest stop that was
+/// possible at the setpoint `last` must still be possible at the setpoint `next`. Returns none, or
+/// positive_soft_limit or negative_soft_limit if it is not. In that case, the stop from `last` is
+/// still possible.
 Cause check_range(const MotionState& last, const MotionState& next,
                   const AxisConfig& config) noexcept;
 

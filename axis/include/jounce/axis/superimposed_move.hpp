@@ -39,8 +39,9 @@ class SuperimposedMove {
   /// at its end.
   void add_to(Setpoint& next, std::int64_t tick) noexcept;
 
-  /// Brings the move to rest from that tick on (true), or lets it continue (false), but not before
-  /// the tick in which it began. Returns false and changes nothing if that is not possible.
+  /// `on` = true: brings the move to rest from that tick on; false: lets it continue. A tick before
+  /// the one in which the move began counts as that tick. Returns false and changes nothing if the
+  /// change is not possible.
   bool hold(bool on, std::int64_t tick) noexcept;
   /// True if the move is held.
   [[nodiscard]] bool held() const noexcept { return held_; }

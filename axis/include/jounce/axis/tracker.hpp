@@ -11,17 +11,17 @@ namespace jounce {
 /// Options of the filter that computes a master from measured positions. Unit m: the unit of the
 /// master.
 struct TrackerSpec {
-  double velocity = 0;      ///< m/s, > 0: greatest velocity of the master and of the output
-  double acceleration = 0;  ///< m/s^2, > 0: greatest acceleration of the master and of the output
+  double velocity = 0;      ///< greatest velocity of the master and of the output, m/s, > 0
+  double acceleration = 0;  ///< greatest acceleration of the master and of the output, m/s^2, > 0
   /// Time constant, s, > 0: longer is smoother and slower; see docs/executor/masters.md.
   double time_constant = 5e-3;
   int order = 2;  ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
-  /// s, > 0: time in which the output reaches the estimate after a deviation.
+  /// Time in which the output reaches the estimate after a deviation, s, > 0.
   double settle = 10e-3;
   /// Age of each measurement when it arrives, s: the output is extrapolated by it.
   double latency = 0;
-  double longest_age = 0.1;  ///< s, > 0: the master is lost after this time without a measurement
-  /// m: a measurement this far from the estimate is a jump; 0: velocity * longest_age.
+  double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
+  /// A measurement further than this from the output is a jump, m; 0: velocity * longest_age.
   double jump = 0;
 };
 
