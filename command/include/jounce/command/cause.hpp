@@ -8,8 +8,8 @@
 namespace jounce {
 
 /// Reason why an axis is in the state error_stop, rejected a command, did not admit a table, or
-/// ended its last motion. meaning() gives a sentence for each. The numbers are part of the wire
-/// format: append new ones to their block.
+/// ended its last motion. meaning() gives a sentence for each; docs/reference/messages.md lists all
+/// of them. The numbers are part of the wire format: append new ones to their block.
 enum class Cause : std::uint8_t {
   none = 0,
 
@@ -110,11 +110,11 @@ struct Refusal {
   Cause cause = Cause::none;  ///< the reason
   double value = 0;           ///< the number that breaks the rule
   double limit = 0;           ///< the bound that it exceeds
-  /// Local time of the movement at which it does, s; NaN: no instant.
+  /// Time of the movement at which it exceeds the bound, s; NaN: no particular time.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45
-  /// at 0.61 s, limit 500." The instant is omitted if it is NaN, and the numbers if no bound was
+  /// at 0.61 s, limit 500." The time is omitted if it is NaN, and the numbers if no bound was
   /// exceeded. text() in refusal_text.hpp adds units.
   [[nodiscard]] std::string text() const;
 };

@@ -16,7 +16,7 @@ namespace jounce {
 /// Permitted sender of a command.
 enum class CommandSender : std::uint8_t {
   executor,  ///< only the executor, when it carries out a message of another type
-  owner,     ///< the session that owns the axis: the streamer to which the axis is connected
+  owner,     ///< the session that owns the axis, such as a streamer
   anyone,  ///< even an operator without a session: the command only changes the timing of a motion
 };
 

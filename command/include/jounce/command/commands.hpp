@@ -126,7 +126,7 @@ constexpr void each_field(C& c, F f) {
   f(jerk, c.jerk);
 }
 
-/// A command without fields.
+/// The same for a command without fields: does nothing.
 template <class C, class F>
 requires std::is_empty_v<C>
 constexpr void each_field(C& /*c*/, F /*f*/) {}
@@ -217,7 +217,7 @@ struct MoveAbsolute {
   double position = 0;                        ///< target, u
   MoveDynamics dynamics = {};                 ///< limits of the move
   Direction direction = Direction::shortest;  ///< direction on a modulo axis
-  /// When the move begins, relative to the previous motion.
+  /// Begin of the move, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
 };
 template <Of<MoveAbsolute> C, class F>

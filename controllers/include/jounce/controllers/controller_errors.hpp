@@ -6,18 +6,18 @@
 
 namespace jounce {
 
-/// An error of a controller about a cam, and the equivalent in Jounce. docs/cam/errors.md contains
-/// all of them.
+/// An error of a controller for a cam, and its equivalent in Jounce. docs/cam/errors.md lists all
+/// of them.
 ///
 ///     for (const ControllerError& error : controller_errors()) print(row(error));
 struct ControllerError {
   const char* controller;  ///< name of the controller: "PMC600" or "HMPL"
   unsigned code;           ///< error number in its manual
   const char* meaning;     ///< one sentence: what happened
-  /// Equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "SwitchStep lost" (of
+  /// The equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "SwitchStep lost" (of
   /// CamSwitches), "Cause NAME" or "Refusal NAME" (of an executor), or "none".
   const char* here;
-  const char* how;  ///< remark; for "none", why the error cannot occur
+  const char* how;  ///< remark; for "none", the reason why the error cannot occur
 };
 
 /// Returns all errors: 600-602, 625-629, 678, 750-754 of the PMC600 manual, appendix A-1;

@@ -40,8 +40,8 @@ struct Cia402Status {
 
 /// Returns the content of a statusword; nullopt if its bits belong to no state.
 std::optional<Cia402Status> status_of(std::uint16_t statusword);
-/// Returns the statusword with this content, as a drive sends it that has its supply voltage and
-/// permits remote control.
+/// Returns the statusword with this content. Its other bits are those of a drive that has its
+/// supply voltage and permits remote control.
 std::uint16_t statusword(const Cia402Status& status);
 
 /// Request of the controller to the drive.
@@ -53,8 +53,8 @@ struct Cia402Wish {
 };
 
 /// Returns the controlword, object 0x6040, that brings the drive from this state one transition
-/// nearer to the request. On the way down, an operating drive stops by its quick stop (transition
-/// 11); its power is switched off at rest.
+/// nearer to the request. To leave operation, the drive stops by its quick stop (transition 11),
+/// and its power is switched off at rest.
 std::uint16_t controlword(Cia402State state, const Cia402Wish& wish);
 
 /// Events inside a drive. Numbers are the transitions of CiA 402.

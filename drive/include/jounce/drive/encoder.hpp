@@ -18,8 +18,8 @@ struct EncoderErrors {
   std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// Returns positions as an encoder reports them: adds noise, then rounds down to counts. The same
-/// seed gives the same noise.
+/// A simulated encoder: adds noise to a position, then rounds it down to counts. The same seed
+/// gives the same noise.
 ///
 ///     EncoderReading line({.resolution = 0.05, .noise = 0.01});
 ///     const double measured = line(actual);                     // each cycle

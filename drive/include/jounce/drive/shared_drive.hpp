@@ -10,9 +10,9 @@
 
 namespace jounce {
 
-/// Content of the shared memory `/dev/shm/NAME`, between an executor and a process that contains a
-/// drive or communicates with one. Each side writes its own half as a whole, together with the
-/// number of its cycle.
+/// Content of the shared memory `/dev/shm/NAME` between an executor and another process, which
+/// simulates a drive or communicates with a real one. Each side writes its own half as a whole,
+/// together with the number of its cycle.
 struct SharedProcessData {
   static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
 

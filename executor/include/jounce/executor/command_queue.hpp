@@ -30,9 +30,9 @@ class CommandQueue {
   /// `axis` must outlive the queue.
   explicit CommandQueue(AxisExchange& axis) : exchange_(axis) {}
 
-  /// Sends a command to whose answer no request waits.
+  /// Sends a command for which no request waits.
   void send(Command command);
-  /// Sends a command whose request waits for the answer.
+  /// Sends a command for which a request waits.
   void send(const Command& command, const Request& request);
   /// Removes all commands that have not reached the axis, before a stop is sent. An abort and a
   /// disable remain, since they do more than a stop. Returns the ids of the movements that will not

@@ -26,7 +26,7 @@ namespace jounce {
 ///     buffer.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
 class RecordBuffer {
  public:
-  /// items: 16 s of one axis at 1 kHz, 0.25 s of 64 axes.
+  /// Number of items: 16 s of one axis at 1 kHz, 0.25 s of 64 axes.
   static constexpr std::size_t capacity = 16384;
 
   /// Adds a cycle of an axis. Does not allocate or wait. If the ring is full, the cycle is lost,

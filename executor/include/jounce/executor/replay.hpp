@@ -60,7 +60,7 @@ struct Replay {
 /// be computed again. `watch_master` is called for every value of a master. The record is read as a
 /// stream, so its length does not matter.
 ///
-/// Lost cycles, a movement that is not in the record (a program of yours did not record it), and a
+/// Lost cycles, a movement that is not in the record (a custom program did not record it), and a
 /// truncated file end the computation early, but not the reading.
 ///
 /// Throws InputError, with the number and the position of the event, for a file that is not an LCM

@@ -19,9 +19,8 @@ struct GcodeMachine {
   struct Axis {
     std::string name;  ///< one of X Y Z A B C U V W, in upper or lower case
     std::string unit;  ///< unit of its positions in the resulting Program
-    std::optional<double> position_min = {},
-                          /// Limits for the ends of lines and arcs; nullopt: none.
-        position_max = {};
+    /// Limits for the ends of lines and arcs; nullopt: none.
+    std::optional<double> position_min = {}, position_max = {};
     /// Length of a turn; > 0: a rotary axis, which takes the shortest way. 0: a linear axis.
     double modulo = 0;
   };

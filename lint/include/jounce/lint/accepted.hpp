@@ -62,7 +62,7 @@ struct FileChange {
   std::vector<Tolerance> tolerances = {};    ///< tolerance of each comparison
   std::vector<Diagnostic> diagnostics = {};  ///< findings of the rules baseline/...
   std::vector<std::string> pictures = {};    ///< names of two pictures for each comparison
-  std::vector<Output> files = {};            ///< the pictures, with names without a folder
+  std::vector<Output> files = {};            ///< the pictures, named without a folder
 };
 
 /// Options of compare_with().
@@ -82,8 +82,8 @@ std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
                                      const std::vector<std::string>& names,
                                      const AcceptedOptions& options = {});
 
-/// Returns a summary and the changes as text. `name`: name of the accepted versions. It begins like
-/// "compared with main: 1 changed, 1 added, 38 the same".
+/// Returns a summary ("compared with main: 1 changed, 1 added, 38 the same") and the changes as
+/// text. `name`: name of the accepted versions.
 std::string to_text(const std::vector<FileChange>& changes, const std::string& name);
 
 /// Returns the same as Markdown for a pull request. The pictures are expected in the folder of the

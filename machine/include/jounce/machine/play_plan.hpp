@@ -20,7 +20,7 @@ struct PlayOptions {
   bool live = false;  ///< true: the cam follows the live master of the axis
   /// Motion of a virtual master over time; nullopt: [master] of the spec.
   std::optional<TableFile> master = {};
-  /// For a live cam that follows another: it begins at the end of the present pass.
+  /// For a live cam: it takes over at the end of the present pass, at any position of the master.
   bool at_next_cut = false;
   /// For a live cam: the axis keeps the velocity at the end of the cam, and does not brake.
   bool keep_velocity = false;

@@ -66,8 +66,9 @@ Trajectory repetitive(double position, const Target& target, const Settings& set
                       double rpt_wait = 0);
 
 /// Returns the settings (manual 4.10) with which a repetitive PTP over 2 * amplitude approximates a
-/// sine of `frequency` F, Hz: Accel = Decel = 32 A F^2, Speed = 8 A F, where A is the amplitude in
-/// user units. Two moves without a wait last 1 / F. The velocity is a triangle whose peak is Speed.
+/// sine. With the amplitude A (user units) and `frequency` F (Hz), they are Accel = Decel = 32 A
+/// F^2 and Speed = 8 A F. Two moves without a wait last 1 / F. The velocity is a triangle whose
+/// peak is Speed.
 Settings quasi_sine(double amplitude, double frequency);
 
 /// A change of speed at a position.
@@ -78,9 +79,9 @@ struct SpeedChange {
   int direction = 0;
 };
 
-/// Returns the motion with the speed changed at its first crossing of the position in that
-/// direction. If there is no crossing, returns the motion unchanged. `target`: target of the
-/// motion, user units.
+/// Returns the motion with the speed changed when it first crosses the position in that direction.
+/// If there is no crossing, returns the motion unchanged. `target`: target of the motion, user
+/// units.
 Trajectory with_speed_change(const Trajectory& running, double target, const Settings& settings,
                              const SpeedChange& change);
 

@@ -15,8 +15,8 @@ namespace jounce {
 ///     write_file("cam.st", exchange_text(*cam_format_named("codesys"), cam));
 ///     cam.units = {"deg", "mm"};                         // if the file has none
 ///
-/// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in the shortest form that is
-/// read back as the same number, so every value is exact (a REAL: to its 24 bits).
+/// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in their shortest exact form, so
+/// every value is restored exactly (a REAL: to its 24 bits).
 ///
 /// **Data that a format does not have** (units, the policy outside, the number of knots, the hash)
 /// is written as comments, if the format permits comments (`keeps_notes`). When the comments are

@@ -7,9 +7,9 @@
 
 namespace jounce::himc {
 
-/// The profile of an axis of a HIWIN HIMC controller, with the names of HMPL, its language (HMPL
-/// manual 5.1, 5.3.1 to 5.3.16, 5.3.37). It consists of a velocity, an acceleration or the time
-/// that the acceleration takes, and a smoothing time.
+/// The profile of an axis of a HIWIN HIMC controller, with the names of HMPL, the controller's
+/// language (HMPL manual 5.1, 5.3.1 to 5.3.16, 5.3.37). It consists of a velocity, an acceleration
+/// or the time that the acceleration takes, and a smoothing time.
 ///
 ///     const himc::AxisProfile axis{.velocity = 100, .acceleration = 500, .smoothing_time = 50};
 ///     const Profile move = himc::move_abs(0, 1000, axis);       // ramps of 250 ms, jerk 10000
@@ -27,7 +27,7 @@ struct AxisProfile {
   double acceleration = 0;  ///< SetAcc: acceleration, mm/s^2, > 0; alternative: acceleration_time
   /// SetAccTime: time from rest to `velocity` without smoothing, ms, > 0.
   double acceleration_time = 0;
-  /// SetDec: deceleration, mm/s^2; if neither it nor its time is given: acceleration.
+  /// SetDec: deceleration, mm/s^2; default: acceleration.
   double deceleration = 0;
   double deceleration_time = 0;  ///< SetDecTime: alternative to `deceleration`, ms
   double smoothing_time = 0;     ///< SetSMTime: smoothing time Ts, ms, 0 to 500

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Gear pairs of a HIWIN HIMC controller, with the functions of HMPL, its language: EnableGear,
-/// GearIn, GearOut, DisableGear (HMPL manual, chapter 6 and 18.1.2).
+/// Gear pairs of a HIWIN HIMC controller, with the functions of HMPL, the controller's language:
+/// EnableGear, GearIn, GearOut, DisableGear (HMPL manual, chapter 6 and 18.1.2).
 ///
 ///     himc::Gears gears;
 ///     gears.axis[0].enabled = gears.axis[1].enabled = true;
@@ -24,7 +24,8 @@ enum class GearError : std::uint16_t {
   disabled = 0x0078,      ///< an axis of the pair is not enabled
   synchronised = 0x00a0,  ///< DisableGear while the gear is engaged: call GearOut first
   is_master = 0x00aa,     ///< the slave is the master of another gear: HIMC permits no chains
-  /// Invalid master: not an axis, the slave itself, or a slave; or the slave has another master.
+  /// The master is not an axis, the slave itself, or a slave; or the slave already has another
+  /// master.
   bad_link = 0x01c2,
   bad_slave = 0x01cc,    ///< the slave is not an axis
   bad_ratio = 0x01d6,    ///< 0 or not finite
