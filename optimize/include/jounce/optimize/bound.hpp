@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// The fixed data of a cam between two knots that cannot change: length, displacement, and the
+/// An interval of a cam between two knots that cannot change: its length, its displacement, and the
 /// derivatives with respect to the master at both ends. Units: u is the unit of the slave, m that
 /// of the master.
 struct KnotInterval {

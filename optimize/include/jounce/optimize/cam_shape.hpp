@@ -14,8 +14,8 @@ namespace jounce {
 enum class EndJerk {
   /// That of the given cam; if the cam has a jerk step there, the law of the segment decides.
   as_given,
-  free,  ///< free: it may step
-  zero,  ///< zero
+  free,  ///< any value: it may step
+  zero,  ///< 0
 };
 
 /// A segment of a cam whose law is only the start of the search: any shape may replace it.

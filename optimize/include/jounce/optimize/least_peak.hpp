@@ -7,11 +7,12 @@ namespace jounce {
 
 /// A cam whose omitted derivatives were chosen for the least max |geo_acceleration|. Units: u is
 /// the unit of the slave, m that of the master.
-struct LeastPeak {  ///< the cam, with all derivatives
-  CamSpec cam;      ///< its max |geo_acceleration|, u/m^2, exact
-  double peak = 0;  ///< proven lower bound: no choice of the omitted values has a lower peak, u/m^2
-  double bound = 0;   ///< number of linear systems that were solved
-  int solutions = 0;  ///< linear systems solved
+struct LeastPeak {
+  CamSpec cam;      ///< the cam, with all derivatives
+  double peak = 0;  ///< its max |geo_acceleration|, u/m^2, exact
+  /// Proven lower bound: no choice of the omitted values has a lower peak, u/m^2.
+  double bound = 0;
+  int solutions = 0;  ///< number of linear systems that were solved
 };
 
 /// Chooses the values that a spec omits (fill "minimum_peak_acceleration"; free_derivatives() in

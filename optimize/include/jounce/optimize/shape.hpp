@@ -30,12 +30,13 @@ LinearQuantity derivative_of_shape(int order);
 
 // ---- figures that can be minimized or limited, over the whole shape ---------------------------
 
-/// max |q|, exact: not at samples.
+/// Peak max |q| over all x, not only at samples.
 struct PeakOf {
   LinearQuantity quantity;
 };
 
-/// Root of (integral of q^2 / length). For example, the heat of a motor.
+/// Rms value: root of (integral of q^2 / length). That of the torque determines the heat in a
+/// motor.
 struct RmsOf {
   LinearQuantity quantity;
 };
@@ -50,7 +51,7 @@ struct ResidualOf {
   double damping_high = 0;  ///< highest damping ratio
 };
 
-/// Peak power max |force * velocity|, exact: not at samples. Not convex.
+/// Peak power max |force * velocity| over all x, not only at samples. Not convex.
 struct PowerOf {
   LinearQuantity force;
   LinearQuantity velocity;
@@ -73,12 +74,12 @@ struct LoadTorque {
   double angle = 0;    ///< angle of the lever at f = 0, rad; at angle 0 it hangs down
 };
 
-/// Peak torque max |T|, exact: not at samples; at a change of sign of f', on both sides.
+/// Peak torque max |T| over all x, not only at samples; where f' changes its sign, on both sides.
 struct TorqueOf {
   LoadTorque load;
 };
 
-/// Root of (integral of T^2 / length), which determines the heat in a motor.
+/// Rms torque: root of (integral of T^2 / length). It determines the heat in a motor.
 struct RmsTorqueOf {
   LoadTorque load;
 };
@@ -99,7 +100,7 @@ struct ResponseOf {
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// Root of the mean of y^2 for such a list, such as the rms torque of a drive.
+/// Rms value of such a list: root of the mean of y^2, such as the rms torque of a drive.
 struct RmsResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.

@@ -29,7 +29,7 @@ struct Marker {
   double y = 0;
   std::string text{};   ///< shown next to the point if there is space
   std::string hint{};   ///< shown when the pointer is on the point; may be empty
-  bool broken = false;  ///< true: a point beyond a limit, drawn in the color for this
+  bool broken = false;  ///< true: the point is beyond a limit
 };
 
 /// One plot of a figure.

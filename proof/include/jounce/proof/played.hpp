@@ -57,11 +57,11 @@ struct Played {
 };
 
 /// Compares every tick with the design. The permitted rounding is `most_roundings` units in the
-/// last place of the greatest position, plus as many of the distance that the fastest tick would
-/// travel during the time of the log. (A position is computed from a time, and the rounding of the
-/// time shifts the position.)
+/// last place of the greatest position, plus `most_roundings` units in the last place of the
+/// distance that the fastest tick would travel during the time of the log. (A position is computed
+/// from a time, and the rounding of the time shifts the position.)
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
-/// Units in the last place that compare_played() permits.
+/// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;
 
 }  // namespace jounce

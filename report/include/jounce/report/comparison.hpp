@@ -20,7 +20,7 @@ struct Version {
   std::variant<Cam, Trajectory> curve;  ///< the curve
   Labels labels;                        ///< its units and the names of its segments
   std::vector<double> knots = {};       ///< places of the knots; empty: the breaks of the curve
-  /// a name for each knot, "end of 2 in step"; may be empty.
+  /// A name for each knot, "end of 2 in step"; may be empty.
   std::vector<std::string> knot_names = {};
   std::optional<Limits> limits = {};  ///< nullopt: a kind without limits, such as a table
 };

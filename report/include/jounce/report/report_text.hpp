@@ -54,8 +54,8 @@ std::string one_line(const Report& report, const Labels& labels);
 /// True if the finding is the peak of a derivative that has no limit, see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
-/// True if a finding compares the motion with a limit of the machine. Findings about joints, tables
-/// or other computations do not count.
+/// True if the report has a finding that compares the motion with a limit of the machine. Findings
+/// about joints, tables or other computations do not count.
 bool has_limits(const Report& report);
 
 /// Returns "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)";

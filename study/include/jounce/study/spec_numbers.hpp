@@ -41,9 +41,8 @@ class SpecNumbers {
   /// Returns the unit that follows the number in the file; "" if there is none and the number is in
   /// the unit of the spec.
   [[nodiscard]] std::string unit(const std::string& key) const;
-  [[nodiscard]] bool is_whole(
-      /// True if it is written as a whole number: 12, but not 12.0 or "12 mm".
-      const std::string& key) const;
+  /// True if the number is written as a whole number: 12, but not 12.0 or "12 mm".
+  [[nodiscard]] bool is_whole(const std::string& key) const;
   /// Returns the text with other numbers. Throws InputError for a key that is given twice.
   [[nodiscard]] std::string text(std::span<const Change> changes) const;
   [[nodiscard]] Spec spec(std::span<const Change> changes) const;  ///< reads the spec from text()

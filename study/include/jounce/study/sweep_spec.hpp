@@ -58,7 +58,7 @@ struct SweepLimit {
 ///     kind = "sweep"
 ///     spec = "cam.toml"                       # beside this file
 ///     figures = ["peak torque", "residual"]   # omitted: all that the spec has
-///     optima = true                           # each case is optimised first, as by `jounce optimize`
+///     optima = true                           # each case is optimized first, as by `jounce optimize`
 ///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]
 ///     [[parameter]]
 ///     key = "segment[1].end.master"

@@ -67,9 +67,8 @@ bool is_stable(const std::vector<LoopPole>& poles);
 
 /// A point of the frequency response of the open loop.
 struct LoopPoint {
-  double frequency = 0;  ///< Hz
-  /// L.
-  std::complex<double> value;
+  double frequency = 0;        ///< Hz
+  std::complex<double> value;  ///< value of L
 };
 
 /// Returns L at the frequencies at which margins are searched, ascending.

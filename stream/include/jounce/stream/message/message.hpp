@@ -24,11 +24,12 @@ namespace jounce::wire {
 
 /// Version of the protocol in each message.
 inline constexpr std::int32_t protocol_version = 2;
-/// Greatest number of doubles in a chunk: one datagram.
+/// Greatest number of doubles in a chunk, which is sent as one datagram.
 inline constexpr std::size_t chunk_values = 7680;
-/// Greatest number of doubles in a usual message, the unit of credit.
+/// Doubles in a message of 12.8 KB. Credit, the number of messages that may be in transit, counts
+/// such messages.
 inline constexpr std::size_t message_values = 1600;
-/// Doubles of buffer space for one message of credit.
+/// Doubles of buffer space for each message of credit.
 inline constexpr std::size_t credit_values = 2048;
 /// Length of the name of an executor, with a final zero, bytes.
 inline constexpr std::size_t executor_bytes = 24;
@@ -40,8 +41,8 @@ inline constexpr std::uint32_t most_tables = 64;  ///< greatest number of tables
 /// The motion that an axis plays, and the master that it follows.
 enum class ArmMode : std::int8_t {
   play = 0,          ///< a table over time
-  follow_input = 1,  ///< a table over a master, on the live master of the axis
-  follow_table = 2,  ///< a table over a master, on a virtual master: a table over time
+  follow_input = 1,  ///< a table over a master; the master is the live master of the axis
+  follow_table = 2,  ///< a table over a master; the master is virtual: a second table over time
   queue = 3,         ///< no table: a queue, which accepts rows during the motion
 };
 
@@ -265,7 +266,7 @@ struct Status {
   bool homed = false;            ///< true if the axis was homed
   std::uint8_t unwritten = 0;    ///< files that could not be written, see Unwritten
 
-  /// NaN.
+  /// Value of an unknown number: NaN.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -357,8 +358,8 @@ struct Cut {
 
   /// Number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Returns the number of chunks that fit into the buffer space of this number of usual messages.
-  /// Chunks longer than message_values use up to credit_values per message. At least 1.
+  /// Returns the number of chunks that fit into the buffer space of this number of messages of
+  /// message_values. Longer chunks use up to credit_values per message. At least 1.
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
 /// Divides a table into chunks. `values`: doubles in a full chunk, 4 to chunk_values.

@@ -12,7 +12,7 @@ struct RefusalInfo {
   Refusal refusal;      ///< the refusal
   const char* name;     ///< its name
   const char* meaning;  ///< one sentence: what happened
-  const char* remedy;   ///< remedy: the next step of the operator
+  const char* remedy;   ///< the next step of the operator
 };
 
 /// Returns one entry for each Refusal, in the order of their numbers.

@@ -24,7 +24,7 @@ struct ReceiverOptions {
   std::uint32_t most_knots = 1U << 24U;  ///< greatest number of knots of a table
   /// Greatest memory for all tables, complete or in transit, bytes.
   std::size_t memory = std::size_t{1} << 28U;
-  /// a session without a message for this time ends, and the axis is free.
+  /// A session without a message for this time ends, and the axis is free.
   Nanos session_timeout = std::chrono::seconds(1);
   Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
   /// Messages of 12.8 KB in transit, 1 to 64; 8 fit into the default buffer of a socket.

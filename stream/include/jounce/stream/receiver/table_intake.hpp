@@ -18,7 +18,7 @@ namespace jounce {
 struct TableLimits {
   std::uint32_t most_knots = 0;  ///< greatest number of knots of a table
   std::size_t memory = 0;        ///< greatest memory for all tables, complete or in transit, bytes
-  std::uint32_t credit = 0;      ///< greatest number of usual messages in transit
+  std::uint32_t credit = 0;      ///< greatest number of messages of 12.8 KB in transit
 };
 
 /// The arriving tables of a session, each with its index, and the store of the complete ones.

@@ -20,7 +20,7 @@ struct Pace {
   Nanos resend = std::chrono::milliseconds(6);  ///< least time until a chunk is sent again
   /// Greatest time until then; the time doubles while nothing arrives.
   Nanos slowest = std::chrono::milliseconds(100);
-  /// Least time until a chunk is sent again that a later chunk has overtaken.
+  /// Least time until a chunk is sent again if a later chunk has arrived.
   Nanos fast_resend = std::chrono::milliseconds(2);
 };
 

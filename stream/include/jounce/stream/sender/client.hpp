@@ -12,7 +12,7 @@ namespace jounce {
 
 /// Outcome of a call of Client.
 struct CallOutcome {
-  /// none, no_answer, command_timeout, restarted or refused.
+  /// One of none, no_answer, command_timeout, restarted and refused.
   StreamError error = StreamError::none;
   wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
   std::int32_t cause = 0;  ///< if the axis has rejected it: number of the Cause; otherwise 0
@@ -31,7 +31,7 @@ struct ClientOptions {
 };
 
 /// Sends commands to an axis of an executor, one call after another, like the function blocks of
-/// PLCopen.
+/// PLCopen. Each function sends the command of the same name (jounce/command/commands.hpp).
 ///
 ///     Client client(link, "feeder");
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
@@ -41,7 +41,7 @@ struct ClientOptions {
 ///
 /// A call returns when the axis has accepted or rejected the command; the motion may still continue
 /// then. A call throws only InputError, for a value that is out of range for any axis, and
-/// TransportError. Units are those of the axis and of its master (see jounce/command/commands.hpp).
+/// TransportError. Units are those of the axis and of its master.
 ///
 /// The first call opens a session, which owns the axis. If another session owns it, the call is
 /// rejected as busy. If there is no call for a second, the session ends, and the next call opens

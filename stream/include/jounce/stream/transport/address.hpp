@@ -14,7 +14,7 @@ namespace jounce {
 struct MulticastAddress {
   std::string group;          ///< 224.0.0.0 to 239.255.255.255
   std::uint16_t port = 7667;  ///< UDP port, > 0
-  int ttl = 0;  ///< number of networks that a packet may reach in sequence; 0: only this machine
+  int ttl = 0;  ///< 0: packets stay on this machine; otherwise they may pass ttl - 1 routers
   std::string interface {};  ///< name of the interface; "": that of the route; with ttl 0 always ""
   /// Requested receive buffer, bytes; Linux grants up to net.core.rmem_max.
   int receive_buffer = 1 << 22;

@@ -13,8 +13,8 @@ namespace jounce {
 /// folder can use it, too.
 ///
 /// The permissions of the folder are the only access control: any program that can enter the folder
-/// and write into it can send and receive. Each program has its own socket in the folder, and sends
-/// to all others.
+/// and write into it can send and receive. Each program has its own socket in the folder; a packet
+/// is sent to all sockets.
 ///
 ///     UnixTransport link("/run/jounce");
 ///     link.subscribe(wire::channel("feeder", wire::Lane::status), 1);
