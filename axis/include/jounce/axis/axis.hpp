@@ -34,9 +34,9 @@ struct GroupStart {
 
 /// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
 struct Tick {
-  std::int64_t tick = 0;  ///< number of the tick
-  double time = 0;        ///< tick * period, s
-  State state = State::disabled;
+  std::int64_t tick = 0;               ///< number of the tick
+  double time = 0;                     ///< tick * period, s
+  State state = State::disabled;       ///< state of the axis
   double master = 0;                   ///< position of the master, m
   double master_velocity = 0;          ///< velocity of the master, m/s
   double position = 0;                 ///< commanded position (setpoint), u
@@ -137,6 +137,7 @@ class MotionAxis {
 
   /// The configuration with its defaults filled in.
   [[nodiscard]] const AxisConfig& config() const { return config_; }
+  /// State after the last step.
   [[nodiscard]] State state() const { return state_; }
 
  private:

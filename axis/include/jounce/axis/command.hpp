@@ -95,9 +95,9 @@ inline void set_movement(AxisCommand& command, Movement* movement) {
 ///     axis.step(0, {command::Enable{}});
 ///     axis.step(1, {.what = command::MoveAbsolute{.position = 120}, .at = 50});
 struct Command {
-  AxisCommand what = {};
-  std::int64_t at = -1;  ///< tick of the execution; -1: at once. Arm, Start and Couple require -1
-  std::uint64_t id = 0;  ///< id that the sender gave to the command; returned with the answer
+  AxisCommand what = {};  ///< the command
+  std::int64_t at = -1;   ///< tick of the execution; -1: at once. Arm, Start and Couple require -1
+  std::uint64_t id = 0;   ///< id that the sender gave to the command; returned with the answer
 
   /// Kind of the command.
   [[nodiscard]] CommandKind kind() const { return kind_of(what); }

@@ -52,7 +52,7 @@ class Homing {
 
   /// Inputs of one cycle.
   struct Seen {
-    Sensors sensors = {};
+    Sensors sensors = {};  ///< states of the sensors
     double position = 0;   ///< actual position, u
     bool at_rest = false;  ///< true if the setpoint is at rest, as velocity() = 0 requires
     double dt = 0;         ///< time since the previous cycle, s

@@ -60,7 +60,7 @@ struct Inputs {
   /// Sum of the set_position changes of the master so far, m. An active coupling keeps the
   /// coordinate in which it was engaged.
   double master_offset = 0;
-  Feedback feedback = {};
+  Feedback feedback = {};  ///< feedback of the drive
   /// True if the limit switch is active; the axis also uses feedback.sensors.
   bool positive_switch = false;
   bool negative_switch = false;  ///< true if the limit switch is active

@@ -21,17 +21,17 @@ struct Follow {
     setpoint,  ///< the setpoint of another axis, in the same tick
     actual,    ///< actual position of another axis; lost if its drive reports no velocity
   };
-  What what = What::nothing;
-  std::size_t index = 0;  ///< index of the master, or of the other axis
+  What what = What::nothing;  ///< kind of the master
+  std::size_t index = 0;      ///< index of the master, or of the other axis
 };
 
 /// One axis of a machine. It stays the same while the machine runs.
 struct MachineAxis {
-  std::string name;  ///< name of the axis in messages
-  AxisConfig config;
-  AxisSwitches switches = {};
-  Follow follow = {};
-  AxisCompare compare = {};
+  std::string name;            ///< name of the axis in messages
+  AxisConfig config;           ///< configuration
+  AxisSwitches switches = {};  ///< cam switches
+  Follow follow = {};          ///< live master
+  AxisCompare compare = {};    ///< position compare
 };
 
 /// The process image of one axis: its inputs and its outputs in one tick.
@@ -86,6 +86,7 @@ class Machine {
   [[nodiscard]] std::size_t masters() const { return masters_; }   ///< number of masters
   /// Duration of a tick, ns.
   [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }
+  /// The axis with this index, as declared.
   [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
 
   /// Steps every axis. `images`: one for each axis, in the declared order. `tick`: greater than in

@@ -19,8 +19,8 @@ struct Goal {
     position,  ///< MC_MoveAbsolute, MC_MoveRelative, MC_MoveAdditive
     velocity,  ///< MC_MoveVelocity, and the velocity that remains after CamOut and GearOut
   };
-  Kind kind = Kind::rest;
-  double value = 0;  ///< target, u (not reduced on a modulo axis), or velocity, u/s, signed
+  Kind kind = Kind::rest;  ///< kind of the goal
+  double value = 0;        ///< target, u (not reduced on a modulo axis), or velocity, u/s, signed
   MoveDynamics dynamics = {};  ///< complete after fill()
   /// Velocity at the target, u/s, signed; 0: rest. It may exceed dynamics.velocity.
   double through = 0;

@@ -13,8 +13,8 @@ namespace jounce {
 
 /// A setpoint, and the tick in which it was output.
 struct TimedState {
-  MotionState state;
-  std::int64_t tick = 0;
+  MotionState state;      ///< u, u/s, u/s^2
+  std::int64_t tick = 0;  ///< tick of the output
 };
 
 /// Plays a move that the axis plans itself. Its goal and its plan always match: if a move cannot be

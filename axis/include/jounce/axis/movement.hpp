@@ -57,9 +57,9 @@ enum class Progress : std::uint8_t {
 /// The greatest magnitudes of a path: u/s, u/s^2, u/s^3. The stop on the path is computed from
 /// them.
 struct Peaks {
-  double velocity = 0;
-  double acceleration = 0;
-  double jerk = 0;
+  double velocity = 0;      ///< u/s
+  double acceleration = 0;  ///< u/s^2
+  double jerk = 0;          ///< u/s^3
   /// Largest sum of the velocity steps within one tick, u/s; 0: no steps.
   double velocity_step = 0;
 };
@@ -79,7 +79,9 @@ class Movement {
   Movement(const Movement&) = delete;
   Movement& operator=(const Movement&) = delete;
 
+  /// Id of the motion in Tick::job.
   [[nodiscard]] std::uint64_t id() const noexcept { return id_; }
+  /// Independent variable of the movement.
   [[nodiscard]] Course course() const noexcept { return course_; }
 
   /// Begins the movement at `now`, from the state `axis`. Returns none if it begins, otherwise the

@@ -22,7 +22,7 @@ struct OutputPlaces {
   /// A position and its velocity.
   struct Place {
     double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
-    double velocity = std::numeric_limits<double>::quiet_NaN();
+    double velocity = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
   };
   Place commanded;  ///< setpoint: u, u/s
   Place master;     ///< live master: m, m/s

@@ -43,6 +43,7 @@ class WaitingMoves {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] bool full() const { return size_ == most; }
+  /// Number of moves.
   [[nodiscard]] std::size_t size() const { return size_; }
   /// The move that begins next. Only if the buffer is not empty.
   [[nodiscard]] const BufferedMove& front() const { return moves_[0]; }

@@ -47,8 +47,8 @@ inline constexpr std::size_t most_fields = 8;  ///< greatest number of fields of
 
 /// The fields of a command, in the order of the wire. Behaves as a range.
 struct Fields {
-  std::array<Field, most_fields> field{};
-  std::size_t count = 0;
+  std::array<Field, most_fields> field{};  ///< the fields, then empty ones
+  std::size_t count = 0;                   ///< number of fields
 
   [[nodiscard]] constexpr std::size_t size() const { return count; }
   [[nodiscard]] constexpr const Field* begin() const { return field.data(); }

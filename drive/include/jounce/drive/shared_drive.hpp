@@ -20,7 +20,7 @@ struct SharedProcessData {
   template <class T>
   struct Counted {
     std::uint64_t cycle = 0;  ///< cycle of the writer; 0: not written yet
-    T data{};
+    T data{};                 ///< the data
   };
 
   std::atomic<std::uint64_t> magic;         ///< magic_number; the executor writes it last

@@ -24,7 +24,7 @@ class CommandQueue {
   };
   /// An answer of the axis, with the request that waits for it; nullopt: no request waits.
   struct Reply : Answer {
-    std::optional<Request> request = {};
+    std::optional<Request> request = {};  ///< the request that waits
   };
 
   /// `axis` must outlive the queue.

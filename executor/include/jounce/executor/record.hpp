@@ -42,8 +42,8 @@ struct RecordedAxis {
 
 /// A table, or a part of a large table: at most 200 knots in an event.
 struct RecordedTable {
-  Sha256 hash{};  ///< hash of the whole table
-  Units units = {};
+  Sha256 hash{};                                ///< hash of the whole table
+  Units units = {};                             ///< units of the table
   Domain over = Domain::time;                   ///< variable of the table
   Interpolation rule = Interpolation::linear;   ///< interpolation rule
   Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
@@ -60,48 +60,48 @@ struct RecordedJob {
   std::optional<Sha256> cam = {};  ///< hash of the cam over a virtual master; nullopt: none
   bool live = false;               ///< true: a cam that follows the live master of the axis
   double tick = 1e-3;              ///< length of a tick, s
-  CouplingSpec coupling = {};
-  double position = 0;         ///< position of the slave at the start, u
-  CamEnd end = CamEnd::brake;  ///< behavior at the end of a live cam
+  CouplingSpec coupling = {};      ///< coupling of the cam
+  double position = 0;             ///< position of the slave at the start, u
+  CamEnd end = CamEnd::brake;      ///< behavior at the end of a live cam
 };
 
 /// The arguments of the movement of a gear: see gear_of().
 struct RecordedGear {
-  std::size_t axis = 0;
-  std::uint64_t id = 0;
+  std::size_t axis = 0;                    ///< index of the axis
+  std::uint64_t id = 0;                    ///< id of the movement
   ClientCommand gear = command::GearIn{};  ///< the command, GearIn or GearInPos
   double position = 0;                     ///< position of the slave, u
 };
 
 /// A queue that was opened: the fields of the message that define its movement.
 struct RecordedQueue {
-  std::size_t axis = 0;
-  std::uint64_t id = 0;  ///< id of the movement
-  wire::Queue queue = {};
+  std::size_t axis = 0;    ///< index of the axis
+  std::uint64_t id = 0;    ///< id of the movement
+  wire::Queue queue = {};  ///< the message that opened it
 };
 
 /// Rows that were added to a queue, or another change of the queue. A large number of rows makes
 /// several events.
 struct RecordedRows {
-  std::size_t axis = 0;
+  std::size_t axis = 0;  ///< index of the axis
   HandedOver what = {};  ///< the change
 };
 
 /// One axis in one tick: its command, inputs and outputs. `tick` contains neither the edges of the
 /// cam switches nor the returned movements.
 struct RecordedCycle {
-  std::size_t axis = 0;
-  Command command = {};
+  std::size_t axis = 0;        ///< index of the axis
+  Command command = {};        ///< command of the tick
   std::uint64_t movement = 0;  ///< id of the movement of the command; 0: none
-  Inputs inputs = {};
-  Tick tick = {};
+  Inputs inputs = {};          ///< inputs of the tick
+  Tick tick = {};              ///< outputs of the tick
 };
 
 /// A master of the machine at the start of the run. Recorded after the axes.
 struct RecordedMaster {
-  std::size_t master = 0;  ///< index of the master
-  std::string name = {};
-  std::string unit = {};
+  std::size_t master = 0;       ///< index of the master
+  std::string name = {};        ///< name of the master
+  std::string unit = {};        ///< unit of its position
   std::uint64_t followers = 0;  ///< bit i: axis i follows the master
   /// Source of the master.
   enum class Made : std::uint8_t {
@@ -109,25 +109,25 @@ struct RecordedMaster {
     samples,    ///< an ExternalMaster, which the replay computes from its samples
     readings,   ///< an EncoderMaster, which the replay computes from its readings
   };
-  Made made = Made::elsewhere;
-  TrackerSpec tracker = {};  ///< options of its filter; unused for `elsewhere`
+  Made made = Made::elsewhere;  ///< source of the master
+  TrackerSpec tracker = {};     ///< options of its filter; unused for `elsewhere`
 };
 
 /// An input for the next value of a master: a sample or a reading.
 struct RecordedSample {
-  std::size_t master = 0;
-  MasterSample sample = {};
+  std::size_t master = 0;    ///< index of the master
+  MasterSample sample = {};  ///< the input
 };
 
 /// Value of a master in a cycle. Recorded before the axes of the same tick.
 struct RecordedSight {
-  std::size_t master = 0;
-  MasterSight sight = {};
+  std::size_t master = 0;  ///< index of the master
+  MasterSight sight = {};  ///< the value
 };
 
 /// Cycles that are missing at this place in the record.
 struct RecordedLoss {
-  std::int64_t cycles = 0;
+  std::int64_t cycles = 0;  ///< number of missing cycles
 };
 
 /// Any event of a record.
@@ -145,9 +145,9 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
 
 /// A field in which a recorded and a replayed tick differ, even by the last bit.
 struct TickDifference {
-  std::string field;  ///< name of the field as in cycle_t: "position", "state", ...
-  double recorded = 0;
-  double replayed = 0;
+  std::string field;    ///< name of the field as in cycle_t: "position", "state", ...
+  double recorded = 0;  ///< value in the record
+  double replayed = 0;  ///< value of the replay
 };
 /// Returns the first difference, in the order of the fields of cycle_t; nullopt if the ticks are
 /// identical. `switches`: also compares the outputs and the instants of their edges.

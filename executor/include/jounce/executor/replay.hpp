@@ -17,10 +17,10 @@ namespace jounce {
 struct Replay {
   /// The first difference between the record and its replay.
   struct Difference {
-    std::size_t axis = 0;  ///< index of the axis or of the master
-    std::int64_t tick = 0;
-    TickDifference what = {};
-    bool of_master = false;  ///< true: index of a master
+    std::size_t axis = 0;      ///< index of the axis or of the master
+    std::int64_t tick = 0;     ///< tick of the difference
+    TickDifference what = {};  ///< field and values
+    bool of_master = false;    ///< true: index of a master
   };
 
   std::vector<RecordedAxis> axes = {};  ///< the axes in the record

@@ -33,7 +33,7 @@ struct RunOptions {
 
 /// Result of one axis.
 struct AxisSummary {
-  std::string name;
+  std::string name;            ///< name of the axis
   std::uint64_t finished = 0;  ///< number of motions that reached their end
   std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest
   Cause fault = Cause::none;   ///< fault that is latched at the end

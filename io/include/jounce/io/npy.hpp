@@ -20,8 +20,8 @@ enum class NpyType { whole /**< 64 bits */, real /**< double */ };
 
 /// A field of the rows.
 struct NpyField {
-  std::string name;
-  NpyType type = NpyType::real;
+  std::string name;              ///< name of the field
+  NpyType type = NpyType::real;  ///< type of its values
 };
 
 /// The file. Add the values row by row, in each row in the order of the fields.

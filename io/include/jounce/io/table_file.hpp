@@ -17,9 +17,9 @@ struct Provenance {
 
 /// A table with its units and its origin, as in a file.
 struct TableFile {
-  Table table;
-  Units units;
-  Provenance provenance;
+  Table table;            ///< the table
+  Units units;            ///< units of its columns
+  Provenance provenance;  ///< its origin
 };
 
 /// Returns the name and version of this program: "jounce 0.1.0".

@@ -44,7 +44,7 @@ struct SplineTimesSpec {
   std::vector<std::vector<double>> points;
   /// Limits of each joint: for `shortest`; checked for all objectives.
   std::vector<Limits> limits = {};
-  TimeObjective objective = TimeObjective::shortest;
+  TimeObjective objective = TimeObjective::shortest;  ///< objective of the search
   double duration = 0;           ///< given duration for the other two objectives, s
   OptimizeOptions options = {};  ///< default: 24 starts; the budget is not used
 };

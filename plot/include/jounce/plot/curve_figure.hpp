@@ -13,8 +13,8 @@ namespace jounce {
 
 /// Options for the picture of a curve. All are optional.
 struct CurveLook {
-  std::string title{};
-  std::string axis{};  ///< name of the x axis; "": "time" or "master"
+  std::string title{};  ///< title above the plots
+  std::string axis{};   ///< name of the x axis; "": "time" or "master"
   /// Unit of the x axis: "s", "deg", ...; "deg" and "°" give angular ticks.
   std::string axis_unit{};
   /// Unit of the position, "mm"; the units of its derivatives follow from both units.

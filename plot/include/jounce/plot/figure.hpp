@@ -20,7 +20,7 @@ struct Series {
   std::string label{};  ///< label in the legend, which is shown if a figure has several labels
   std::vector<double> x{};
   std::vector<double> y{};
-  Style style = Style::line;
+  Style style = Style::line;  ///< appearance
 };
 
 /// A marked point with a text.
@@ -44,9 +44,9 @@ struct Panel {
 
 /// A range of the x axis with a name, such as a sync zone of a cam.
 struct Shade {
-  double from = 0;
-  double to = 0;
-  std::string label{};
+  double from = 0;      ///< start of the range
+  double to = 0;        ///< end of the range
+  std::string label{};  ///< name
 };
 
 /// Plots above one another, over one x axis.
@@ -59,7 +59,7 @@ struct Shade {
 /// shown if there is space; the pointer shows all names. A limit with a large margin is not drawn;
 /// a note above the panel gives its value.
 struct Figure {
-  std::string title{};
+  std::string title{};          ///< title above the plots
   std::string x_label{};        ///< name and unit of the x axis
   std::vector<Panel> panels{};  ///< the plots, from top to bottom
   std::vector<Shade> shades{};  ///< tinted ranges

@@ -37,7 +37,7 @@ struct DataTable {
 /// A figure in a page, with a line of text below it.
 struct Chart {
   Figure figure{};
-  std::string caption{};
+  std::string caption{};  ///< text below the figure
 };
 
 /// Any part of a section.
@@ -51,7 +51,7 @@ struct Section {
 
 /// The verdict at the top of a page: a mark and a sentence.
 struct Headline {
-  bool ok = true;
+  bool ok = true;  ///< true: a good result
   std::string text{};
 };
 

@@ -15,10 +15,10 @@ namespace jounce {
 
 /// One tick of a motion, from the tick log of an axis. Unit u: the unit of the axis.
 struct PlayedTick {
-  std::int64_t tick = 0;
-  double time = 0;      ///< time since the first tick of the motion, s
-  double position = 0;  ///< commanded position, u
-  double clock = 0;     ///< time since tick 0 of the log, s: it determines the rounding of `time`
+  std::int64_t tick = 0;  ///< number of the tick
+  double time = 0;        ///< time since the first tick of the motion, s
+  double position = 0;    ///< commanded position, u
+  double clock = 0;       ///< time since tick 0 of the log, s: it determines the rounding of `time`
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv`: text of the log. `name`:

@@ -43,9 +43,9 @@ std::optional<double> permitted(const Change& change, std::size_t order,
 /// A property in which two versions differ: "periodic", "unit of position", "limit geo_velocity".
 /// An empty text means that a version does not have it.
 struct Remark {
-  std::string what;  ///< name of the property
-  std::string before;
-  std::string after;
+  std::string what;    ///< name of the property
+  std::string before;  ///< value in the earlier version
+  std::string after;   ///< value in the later version
 };
 
 /// The differences between two versions. Numbers are in the units of `after`.
@@ -56,9 +56,9 @@ struct Comparison {
   Changes changes;     ///< differences of the curves
   /// For position, velocity, acceleration, jerk: true if the tolerance is exceeded.
   std::array<bool, 4> beyond{};
-  std::vector<KnotChange> knots;  ///< changes of the knots: shown, but not judged
-  std::vector<std::string> knot_names_before;
-  std::vector<std::string> knot_names_after;
+  std::vector<KnotChange> knots;               ///< changes of the knots: shown, but not judged
+  std::vector<std::string> knot_names_before;  ///< names of the earlier knots
+  std::vector<std::string> knot_names_after;   ///< names of the later knots
   std::vector<Remark> remarks;  ///< differences of interval, units, policy outside and limits
 
   /// True if no difference exceeds the tolerance, and there are no remarks.

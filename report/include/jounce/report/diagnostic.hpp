@@ -53,9 +53,9 @@ struct Diagnostic {
 
 /// The statements about one file, the worst first.
 struct FileResult {
-  std::string file;
+  std::string file;       ///< path of the file
   std::string kind = {};  ///< "cam", "table", "machine", ...; empty if the file could not be read
-  std::vector<Diagnostic> diagnostics = {};
+  std::vector<Diagnostic> diagnostics = {};  ///< the statements
 
   /// Number of statements of this level.
   [[nodiscard]] std::size_t count(Level level) const;
@@ -65,8 +65,8 @@ struct FileResult {
 
 /// The result of `jounce check` or `jounce validate` for many files.
 struct RunResult {
-  std::string verb;  ///< "check"
-  std::vector<FileResult> files;
+  std::string verb;               ///< "check"
+  std::vector<FileResult> files;  ///< result of each file
 
   /// Number of statements of this level, in all files.
   [[nodiscard]] std::size_t count(Level level) const;

@@ -26,8 +26,8 @@ struct UniformSpread {
 };
 /// A random parameter with a normal distribution.
 struct NormalSpread {
-  double mean = 0;
-  double sigma = 0;
+  double mean = 0;   ///< mean value
+  double sigma = 0;  ///< standard deviation
 };
 
 /// A number of the spec that varies, in the unit that the spec has at that place.
@@ -48,8 +48,8 @@ struct SweepObjective {
 
 /// A figure that must not exceed a value, in the unit of the figure.
 struct SweepLimit {
-  std::string figure;
-  double at_most = 0;
+  std::string figure;  ///< name of the figure
+  double at_most = 0;  ///< greatest permitted value
 };
 
 /// A sweep file: the numbers of a spec that vary, their values, and the figures that are computed.

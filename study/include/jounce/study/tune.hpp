@@ -21,8 +21,8 @@ struct TunedNumber {
 
 /// A figure that is optimized, or that must stay within bounds.
 struct TunedFigure {
-  std::string name;
-  std::string unit;
+  std::string name;  ///< name of the figure
+  std::string unit;  ///< its unit
   /// Value for the given spec; nullopt: no motion is possible with it.
   std::optional<double> given = {};
   double reached = 0;                   ///< value for the chosen numbers

@@ -26,8 +26,8 @@ struct Friction {
 
 /// A motor. A value marked "0: none" is not modeled, or not limited, if it is 0.
 struct Motor {
-  double inertia = 0;  ///< rotor inertia, kg m^2, > 0
-  Friction friction = {};
+  double inertia = 0;         ///< rotor inertia, kg m^2, > 0
+  Friction friction = {};     ///< friction of the rotor
   double torque_limit = 0;    ///< peak torque, N m, > 0
   double rated_torque = 0;    ///< continuous torque, N m; 0: none
   double rated_velocity = 0;  ///< greatest speed with the peak torque, rad/s; 0: none
@@ -44,9 +44,9 @@ struct Mass {
   double stiffness = 0;  ///< stiffness of the shaft or belt to the previous mass, N m/rad; 0: rigid
   double damping = 0;    ///< damping of this shaft or belt, N m s/rad, >= 0
   double backlash = 0;   ///< full gap in this connection, rad, >= 0
-  double efficiency = 1;  ///< efficiency of the gear in this connection, above 0 up to 1
-  double inertia = 0;     ///< kg m^2, > 0
-  Friction friction = {};
+  double efficiency = 1;   ///< efficiency of the gear in this connection, above 0 up to 1
+  double inertia = 0;      ///< kg m^2, > 0
+  Friction friction = {};  ///< friction of this mass
   double load_torque = 0;  ///< constant torque against positive motion, N m
   /// Torque of a horizontal arm by its weight, against positive motion, N m.
   double gravity_torque = 0;
@@ -86,10 +86,10 @@ struct Controller {
 /// the motor shaft**: for a part behind a gear of ratio i, divide inertia, stiffness and damping by
 /// i^2 and torques by i. docs/validate/drive.md and drive_model.cpp contain the equations.
 struct Drive {
-  Motor motor = {};
-  std::vector<Mass> train = {};  ///< the masses, from the motor on; empty: a rigid axis
-  Controller controller = {};
-  std::optional<Pendulum> pendulum = {};
+  Motor motor = {};                       ///< the motor
+  std::vector<Mass> train = {};           ///< the masses, from the motor on; empty: a rigid axis
+  Controller controller = {};             ///< the controller
+  std::optional<Pendulum> pendulum = {};  ///< pendulum at the last mass; nullopt: none
   /// Travel of the axis in one turn of the motor, u (unit of the reference), > 0.
   double position_per_rev = 0;
 };
@@ -176,7 +176,7 @@ void require_valid(const DriveOptions& options, const Drive& drive);
 
 /// A signed value where its magnitude is greatest, and the time.
 struct Peak {
-  double value = 0;
+  double value = 0;  ///< the value
   double where = 0;  ///< time, s
 };
 

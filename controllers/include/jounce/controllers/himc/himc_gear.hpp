@@ -53,8 +53,8 @@ struct Gears {
 
 /// Result of a function: the new states, or the unchanged states and an error.
 struct GearAnswer {
-  Gears gears;
-  GearError error = GearError::ok;
+  Gears gears;                      ///< states after the call
+  GearError error = GearError::ok;  ///< ok: no error
 };
 
 /// EnableGear: makes a pair. A master may have several slaves. A slave has one master and cannot be

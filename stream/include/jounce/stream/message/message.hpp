@@ -167,8 +167,8 @@ struct Start {
 
 /// Stops the axis. In session 0, it is a stop of an operator, which also ends the present session.
 struct Stop {
-  std::int32_t command = 0;  ///< number of the command
-  StopMode mode = StopMode::stop;
+  std::int32_t command = 0;        ///< number of the command
+  StopMode mode = StopMode::stop;  ///< kind of the stop
 };
 
 /// Keeps a session alive, or ends it. A motion continues when its session ends.

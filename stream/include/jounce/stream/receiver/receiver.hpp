@@ -36,36 +36,36 @@ struct ReceiverOptions {
 
 /// Event: a table is complete, and its hash matches. It stays in the store.
 struct TableReady {
-  std::int64_t session = 0;
-  StoredTable table;
+  std::int64_t session = 0;  ///< session of the sender
+  StoredTable table;         ///< the table
 };
 
 /// Event: an arm of complete tables, whose axes and units fit the mode. Requires an answer.
 struct ArmRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;  ///< number of the command; answer with it
-  wire::ArmMode mode = wire::ArmMode::play;
-  StoredTable slave;
-  std::optional<StoredTable> master;  ///< table of the master, for follow_table
-  CouplingSpec coupling{};            ///< coupling of a slave's table over a master
-  CamEnd end = CamEnd::brake;         ///< for follow_input: behavior at the end of the cam
+  std::int64_t session = 0;                  ///< session of the sender
+  std::int32_t command = 0;                  ///< number of the command; answer with it
+  wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
+  StoredTable slave;                         ///< table of the slave
+  std::optional<StoredTable> master;         ///< table of the master, for follow_table
+  CouplingSpec coupling{};                   ///< coupling of a slave's table over a master
+  CamEnd end = CamEnd::brake;                ///< for follow_input: behavior at the end of the cam
 };
 
 /// Event: an arm of a queue that is open. Requires an answer.
 struct QueueArmRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;
-  std::uint32_t queue = 0;
-  std::uint8_t bank = 0;  ///< for a static queue: the bank that is played first
+  std::int64_t session = 0;  ///< session of the sender
+  std::int32_t command = 0;  ///< number of the command; answer with it
+  std::uint32_t queue = 0;   ///< index of the queue
+  std::uint8_t bank = 0;     ///< for a static queue: the bank that is played first
 };
 
 /// Event: a start after an accepted arm of the same session; a queue has the rows that it needs.
 /// Requires an answer.
 struct StartRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;
-  std::int64_t tick = -1;  ///< tick of the start; -1: the next one
-  StartAt when = StartAt::tick;
+  std::int64_t session = 0;      ///< session of the sender
+  std::int32_t command = 0;      ///< number of the command; answer with it
+  std::int64_t tick = -1;        ///< tick of the start; -1: the next one
+  StartAt when = StartAt::tick;  ///< condition of the start
   double position = 0;  ///< position of the master, m (unit of the master), for master_position
 };
 
@@ -73,37 +73,37 @@ struct StartRequested {
 /// open. Requires an answer.
 struct CommandRequested {
   std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
-  std::int32_t command = 0;
-  std::int64_t at = -1;  ///< tick of the execution; -1: the next one
-  ClientCommand what{};
+  std::int32_t command = 0;  ///< number of the command; answer with it
+  std::int64_t at = -1;      ///< tick of the execution; -1: the next one
+  ClientCommand what{};      ///< the command
 };
 
 /// Event: a queue was opened, and rows will follow. refuse_queue() rejects it.
 struct QueueOpened {
-  std::int64_t session = 0;
-  wire::Queue queue;
+  std::int64_t session = 0;  ///< session of the sender
+  wire::Queue queue;         ///< the queue
 };
 
 /// Event: rows in their order, without gaps, that fit into the free space. refuse_row() rejects a
 /// row that breaks a limit.
 struct RowsArrived {
-  std::int64_t session = 0;
-  wire::Rows rows;
+  std::int64_t session = 0;  ///< session of the sender
+  wire::Rows rows;           ///< the rows
 };
 
 /// Event: a stop or an abort, which must always be executed. Requires an answer.
 struct StopRequested {
-  std::int64_t session = 0;  ///< 0: an operator
-  std::int32_t command = 0;
-  wire::StopMode mode = wire::StopMode::stop;
+  std::int64_t session = 0;                    ///< 0: an operator
+  std::int32_t command = 0;                    ///< number of the command; answer with it
+  wire::StopMode mode = wire::StopMode::stop;  ///< stop or abort
 };
 
 /// Event: no session owns the axis any more. An armed motion without a start must be disarmed. The
 /// axis decides whether a motion in progress continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
-  std::int64_t session = 0;
-  Why why = Why::released;
+  std::int64_t session = 0;  ///< the session
+  Why why = Why::released;   ///< reason for its end
 };
 
 /// Any event of a receiver.

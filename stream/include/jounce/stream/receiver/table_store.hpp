@@ -14,7 +14,7 @@ namespace jounce {
 /// A complete table, which is shared with the motions that play it.
 struct StoredTable {
   Sha256 hash{};  ///< content_hash() of the table
-  Units units;
+  Units units;    ///< its units
   std::shared_ptr<const Table> table;
 };
 

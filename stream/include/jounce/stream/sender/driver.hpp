@@ -20,7 +20,7 @@ namespace jounce {
 
 /// Options of stream_tables().
 struct StreamOptions {
-  SenderOptions sender;
+  SenderOptions sender;                                 ///< options of the Sender
   Nanos total = std::chrono::seconds(60);               ///< time limit of the whole call
   Nanos period = std::chrono::milliseconds(1);          ///< longest wait for messages
   std::function<void(const StreamProgress&)> progress;  ///< called in each iteration; may be empty
@@ -36,7 +36,7 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
 
 /// Options of stream_rows().
 struct RowOptions {
-  SenderOptions sender;
+  SenderOptions sender;                              ///< options of the RowSender
   Nanos period = std::chrono::milliseconds(1);       ///< longest wait for messages
   std::function<void(const RowProgress&)> progress;  ///< called in each iteration; may be empty
   /// Returns true to stop: the axis is stopped, and the call ends; may be empty.

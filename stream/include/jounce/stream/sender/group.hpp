@@ -14,7 +14,7 @@ namespace jounce {
 
 /// Options of a group.
 struct GroupOptions {
-  SenderOptions sender = {};
+  SenderOptions sender = {};  ///< options of each Sender
   /// Common tick of the start; -1: the first tick by which all axes can have accepted it.
   std::int64_t tick = -1;
   /// For tick -1: time from the newest known tick to the start.

@@ -63,7 +63,7 @@ struct RowOutcome {
   wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
   std::int32_t cause = 0;  ///< if the axis has rejected a command: number of the Cause; otherwise 0
   std::string reason{};    ///< the reason as text; may be empty
-  RowProgress progress{};
+  RowProgress progress{};  ///< progress at the end
 
   /// True if there was no error.
   [[nodiscard]] bool ok() const { return error == StreamError::none; }

@@ -64,10 +64,10 @@ const char* name(StreamStage stage);
 
 /// Progress of a stream.
 struct StreamProgress {
-  StreamStage stage = StreamStage::downloading;
-  std::size_t chunks = 0;   ///< number of chunks of all tables
-  std::size_t arrived = 0;  ///< number of chunks that have arrived
-  std::size_t resent = 0;   ///< number of chunks that were sent again
+  StreamStage stage = StreamStage::downloading;  ///< present stage
+  std::size_t chunks = 0;                        ///< number of chunks of all tables
+  std::size_t arrived = 0;                       ///< number of chunks that have arrived
+  std::size_t resent = 0;                        ///< number of chunks that were sent again
 };
 
 /// Outcome or present state of a stream. A flag is set when the executor has confirmed it.
@@ -81,7 +81,7 @@ struct StreamOutcome {
   bool started = false;   ///< the start was accepted; with StreamPlan::await: the motion has begun
   bool stopped = false;   ///< the axis was stopped
   std::size_t swaps = 0;  ///< number of swaps that were accepted
-  StreamProgress progress;
+  StreamProgress progress;  ///< progress so far
 
   /// True if there was no failure.
   [[nodiscard]] bool ok() const { return error == StreamError::none; }

@@ -31,8 +31,8 @@ struct SwapPlan {
 struct StreamPlan {
   /// A table of the stream.
   struct Item {
-    Table table;
-    Units units;
+    Table table;                   ///< the table
+    Units units;                   ///< its units
     std::optional<Sha256> hash{};  ///< content_hash(table, units), if it is known already
   };
   std::string executor;                 ///< name of the axis

@@ -15,7 +15,7 @@ namespace jounce {
 
 /// Numbers of packets that were rejected, for each reason.
 struct Rejects {
-  std::array<std::size_t, wire::reject_count> by_reason{};
+  std::array<std::size_t, wire::reject_count> by_reason{};  ///< indexed by wire::Reject
 
   [[nodiscard]] std::size_t operator[](wire::Reject reject) const {
     return by_reason[static_cast<std::size_t>(reject)];

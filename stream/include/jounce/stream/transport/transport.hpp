@@ -23,8 +23,8 @@ Nanos steady_now();
 
 /// Bytes received on a channel.
 struct Packet {
-  std::string channel;
-  std::vector<std::byte> bytes;
+  std::string channel;           ///< name of the channel
+  std::vector<std::byte> bytes;  ///< content
 };
 
 /// The link itself has failed (no network, no route). The cause is the computer, not the input.
