@@ -30,16 +30,18 @@ struct KnotArray {
   std::vector<Knot> knots = {};
 };
 
-/// All arrays of this type, in the order of the file: those with initial values,
+/// Returns all arrays of this type, in the order of the file. Two forms are read. Arrays with
+/// initial values:
 ///
 ///     Cam_A : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0, dY := 0), (dX := 360, dY := 40)];
 ///
-/// and those whose elements are assigned, with a number or a variable with a constant value as the index:
+/// Arrays whose elements are assigned one by one. The index is a number or a variable with a
+/// constant value:
 ///
 ///     points[1].leadingValue := 0.0;    i := 2;  points[i].leadingValue := 120.0;
 ///
-/// Throws InputError for a field that the type does not have, a missing element, and a number of elements that does not
-/// match the declared range.
+/// Throws InputError for a field that the type does not have, for a missing element, and if the
+/// number of elements does not match the declared range.
 std::vector<KnotArray> knot_arrays(const std::string& text, const KnotType& type,
                                    const Place& place);
 

@@ -8,8 +8,8 @@
 
 namespace jounce::controllers_detail {
 
-/// The words and signs of Structured Text (IEC 61131-3), one after another, without comments and
-/// pragmas, and their lines. Words are compared in any letter case, as in the language.
+/// Reads Structured Text (IEC 61131-3) token by token and counts lines. Comments and pragmas are
+/// skipped. Words are compared without regard to case, as the language defines.
 ///
 ///     StReader code(text, place);
 ///     for (std::string word = code.next(); !word.empty(); word = code.next()) ...

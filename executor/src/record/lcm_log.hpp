@@ -10,7 +10,7 @@
 
 namespace jounce::executor_detail {
 
-/// An event of an LCM log file (LCM's eventlog.c): all numbers big-endian,
+/// An event of an LCM log file (LCM's eventlog.c). All numbers are big-endian. Order of the fields:
 ///
 ///     u32 0xEDA1DA01, i64 number, i64 time stamp in us, i32 channel's length, i32 data's length,
 ///     channel, data
