@@ -11,13 +11,13 @@
 
 namespace jounce::executor_detail {
 
-/// The masters of a record, reconstructed from their recorded inputs.
+/// The masters of a record, computed again from their recorded inputs.
 ///
 ///     masters.add(recorded);                            // in order, before everything else
 ///     masters.take(sample);                             // for the next cycle
 ///     if (const auto what = masters.compare(sight, time)) ...   // difference from the cycle
 ///
-/// Throws InputError for an invalid filter, and for more samples than a cycle takes.
+/// Throws InputError for an invalid filter, and if there are more samples than one cycle can take.
 class RemadeMasters {
  public:
   void add(const RecordedMaster& master);

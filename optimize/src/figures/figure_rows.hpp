@@ -10,11 +10,12 @@
 
 namespace jounce::optimizer {
 
-/// A convex figure in a program. A new kind of figure needs one more overload of rows_of().
+/// A convex figure as rows of a program. A new kind of figure needs one more overload of rows_of().
 ///
-/// A figure is given either by planes or by squares. Planes are forms with form(z) <= figure(z) for every z,
-/// and the highest of them is the figure. There are too many to list; cuts() returns those that matter (an
-/// exchange method). Squares: figure(z)^2 = sum of squares(z)^2.
+/// A figure is given either by planes or by squares. Planes are linear forms with form(z) <=
+/// figure(z) for every z, and the highest of them is the figure. There are too many to list; cuts()
+/// returns those that matter (an exchange method). Squares are linear forms with figure(z)^2 = sum
+/// of squares(z)^2.
 struct FigureRows {
   std::string name;
   /// The exact value for a finished shape that begins at the first knot; it does not use the rows of the
@@ -65,9 +66,9 @@ bool has_rows(const ShapeFigure& figure);
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
                        const Auxiliary* auxiliary = nullptr);
 
-/// The places, in [0, 1], of the planes for an extremum of g that exceeds a level: the extremum itself and, if
-/// g bends, halfway to where g crosses the level. An optimum usually touches between two planes, so the next
-/// round has planes four times as close.
+/// Returns the places, in [0, 1], of new planes for an extremum of g that exceeds a level: the
+/// extremum itself and, if g bends, the points halfway to where g crosses the level. An optimum
+/// usually touches between two planes. In the next round, planes are four times as close.
 std::vector<double> places_around(const Segment& g, double s, double excess);
 
 /// max |y| of q over a shape that begins at x, with its place.

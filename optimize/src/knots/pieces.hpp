@@ -11,8 +11,9 @@
 
 /// A cam as a function of its knots, with exact gradients.
 ///
-/// Between two knots at distance L the laws are linear in q = (p0, v0, a0, p1, v1, a1). With e = (0, 1, 2, 0,
-/// 1, 2), z = (m - m0) / L and normalized shapes B_i (LawPiece of jounce/cam/laws/law.hpp):
+/// Between two knots at the masters m0 and m1 = m0 + L, the laws are linear in q = (p0, v0, a0, p1,
+/// v1, a1). With e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalized shapes B_i (LawPiece of
+/// jounce/cam/laws/law.hpp):
 ///
 ///     (1)  f           = sum_i q_i L^e_i B_i(z)
 ///     (2)  f^(k)       = sum_i q_i L^(e_i - k) B_i^(k)(z)

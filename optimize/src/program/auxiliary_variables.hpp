@@ -23,9 +23,9 @@ struct Affine {
 /// Removes from rows over the coordinates the part that the joints cancel.
 Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space);
 
-/// Writes y in auxiliary variables, in which the target of the figure has about size one. The equations
-/// between these and the coordinates become part of the rows. Needs the value, the natural size and the
-/// rounding of the rows.
+/// Writes y in auxiliary variables, for which the target of the figure has about size one. Adds the
+/// equations between these and the coordinates to the rows. The value, the natural size and the
+/// rounding of the rows must be set before.
 Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows);
 
 }  // namespace jounce::optimizer

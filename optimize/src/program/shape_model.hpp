@@ -29,9 +29,9 @@ struct RoundCeiling {
 };
 
 struct ShapeModel {
-  /// `given`: a shape over the whole interval. Every figure must have rows. `auxiliary`: responses have unknowns of
-  /// their own. `scale`: an estimate of the weighted sum, which is 1 for the given shape. The solver uses it as
-  /// unit.
+  /// `given`: a shape over the whole interval. Every figure must have rows. `auxiliary`: true if
+  /// responses have auxiliary unknowns. `scale`: an estimate of the weighted sum in units of its
+  /// value for the given shape; the solver uses it as its unit.
   ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
              const std::vector<Segment>& given, bool auxiliary = false, double scale = 1);
   ShapeModel(const ShapeModel&) = delete;

@@ -22,15 +22,16 @@ class Root {
   std::optional<std::pair<double, double>> last_;
 };
 
-/// The figures of a model that are norms, rms, as squares in a quadratic program. With c > 0
+/// The figures of a model that are norms (rms), as squares in a quadratic program. With c > 0
 ///
 ///     (1)  |v| = min over c of (|v|^2 / c + c) / 2,   attained at c = |v|,
 ///
-/// jointly convex in v and c, so that the minimum of a sum with weight |F z| is a fixed point:
+/// which is jointly convex in v and c. The minimum of a sum that contains weight |F z| is therefore
+/// a fixed point:
 ///
 ///     (2)  mu = weight / (2 c),   c = |F z|   where z minimizes the sum with mu |F z|^2 instead.
 ///
-/// One number for each norm, found by secants in log c.
+/// There is one number c for each norm. It is found by the secant method in log c.
 class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
@@ -42,8 +43,9 @@ class ShapeNorms {
   /// Moves c towards its value for the present minimum. Returns true if c has converged.
   bool settle(const std::vector<Segment>& shape);
 
-  /// The correction that makes the bound of the quadratic program a bound of the sum. That sum is convex in c
-  /// with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
+  /// Returns the correction that makes a bound of the quadratic program a bound of the sum. The sum
+  /// is convex in c with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| >
+  /// sum / weight:
   ///
   ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
   [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;
