@@ -16,8 +16,8 @@
 //   (2)  r = z - x-
 //   (3)  x = x- + A r,   v = v- + B r / h,   a = a- + 2 C r / h^2
 //
-// Fading memory: old measurements count less and less. All eigenvalues of the error are at t =
-// exp(-h / time_constant): the error decays as fast as possible with the least overshoot:
+// Fading memory: old measurements count less and less. All eigenvalues of the error are at
+// t = exp(-h / time_constant): the error decays as fast as possible with the least overshoot:
 //
 //   (4)  order 2:  A = 1 - t^2,   B = (1 - t)^2,                   C = 0
 //   (5)  order 3:  A = 1 - t^3,   B = 3/2 (1 - t)^2 (1 + t),       C = (1 - t)^3 / 2

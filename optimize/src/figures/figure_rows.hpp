@@ -12,10 +12,10 @@ namespace jounce::optimizer {
 
 /// A convex figure as rows of a program. A new kind of figure needs one more overload of rows_of().
 ///
-/// A figure is given either by planes or by squares. Planes are linear forms with form(z) <=
+/// A figure is given either by planes or by squares. Planes are linear forms that are at most
 /// figure(z) for every z, and the highest of them is the figure. There are too many to list; cuts()
-/// returns those that matter (an exchange method). Squares are linear forms with figure(z)^2 = sum
-/// of squares(z)^2.
+/// returns those that matter (an exchange method). Squares are linear forms such that the sum of
+/// their squares is figure(z)^2.
 struct FigureRows {
   std::string name;
   /// The exact value for a finished shape that begins at the first knot; it does not use the rows of the

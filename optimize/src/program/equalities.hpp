@@ -13,8 +13,8 @@ double worst_equality(const ShapeModel& model, const Coordinates& z);
 /// end are exact to the last bit.
 ///
 /// The solver of a program leaves residuals of 1e-9 and more, but the written cam joins its pieces
-/// exactly: an error e of a position at one end of a piece of length h changes its jerk by 60 e /
-/// h^3.
+/// exactly: an error e of a position at one end of a piece of length h changes its jerk by
+/// 60 e / h^3.
 Coordinates as_fixed(const ShapeModel& model, Coordinates z);
 
 }  // namespace jounce::optimizer

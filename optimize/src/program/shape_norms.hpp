@@ -44,8 +44,8 @@ class ShapeNorms {
   bool settle(const std::vector<Segment>& shape);
 
   /// Returns the correction that makes a bound of the quadratic program a bound of the sum. The sum
-  /// is convex in c with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| >
-  /// sum / weight:
+  /// is convex in c with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has
+  /// |F z| > sum / weight:
   ///
   ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
   [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;

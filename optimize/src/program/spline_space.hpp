@@ -12,20 +12,20 @@
 
 #include "optimize/src/solvers/interior_point.hpp"
 
-/// All splines over given knots, as a linear space whose coordinates stay well conditioned.
+/// All splines over given knots, as a linear space whose coordinates remain well conditioned.
 ///
-/// With n the degree, S_ij the size of the j-th derivative and d the offset of the values, the
-/// coordinates are the derivatives where each piece begins, and where the last one ends:
+/// With n the degree, S_ij the size of derivative j on piece i and d the offset of the values, the
+/// coordinates are the derivatives at the beginning of each piece, and at the end of the last one:
 ///
 ///     (1)  z[i (n + 1) + j] = (f^(j)(x_i+) - [j = 0] d) / S_ij,    j = 0 ... n  (at the end: ... n - 1)
 ///     (2)  f^(j)(x_i+1) = sum_k f^(k)(x_i+) h_i^(k - j) / (k - j)!,    j = 0 ... n - 1
 ///     (3)  S_ij = 4^(j-1) (j-1)! u / L^j up to the highest derivative m that matters, as a perfect spline
 ///          has; S_im / h_i^(j-m) above it: what a piece can do to that derivative
 ///
-/// There are more coordinates than degrees of freedom. The equalities (2) relate them: each contains two
-/// adjacent knots, so everything stays banded, and a short piece is as well conditioned as a long one.
-/// (Coefficients of B-splines for the value lose a factor 1/h in every derivative: at n = 5 and h = 1/1000 all
-/// digits.)
+/// There are more coordinates than degrees of freedom. The equalities (2) relate them. Each
+/// contains two adjacent knots only: all matrices remain banded, and a short piece is as well
+/// conditioned as a long one. (Coefficients of B-splines lose a factor 1/h in every derivative: at
+/// n = 5 and h = 1/1000 all digits.)
 namespace jounce::optimizer {
 
 using Coordinates = std::vector<double>;

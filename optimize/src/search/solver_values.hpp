@@ -7,13 +7,14 @@
 
 namespace jounce::optimizer {
 
-/// A choice as rows r_i(z) <= 0 for a solver: the constraints in their usual sizes, tightened by a small h, and
-/// one more row for choices that are not possible:
+/// A choice (a point of the search) as rows r_i(z) <= 0 for a solver: the objective f, the
+/// constraints c_i divided by their usual sizes s_i and tightened by a small h, and one more row
+/// r_0 for choices that cannot be computed:
 ///
 ///     (1)  possible:      f(z), c_i(z) / s_i + h,  r_0 = 0
 ///     (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
 ///
-/// so nothing is gained outside the possible choices, and r_0 leads back. No row is NaN.
+/// Nothing is gained outside the possible choices, and r_0 leads back to them. No row is NaN.
 struct SolverValues {
   double objective = 0;  ///< in units of its spread
   std::vector<double> rows;

@@ -26,10 +26,10 @@ struct NotConvexResult {
 /// True if a figure of the problem needs this search rather than a convex program.
 bool needs_search(const ShapeProblem& problem);
 
-/// Minimizes the weighted sum from `given` and from a few shapes beside it, drawn from the seed. Constraints,
-/// ceilings and peaks hold at every place (an exchange method), as in the convex solver. With
-/// ShapeProblem::refine, the pieces on which a peaked figure leaves or meets its level are halved, and the
-/// search continues.
+/// Minimizes the weighted sum from `given` and from a few shapes near it, which are drawn at random
+/// from the seed. Constraints, ceilings and peaks hold at every place (an exchange method), as in
+/// the convex solver. If ShapeProblem::refine is set, the pieces on which a peaked figure leaves or
+/// meets its level are halved, and the search continues.
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
                              const KeepGoing& keep_going);
 

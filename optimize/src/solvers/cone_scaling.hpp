@@ -33,8 +33,8 @@ double longest(const ConeShape& shape, const Eigen::VectorXd& v, const Eigen::Ve
 /// v moved inside its cones: numbers to `least`, cones by 1.
 Eigen::VectorXd inside(const ConeShape& shape, Eigen::VectorXd v, double least);
 
-/// The scaling W of Nesterov and Todd (Mathematics of Operations Research 22, 1997) at s and y, symmetric with
-/// W y = W^-1 s. For numbers W^2 = s / y; for a cone, with J = diag(1, -1, ... -1),
+/// The scaling W of Nesterov and Todd (Mathematics of Operations Research 22, 1997) at s and y:
+/// symmetric, with W y = W^-1 s. For numbers W^2 = s / y. For a cone, with J = diag(1, -1, ... -1),
 ///
 ///     (1)  W^2 = e^2 (2 w w' - J),   W^-2 = (2 (J w)(J w)' - J) / e^2,   w' J w = 1,
 ///     (2)  w = (s/|s| + J y/|y|) / (2 c),   c^2 = (1 + s' y / (|s| |y|)) / 2,   e^2 = |s| / |y|,   |s|^2 = s' J s

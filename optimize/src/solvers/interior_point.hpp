@@ -28,10 +28,10 @@ struct RoundConstraint {
   std::vector<Form> forms = {};
 };
 
-/// minimize slope . x + sum of squares[i](x)^2
-/// subject to constraints[k](x) <= 0, equalities[k](x) = 0, and round constraints, second-order cones.
-/// Unknowns and forms are of about size one. Squares, constraints and equalities together must determine x. If
-/// there are equalities, the undetermined part of x stays near its start.
+/// A convex program: minimize slope . x + sum of squares[i](x)^2 subject to constraints[k](x) <= 0,
+/// equalities[k](x) = 0, and round constraints (second-order cones). Unknowns and forms should be
+/// of about size one. Squares, constraints and equalities together must determine x. If there are
+/// equalities, the undetermined part of x stays near its start.
 struct ConvexProgram {
   std::vector<double> slope;
   std::vector<Form> squares;
@@ -58,8 +58,8 @@ struct SolveOptions {
       nullptr;  ///< called before each iteration; false: ends with the best so far
 };
 
-/// Mehrotra's predictor-corrector method from `start`, which need not be feasible, with the scaling of
-/// Nesterov and Todd for round constraints. Sparse; stops when
+/// Solves with Mehrotra's predictor-corrector method from `start`, which need not be feasible, and
+/// with the scaling of Nesterov and Todd for round constraints. The matrices are sparse. Ends when
 /// residuals and complementarity are below `precision` or no longer fall.
 ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
                      const SolveOptions& options = {});

@@ -11,10 +11,11 @@
 
 namespace jounce::optimizer {
 
-/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints, the round ones last,
-/// A the equalities of a program and Q the second derivative of its squares. The pattern is found and ordered
-/// once. For each W the matrix is factorized again. The rank-one part of a cone would fill the matrix: the
-/// formula of Sherman, Morrison and Woodbury treats it separately.
+/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints (the round
+/// ones last), A the equalities of a program, and Q the second derivative of its squares. The
+/// pattern is analyzed and ordered once; the matrix is factorized again for each W. The rank-one
+/// part of a cone would fill the matrix, and is treated separately by the formula of Sherman,
+/// Morrison and Woodbury.
 class Kkt {
  public:
   using Matrix = Eigen::SparseMatrix<double>;

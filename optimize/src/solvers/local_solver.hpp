@@ -37,10 +37,10 @@ struct LocalProblem {
   int max_evaluations = 0;  ///< > 0
 };
 
-/// Runs the method from x and returns the point where it ended. The function does not return the status of
-/// NLopt, which proves nothing: NLopt reports success at infeasible points and failure at good ones. The caller
-/// evaluates the point. Rethrows an exception of the problem's functions. This is the only function of Jounce
-/// that calls NLopt.
+/// Runs the method from x and returns the point where it ended. The caller must evaluate that
+/// point: the status of NLopt is not returned, because NLopt reports success at infeasible points
+/// and failure at good ones. Rethrows an exception of the problem's functions. This is the only
+/// function of Jounce that calls NLopt.
 std::vector<double> run_local_solver(const LocalProblem& problem, std::vector<double> x);
 
 }  // namespace jounce::optimizer

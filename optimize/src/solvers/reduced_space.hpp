@@ -17,14 +17,14 @@ struct DenseRow {
   [[nodiscard]] double at(const Eigen::VectorXd& y) const { return constant + slope.dot(y); }
 };
 
-/// The splines that meet some equalities, in coordinates y without further conditions and without a
-/// preferred direction:
+/// The splines that meet given equalities, in coordinates y without further conditions and without
+/// a preferred direction:
 ///
 ///     (1)  z = z0 + N L^-T y,   A N = 0,   N' M N = L L'
 ///
-/// with A z + b = 0 the equalities, solved by z0, and M the mean square of the value and its first two
-/// derivatives, each in its natural unit. Without such a whitening SLSQP stops early and calls it a
-/// success.
+/// A z + b = 0 are the equalities, which z0 satisfies. M is the mean square of the value and its
+/// first two derivatives, each in its natural unit. Without such a whitening SLSQP stops early and
+/// reports success.
 class ReducedSpace {
  public:
   /// z0 is the solution of the equalities that is nearest to `near`. Equalities may repeat each other.

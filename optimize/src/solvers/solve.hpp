@@ -20,9 +20,9 @@ struct Solved {
 Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
              const std::function<bool()>& go_on);
 
-/// The same for the program linearized at (z, t), within a box of the given radius in whitened coordinates (1:
-/// about the distance at which the rows change by their own size). Its t is the predicted value. The evaluation
-/// counts as one.
+/// Solves the program linearized at (z, t), within a box of the given radius in whitened
+/// coordinates (1: about the distance at which the rows change by their own size). The t of the
+/// result is the predicted value. The evaluation counts as one.
 Solved linear_step(const Program& program, const Point& z, double t, double radius);
 
 }  // namespace jounce::optimizer

@@ -12,8 +12,9 @@ namespace jounce::optimizer {
 ///
 ///     (1)  H = mean over the rows of g g^T + diag(1 / width^2)
 ///
-/// becomes the unit matrix: the gradients g of the rows at z0 then have no preferred direction, and no unit
-/// step goes far beyond the bounds. Without this, SLSQP stops early and reports success.
+/// becomes the unit matrix. The gradients g of the rows at z0 then have no preferred direction, and
+/// no step of length one goes far beyond the bounds. Without this, SLSQP stops early and reports
+/// success.
 class Whitening {
  public:
   Whitening(const Program& program, const Point& z0);

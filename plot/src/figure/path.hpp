@@ -13,10 +13,11 @@ struct Pixel {
   double y = 0;
 };
 
-/// The same line with fewer points, nowhere further than 0.1 px from it. Where many points share
-/// half a pixel column only the first, last, lowest and highest are looked at, which draws the same
-/// pixels (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014);
-/// then points that lie on the line between others go (Douglas and Peucker, 1973).
+/// Returns the line with fewer points, nowhere farther than 0.1 px from the given one. If many
+/// points are in the same half pixel column, only the first, last, lowest and highest are kept,
+/// which draws the same pixels (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data
+/// Aggregation", 2014). Then points on the line between others are removed (Douglas and Peucker,
+/// 1973).
 std::vector<Pixel> thinned(std::span<const Pixel> line);
 
 /// The first step of thinned() alone.

@@ -7,9 +7,10 @@
 
 #include "jounce_lcm/chunk_t.hpp"
 
-/// A chunk on the wire: nearly all traffic. Its `count` doubles move directly between their vector
-/// and the bytes; the generated code sees a chunk without values. It never allocates by a count
-/// from the wire: it checks the count against the length first.
+/// Bytes of a chunk on the wire. Chunks are nearly all traffic: their `count` doubles are therefore
+/// copied directly between their vector and the bytes, and the generated code gets a chunk without
+/// values. A count from the wire is checked against the length before any memory is allocated for
+/// it.
 namespace jounce::wire {
 
 /// `head`: all fields except count and values. The result has space for mac and checksum at the

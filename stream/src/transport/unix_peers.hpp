@@ -27,9 +27,9 @@ class UnixPeers {
 
   [[nodiscard]] std::size_t size() const { return peers_.size(); }
 
-  /// Sends a datagram to all of them. Waits a moment for a peer whose queue is full, then
-  /// continues: this datagram is lost for that peer, and so are the next ones until it receives
-  /// again.
+  /// Sends a datagram to all peers. Waits a moment for a peer whose queue is full. If it remains
+  /// full, the datagram is lost for that peer, and later ones are sent to it without waiting until
+  /// it receives again. Removes a peer whose other end is closed.
   void send(std::span<const std::byte> datagram);
 
  private:

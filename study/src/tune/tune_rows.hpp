@@ -9,9 +9,9 @@
 
 namespace jounce::study_detail {
 
-/// The limits of a spec as constraints of a search, in the same order for every design. A limit of a curve has
-/// one for each of its bounds and segments: the smallest margin of all has kinks, where a solver that uses
-/// slopes would stop before the optimum.
+/// The limits of a spec as constraints of a search, in the same order for every design. A limit of
+/// a curve becomes one constraint for each of its bounds and segments. A single one, the smallest
+/// margin of all, would have kinks, at which a solver that uses slopes stops before the optimum.
 class TuneRows {
  public:
   /// Each is <= 0 where `check` reports its limit as kept. The first design determines the list. The last

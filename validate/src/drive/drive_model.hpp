@@ -24,12 +24,12 @@ struct DriveMode {
   bool operator==(const DriveMode&) const = default;
 };
 
-/// The equations of the axis at the head of drive_model.cpp, in deviations from the reference.
-/// No function allocates.
+/// The equations of the axis at the head of drive_model.cpp, in deviations from the reference. No
+/// function allocates.
 ///
-/// States: angle and speed of each body in rad and rad/s relative to the reference (2 i and
-/// 2 i + 1), the integral part in N m; where they are modelled, the delayed command (two) and the
-/// torque behind the lag of the current loop; the integrals of T^2 and of the motor's power.
+/// States: angle and speed of body i in rad and rad/s relative to the reference (2 i and 2 i + 1),
+/// and the integral part in N m. If they are modelled: the delayed command (two states) and the
+/// torque behind the lag of the current loop. Last, the integrals of T^2 and of the motor's power.
 class DriveModel {
  public:
   explicit DriveModel(const Drive& drive);

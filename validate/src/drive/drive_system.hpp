@@ -16,9 +16,10 @@ enum DriveRow : Eigen::Index {
   load_row,
   velocity_row,
   drive_rows,
-  // Further watched outputs: the velocity of the load relative to the reference; the angle of a pendulum to the
-  // load (0 without one); the torque that the controller demands; and T + k w, which the limit at high speed
-  // bounds (equation (9) of drive_system.cpp; k = 0 where the limit does not depend on the speed).
+  // Further watched outputs: the velocity of the load relative to the reference; the angle of a
+  // pendulum relative to the load (0 without one); the torque that the controller demands; and
+  // T + k w, which is limited at high speed (equation (9) of drive_system.cpp; k = 0 if the limit
+  // does not depend on the speed).
   load_velocity_row = drive_rows,
   swing_row,
   demand_row,

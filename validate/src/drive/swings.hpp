@@ -23,9 +23,10 @@ class Swings {
   /// The greatest speed between two zeros so far.
   [[nodiscard]] double fastest() const { return fastest_; }
 
-  /// Frequency from the pairs of zeros over the time from the first to the last, up to the first swing slower
-  /// than `least` or than 1 % of the fastest; 0 if there are fewer than two. The swing before the first zero
-  /// began before the watch, so only swings between zeros count.
+  /// Frequency of the swings in Hz, each swing (half a period) from one zero to the next. It uses
+  /// the swings from the first zero on, up to the first one that is slower than `least_speed` or
+  /// than 1 % of the fastest. Returns 0 if there are fewer than two. The swing before the first
+  /// zero is not used: it began before the watch.
   [[nodiscard]] double frequency(double least_speed) const {
     const double least = std::max(least_speed, 0.01 * fastest_);
     std::size_t swings = 0;

@@ -8,10 +8,10 @@
 
 namespace jounce::validate_detail {
 
-/// Changes the modes of a model: the event functions for root finding, and the new mode where one of them
-/// crosses zero. A band of one tolerance around every threshold prevents rounding from switching back and
-/// forth. The state itself determines cases that an event cannot detect (two crossings in one step, a start on
-/// a threshold), outside of two tolerances.
+/// Changes the modes of a model. It contains the event functions for root finding, and sets the new
+/// mode when one of them crosses zero. A band of one tolerance around every threshold prevents
+/// rounding from switching back and forth. Cases that an event cannot detect (two crossings in one
+/// step, a start on a threshold) are determined from the state itself, outside of two tolerances.
 class Switches {
  public:
   /// Torques and speeds of the run, in N m and rad/s: the tolerance is a share of them.

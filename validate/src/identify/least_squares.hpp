@@ -39,9 +39,9 @@ struct LeastSquares {
   double damping = 0;  ///< mu of the last step: a start for a similar search
 };
 
-/// Minimizes |residual(x)|^2 from x on (Levenberg, Marquardt). `not_computable`: the residuals cannot be
-/// computed at the start. `stalled` includes a point without a finite step: residuals or derivatives that
-/// overflow.
+/// Minimizes |residual(x)|^2 from x on (Levenberg, Marquardt). The result is `not_computable` if
+/// the residuals cannot be computed at the start, and `stalled` also if there is no finite step
+/// because residuals or derivatives overflow.
 LeastSquares least_squares(const ResidualFunction& f, const Eigen::VectorXd& x,
                            const LeastSquaresOptions& options = {});
 

@@ -21,12 +21,14 @@ struct ProductIntegral {
   double sum = 0;
 };
 
-/// A linear system together with all references of one kind: polynomials up to a degree, and sines of given
-/// angular frequencies. Such a reference is itself the output of an autonomous linear system. Both together are
-/// z' = M z, and every response is an exponential. The derivation is at the head of ladder.cpp.
+/// A linear system together with all references of one kind: polynomials up to a degree, and sines
+/// of given angular frequencies. Such a reference is itself the output of an autonomous linear
+/// system. Both together are z' = M z, and every response is an exponential. The derivation is at
+/// the head of ladder.cpp.
 ///
-/// The ladder holds exp(M h 2^j), each rung the square of the one below. Any length of time is a whole number
-/// of h, whose binary digits select the rungs, and a rest for a short series.
+/// The ladder contains exp(M h 2^j) for j = 0, 1, ...; each is the square of the one before. Any
+/// time is a whole number of h, whose binary digits select these matrices, and a rest, for which a
+/// short series is used.
 class Ladder {
  public:
   /// `step` > 0: a frequent length, which becomes a rung.
@@ -45,20 +47,18 @@ class Ladder {
   /// exp(M h 2^j).
   [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
   /// W of (7) for outputs a and b over h 2^j.
-  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a,
-                                                            Eigen::Index b);
+  [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
   /// exp(|M| h), entry by entry no less than |exp(M u)| for any u in [0, h].
   [[nodiscard]] Eigen::MatrixXd greatest() const;
   /// Output `row` over a time no longer than `shortest()` from z on, as a polynomial.
-  [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row,
-                                                    double time);
+  [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row, double time);
 
   /// Puts the segment's reference at u (0 to its length) into the lower part of z.
   void place(const Segment& f, double u, Eigen::VectorXd& z) const;
 
-  /// The system's part of z after a time; the reference's part must be set again. Returns the exact time of the
-  /// step, which differs from the given one by rounding at most. Adds the integrals of products of outputs over
-  /// that time, at most two, to their sums.
+  /// Advances the system's part of z by a time. The caller must set the reference's part again.
+  /// Returns the exact time of the step, which differs from the given one by rounding at most. Adds
+  /// the integrals of products of outputs over that time, at most two, to their sums.
   double advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products = {});
 
   [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z

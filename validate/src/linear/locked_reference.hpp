@@ -23,10 +23,10 @@ class LockedReference {
     return jet_;
   }
 
-  /// Locks it to the piece, and notifies solver and switches. Returns true where the solver must restart: at
-  /// the start, at a step of the reference, where its own step has become too long, and where the friction
-  /// feed-forward changes its sign. The deviations have then stepped with the reference, because the axis moves
-  /// on.
+  /// Locks the reference to the piece, and notifies solver and switches. Returns true if the solver
+  /// must restart: at the start, at a step of the reference, when the solver's own step has become
+  /// too long, and when the friction feed-forward changes its sign. At a step of the reference the
+  /// deviations step with it: the axis itself continues without a step.
   bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
              OdeSolver& solver);
   void leave() { before_ = piece_.at(piece_.end); }

@@ -12,9 +12,9 @@
 
 namespace jounce::validate_detail {
 
-/// The state of a linear drive, as that balanced system, at the beginning of each period of an endless
-/// reference: right after the step from the period's end to its start. Throws InputError for loops that do not
-/// decay.
+/// Returns the state of a linear drive (scaled as the given system) at the beginning of each period
+/// of an endless reference: right after the step from the end of a period to its start. Throws
+/// InputError if the loops do not decay.
 Eigen::VectorXd periodic_start(const LinearSystem& system, const Trajectory& period,
                                const Drive& drive);
 

@@ -16,9 +16,9 @@ class SampledController {
 
   /// The next instant at which it reads or its torque changes, in s from the start of the run.
   [[nodiscard]] double next() const;
-  /// Performs the actions that are due at `t`: sets the state's integral part and the torque that the model
-  /// holds.
-  /// `slack`: instants no farther apart are one.
+  /// Performs the actions that are due at `t`: reads, and sets the integral part of the state and
+  /// the torque that the model holds. Instants that differ by at most `slack` (s) count as the same
+  /// instant.
   void act(double t, double slack, const Jet& r, std::span<double> y);
 
  private:

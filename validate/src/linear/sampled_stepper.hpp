@@ -11,9 +11,10 @@
 
 namespace jounce::validate_detail {
 
-/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its cycles.
-/// Between the instants at which the torque changes, the step is an exponential. At each reading the controller
-/// acts with its encoder, its limit and its delay. Only the constructor allocates.
+/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of
+/// its cycles. Between the instants at which the torque changes, a step is an exponential. At each
+/// reading the controller acts with its encoder, its limit and its delay. Only the constructor
+/// allocates.
 class SampledStepper {
  public:
   /// Throws InputError where the period is no whole number of cycles.

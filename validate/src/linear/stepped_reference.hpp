@@ -7,9 +7,9 @@
 
 namespace jounce::validate_detail {
 
-/// The curve that a drive derives from two setpoints, T apart: the quintic that meets position, velocity and
-/// acceleration of both. If their velocities do not match their positions (a corner, or a frozen setpoint), the
-/// straight line.
+/// The curve that a drive derives from two setpoints, T apart: the quintic through position,
+/// velocity and acceleration of both. If their velocities do not match their positions (at a
+/// corner, or with a frozen setpoint), the straight line.
 class SteppedReference {
  public:
   static constexpr std::size_t derivatives = 5;

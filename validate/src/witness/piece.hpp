@@ -19,9 +19,9 @@ struct SignalPiece {
   [[nodiscard]] Jet at(double x) const;
 };
 
-/// The intervals of a signal, which must outlive them, in order; those no longer than `shortest`
-/// are left out. Throws InputError for breaks that do not ascend from the signal's start to its
-/// end.
+/// Returns the intervals of a signal, in order, without those that are no longer than `shortest`.
+/// The signal must outlive them. Throws InputError if the breaks do not ascend from the signal's
+/// start to its end.
 std::vector<SignalPiece> pieces(const SignalView& signal, double shortest = 0);
 
 /// The size of each quantity of a signal, read at the ends of every piece and between them: the

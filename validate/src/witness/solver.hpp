@@ -49,8 +49,8 @@ struct SolverOptions {
 
 enum class Step { inside, stop, event, failed };
 
-/// CVODES with a dense Newton solver, one step at a time, with the following rules, which CVODES leaves to its
-/// caller (all measured on version 6.4.1):
+/// CVODES with a dense Newton solver, one step at a time. The following rules, which CVODES leaves
+/// to its caller, were found by measurement with version 6.4.1:
 ///
 /// - every step has a stop time, and none stays pending: step() sets it again each time, never within
 ///   rounding of the present time (which CVODES rejects with -22);
@@ -58,8 +58,8 @@ enum class Step { inside, stop, event, failed };
 /// - exceptions of the functions of the Ode are carried across the C code and rethrown;
 /// - a right-hand side that is not finite ends the integration as `not_finite`.
 ///
-/// If the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated with the state, to the same
-/// tolerance (forward, staggered corrector, under error control):
+/// If the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated with the state, to the
+/// same tolerance (forward, staggered corrector, with error control):
 ///
 ///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
 ///
