@@ -28,8 +28,8 @@
 //   (2)  u v = T z + Q' y(0),    y = u Q v + (1 - Q Q') y(0)
 //
 // a ceiling has size one in v however low it is, and its planes have r numbers. Entries of T below
-// `rounding_tolerance` times its largest row are rounding errors. If no |y_i| exceeds the figure F,
-// then v = Q' y / u satisfies
+// `rounding_tolerance` of its largest row are rounding. If no |y_i| is above the figure F, then v = Q' y / u
+// has
 //
 //   (3)  |v_k| <= |y| / u <= F sqrt(rows) / u
 
