@@ -49,7 +49,8 @@ struct Abort {
 struct Finish {
   static constexpr auto kind = CommandKind::finish;
 };
-/// Starts a live movement at once, even in motion: the executor's form of GearIn and GearInPos.
+/// Starts a live movement without arming it first, even in motion: the executor's form of GearIn
+/// and GearInPos.
 struct Couple {
   static constexpr auto kind = CommandKind::gear_in;
   Movement* movement = nullptr;  ///< must live until the axis returns it

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Plays a movement that follows a live master. A movement keeps the time and the master coordinate
-/// in which it began; the player converts to them.
+/// Plays a movement that follows a live master. The movement counts time from its start, and master
+/// positions in the coordinate of its start. The player converts between these and the present ones.
 ///
 ///     LivePlayer player(config.period);
 ///     player.begin(movement, tick);
@@ -23,7 +23,7 @@ class LivePlayer {
   /// `period`: duration of a tick, ns.
   explicit LivePlayer(std::int64_t period) noexcept : period_(period) {}
 
-  /// Begins to play the movement in this tick: its time is 0 then. Movement::begin() was called.
+  /// Begins to play the movement in this tick: its time is 0 then. Call Movement::begin() before.
   void begin(Movement& movement, std::int64_t tick) noexcept {
     movement_ = &movement;
     origin_ = tick;

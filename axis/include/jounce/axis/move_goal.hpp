@@ -15,8 +15,8 @@ namespace jounce {
 /// The limits for the target of a move: those of the axis, and its limit switches.
 struct MoveRules {
   const AxisConfig& config;      ///< configuration of the axis
-  bool positive_switch = false;  ///< true if the limit switch is active
-  bool negative_switch = false;  ///< true if the limit switch is active
+  bool positive_switch = false;  ///< true if the positive limit switch is active
+  bool negative_switch = false;  ///< true if the negative limit switch is active
 };
 
 /// Sets `goal` to the goal of a move that begins in the state `from`. Returns nullopt, or the

@@ -30,7 +30,7 @@ Sha256 sha256(std::string_view bytes);
 std::string hex(const Sha256& hash);
 
 /// Returns the identity of a table. This is the SHA-256 over the schema, the kind of axis, the
-/// interpolation rule, the policy outside the table, the units, the number of knots, and the
+/// interpolation rule, the policy outside its range, the units, the number of knots, and the
 /// SHA-256 of each column as little-endian IEEE doubles. Provenance and file format are not
 /// included: the same table has the same hash in CSV, in JSON and on the wire.
 Sha256 content_hash(const Table& table, const Units& units);

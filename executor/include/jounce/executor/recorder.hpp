@@ -33,9 +33,9 @@ class RecordBuffer {
   /// and the loss is counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// Adds an input of a master in a cycle, before its value.
+  /// Adds an input of a master in a cycle. Call it before the add() of the value of that cycle.
   void add(std::size_t master, const MasterSample& sample) noexcept;
-  /// Adds the value of a master in a cycle, before the axes of the cycle.
+  /// Adds the value of a master in a cycle. Call it before the add() of the axes of that cycle.
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
  private:

@@ -18,12 +18,12 @@ namespace jounce {
 ///     time [ms],position [pulse],type
 ///     16,0.6,normal
 ///
-/// Numbers are relative to the first knot, which is not a point. Straight lines become `even`.
-/// Pieces of linear velocity (reduce.hpp) become `normal`; over a master, the first one becomes
-/// `continue` if it begins at a nonzero ratio.
+/// Numbers are relative to the first knot, which is not a point. A piece of constant velocity
+/// becomes a point of the type `even`, one of linear velocity (reduce.hpp) of the type `normal`.
+/// Over a master, the first one becomes `continue` if it begins at a nonzero ratio.
 ///
-/// Throws InputError if a piece is neither, and for a table over time that begins at a nonzero
-/// velocity.
+/// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
+/// over time that begins at a nonzero velocity.
 std::vector<PtPoint> points_of(const Table& table);
 /// The same as CSV.
 std::string points_text(const TableFile& file);
