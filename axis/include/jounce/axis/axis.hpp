@@ -64,7 +64,7 @@ struct Tick {
   /// stays until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
   bool frozen = false;  ///< the velocity fell to 0 at once in this tick, without braking; see fault
-  /// u: sum of the set_position changes so far; position of the drive = position - offset.
+  /// Sum of the set_position changes so far, u; position of the drive = position - offset.
   double offset = 0;
   /// Position that the drive reports, in the coordinate of the axis, u; NaN: unknown.
   double actual_position = std::numeric_limits<double>::quiet_NaN();
@@ -85,8 +85,8 @@ struct Tick {
 };
 
 /// True if the axis moves now, or will move later without a further command. It moves by a
-/// movement, by a move of its own, or by braking in a fault. A held motion counts; a motion at rest
-/// after an underrun does not.
+/// movement, by a move that it plans itself, or by braking in a fault. A held motion counts; a
+/// motion at rest after an underrun does not.
 bool in_motion(const Tick& tick);
 
 /// An axis as a pure state machine: each call of step() computes one tick. It has no clock. step()

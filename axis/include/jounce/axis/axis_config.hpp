@@ -38,7 +38,7 @@ struct AxisConfig {
   double abort_acceleration = 0;
   double limit_acceleration = 0;  ///< deceleration before a soft limit, u/s^2; 0: stop_acceleration
   double modulo = 0;              ///< length of one turn of a modulo axis, u; 0: a linear axis
-  /// u: the limit of the following error; exceeded for following_time: a fault.
+  /// Limit of the following error, u: if it is exceeded for following_time, the axis has a fault.
   double following_error = 0;
   double following_time = 0;  ///< s; see following_error
   /// Window of the following error, u: the axis is in position if the error stays inside for

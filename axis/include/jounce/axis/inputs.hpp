@@ -61,9 +61,9 @@ struct Inputs {
   /// coordinate in which it was engaged.
   double master_offset = 0;
   Feedback feedback = {};  ///< feedback of the drive
-  /// True if the limit switch is active; the axis also uses feedback.sensors.
+  /// True if the positive limit switch is active; the axis also uses feedback.sensors.
   bool positive_switch = false;
-  bool negative_switch = false;  ///< true if the limit switch is active
+  bool negative_switch = false;  ///< true if the negative limit switch is active
   /// Number of the last available row of the queues of the axis; the greatest value: all rows.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   /// Another motion of the same group was stopped or failed: the axis stops.

@@ -59,9 +59,8 @@ class Job final : public Movement {
   [[nodiscard]] bool repeats() const { return time_->outside() == Extrapolation::wrap; }
   /// First time of the table over time, s.
   [[nodiscard]] double start() const { return time_->start(); }
-  [[nodiscard]] double duration() const {
-    return std::max(time_->length(), least_);
-  }  ///< duration of one run, s
+  /// Duration of one run, s.
+  [[nodiscard]] double duration() const { return std::max(time_->length(), least_); }
 
   /// Returns the point at time t >= 0 of the job, s, exactly as the tables give it. After the end
   /// of a job that does not repeat, returns its last point, at rest. Never allocates.

@@ -45,7 +45,7 @@ Cause check_inputs(const Inputs& inputs) noexcept;
 /// Reaction of the axis to a fault.
 enum class Reaction : std::uint8_t {
   freeze,        ///< keeps the setpoint at its present position, at once
-  brake,         ///< brakes by a move of its own from the last good setpoint
+  brake,         ///< brakes by a separate move from the last good setpoint
   stop_on_path,  ///< stops on the path; without a path, brakes
   power_off,     ///< freezes the setpoint and disables the drive
 };

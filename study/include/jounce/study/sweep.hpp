@@ -22,7 +22,7 @@ enum class Verdict {
 struct SweepRow {
   std::size_t number = 0;       ///< number of the case, from 0
   std::vector<double> figures;  ///< one for each of SweepSpec::given; NaN if the case is impossible
-  Verdict verdict = Verdict::impossible;  ///< verdict
+  Verdict verdict = Verdict::impossible;  ///< verdict on the case
   /// Unless `within`: the limit that is broken most, or why the case is impossible.
   std::string why = {};
 };

@@ -56,7 +56,7 @@ struct SweepLimit {
 ///
 ///     jounce = 1
 ///     kind = "sweep"
-///     spec = "cam.toml"                       # beside this file
+///     spec = "cam.toml"                       # in the same folder
 ///     figures = ["peak torque", "residual"]   # omitted: all that the spec has
 ///     optima = true                           # each case is optimized first, as by `jounce optimize`
 ///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]

@@ -61,9 +61,7 @@ class Group {
   /// Outcome of each axis, in the order of the plans.
   [[nodiscard]] std::vector<StreamOutcome> outcomes() const;
   /// Common tick of the start; -1: not known yet.
-  [[nodiscard]] std::int64_t tick() const {
-    return tick_;
-  }  ///< common start tick; -1: not yet available
+  [[nodiscard]] std::int64_t tick() const { return tick_; }
 
  private:
   enum class Phase { arming, starting, playing, leaving };
