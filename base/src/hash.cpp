@@ -85,7 +85,7 @@ Sha256 ContentHasher::result(Domain axis, Interpolation rule, Extrapolation outs
   return all.result();
 }
 
-/// The columns of a large table are hashed side by side, each by a thread of its own.
+/// The columns of a large table are hashed in parallel, each in a separate thread.
 Sha256 content_hash(const Table& table, const Units& units) {
   constexpr std::size_t large = 100'000;
   const auto& [x, p, v, a] = table.columns();

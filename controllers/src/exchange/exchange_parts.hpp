@@ -43,7 +43,7 @@ struct Exchanged {
   Columns columns = {};
   std::vector<int> lines = {};
   Notes notes = {};
-  std::vector<std::string> unread = {};  ///< parts of the file beside the knots
+  std::vector<std::string> unread = {};  ///< parts of the file other than the knots
 };
 
 /// Place of an error in a file.

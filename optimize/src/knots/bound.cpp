@@ -249,7 +249,7 @@ double exact_share(const CamDesign& made, std::size_t segment, Objective objecti
   return objective == Objective::rms_acceleration ? value * value * cam.length() : value;
 }
 
-/// True if a law beside a knot has the acceleration of the knot there: some laws have their own.
+/// True if a law has the acceleration of the knot at its end; other laws determine it themselves.
 bool takes_acceleration(Law law) {
   const Ends ends = info(law).ends;
   return ends != Ends::moving_free && ends != Ends::rest_to_reversal;

@@ -66,7 +66,7 @@ class Exchange {
     }
   }
 
-  /// The t of (1), in units of the peak, and the x that has it. Sets the certificate.
+  /// Solves (1): returns t, in units of the peak, and sets x and the certificate.
   double least() {
     x_.assign(cam_.unknowns().size() + 1, 0);
     x_.back() = 1;

@@ -5,8 +5,8 @@
 
 #include "optimize/src/figures/figure_rows.hpp"
 
-/// Numbers that are affine in the coordinates of a spline, with unknowns of their own. The derivation is at the
-/// head of auxiliary_variables.cpp.
+/// Numbers that are affine in the coordinates of a spline, in terms of auxiliary unknowns. The
+/// derivation is at the head of auxiliary_variables.cpp.
 namespace jounce::optimizer {
 
 /// y = constant + factor x, where x begins at unknown `first`.

@@ -10,7 +10,7 @@ namespace jounce::optimizer {
 
 /// The replacement for t and mu in one kind of program.
 struct ShapeTask {
-  std::vector<std::optional<double>> level;  ///< level of each term: given, or a t of its own
+  std::vector<std::optional<double>> level;  ///< level of each term; nullopt: an unknown t
   bool terms = true;                         ///< includes the terms and their rows
   bool elastic = false;  ///< constraints may be exceeded by a common v, which is minimized
   bool round = true;     ///< includes ceilings on norms

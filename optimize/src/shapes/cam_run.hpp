@@ -42,11 +42,12 @@ const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment);
 /// True if a corridor of the cam covers some of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 
-/// The run as a problem of its own. `minimize` is empty. `accuracy` is the relative accuracy of positions: the
-/// limits are tightened by its effect on the cam as written.
+/// Returns the run as a separate problem, with an empty `minimize`. `accuracy` is the relative
+/// accuracy of positions: the limits are tightened by its effect on the cam as written.
 ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, double accuracy);
 
-/// `cam` with the shape in place of the run's laws: laws `hermite`, and slaves of knots that were free.
+/// Returns `cam` with the shape in place of the run's laws: laws `hermite`, and the slave positions
+/// of knots that were free.
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,
                    const std::vector<Segment>& shape);
 

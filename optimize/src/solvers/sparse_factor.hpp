@@ -7,8 +7,8 @@
 
 namespace jounce::optimizer {
 
-/// Factors of a symmetric sparse matrix K, of which only the lower half is read. A file of its own instantiates
-/// Eigen's templates, which take seconds to compile.
+/// Factors of a symmetric sparse matrix K, of which only the lower half is read. One source file
+/// instantiates Eigen's templates, which take seconds to compile.
 class SparseFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;

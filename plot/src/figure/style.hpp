@@ -8,7 +8,7 @@ namespace jounce {
 /// Number of line styles (color and dashes together); further series begin again.
 constexpr int line_styles = 4;
 
-/// The rules for an SVG file of its own: light, or dark where the viewer prefers it.
+/// The rules for a separate SVG file: light, or dark where the viewer prefers it.
 std::string figure_style();
 
 /// The same rules for figures in a page, in the page's colours (see colour_variables).

@@ -131,7 +131,7 @@ class ResponseRun {
     return y;
   }
 
-  /// The models beside this one, and the sensitivities of the equilibrium that the run begins in.
+  /// The models with changed numbers, and the sensitivities of the equilibrium at the start.
   void move_numbers() {
     std::vector<double> y(n_), other(n_);
     const auto moved = [&](std::size_t j, double by) {

@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, outputs> quantities{"position", "veloci
 /// The recorded values of an output; empty: none.
 const std::vector<double>& recorded(const Recording& recording, std::size_t output);
 
-/// A number to fit, as the start has it. Throws InputError with all there are.
+/// Returns the number with this key. Throws InputError that lists all keys if there is none.
 DriveNumber numbered(Drive& drive, const std::string& key);
 
 /// Throw InputError as identify() and commanded_motion() describe.

@@ -150,7 +150,7 @@ class SampledRun {
   double gone_ = 0;
   ProductIntegral square_{torque_row, torque_row};
   double readings_ = 0;  // made so far
-  double given_ = 0;     // commands given out so far
+  double given_ = 0;     // commands output so far
   double angle_ = 0;
   double integral_ = 0;
   std::deque<double> commands_;

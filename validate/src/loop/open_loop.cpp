@@ -154,7 +154,7 @@ std::vector<Complex> OpenLoop::closed_poles(double gain) const {
   }
   std::vector<Complex> poles;
   constexpr double gone =
-      1e-9;  // within a cycle: no pole of its own, but a step of the chain of delays
+      1e-9;  // within a cycle: not a real pole, but a step of the chain of delays
   for (const Complex z : poles_of(sampled_matrix(gain)))
     if (std::abs(z) > gone) poles.push_back(std::log(z) / drive_.controller.cycle);  // (3)
   return poles;
