@@ -61,6 +61,7 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   }
 }
 
+/// Returns a command in that form.
 inline FlatCommand flat(const Command& command) {
   FlatCommand flat{.kind = command.kind(), .id = command.id, .at = command.at};
   const auto put = [](const auto& from, auto& to) { to = from; };
@@ -68,7 +69,7 @@ inline FlatCommand flat(const Command& command) {
   return flat;
 }
 
-/// Throws InputError for a command that no axis executes.
+/// Returns the command. Throws InputError for a kind that no axis executes.
 inline Command command_of(const FlatCommand& flat) {
   const auto with_defaults = made<AxisCommand>(flat.kind);
   if (!with_defaults) throw InputError("command", name(flat.kind), "is not a command of an axis");

@@ -20,14 +20,14 @@ struct Pixel {
 /// 1973).
 std::vector<Pixel> thinned(std::span<const Pixel> line);
 
-/// The first step of thinned() alone.
+/// Returns the result of the first step of thinned().
 std::vector<Pixel> aggregated(std::span<const Pixel> line);
 
-/// A coordinate with two decimals, as short as can be: "12.5", "-.25", "0".
+/// Returns a coordinate with two decimals, as short as possible: "12.5", "-.25", "0".
 std::string coordinate(double px);
 
-/// SVG path data of the line: two decimals, relative, without accumulating rounding. A single point
-/// becomes a line of no length, which round line caps make a dot.
+/// Returns SVG path data of the line: relative, with two decimals, without accumulating rounding. A
+/// single point becomes a line of length 0, which round line caps draw as a dot.
 std::string path_data(std::span<const Pixel> line);
 
 }  // namespace jounce

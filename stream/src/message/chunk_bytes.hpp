@@ -20,7 +20,8 @@ std::vector<std::byte> chunk_bytes(const jounce_lcm::chunk_t& head, std::span<co
 /// True if the length of the bytes matches their count, which is at most chunk_values.
 bool has_chunk_length(std::span<const std::byte> bytes);
 
-/// Reads a chunk from bytes of that length.
+/// Reads a chunk from bytes for which has_chunk_length() is true. Returns false if its fields
+/// cannot be decoded.
 bool read_chunk(std::span<const std::byte> bytes, jounce_lcm::chunk_t& head,
                 std::vector<double>& values);
 

@@ -14,11 +14,12 @@ namespace jounce::study_detail {
 /// margin of all, would have kinks, at which a solver that uses slopes stops before the optimum.
 class TuneRows {
  public:
-  /// Each is <= 0 where `check` reports its limit as kept. The first design determines the list. The last
-  /// constraint represents rules that only later designs have.
+  /// Returns the constraints of a design; each is <= 0 if `check` reports that the limit holds. The
+  /// first design determines the list. The last constraint represents rules that only later designs
+  /// have.
   std::vector<double> of(const Assessment& at);
 
-  /// The rule of each constraint; "" for the last.
+  /// The rule of each constraint; "" for the last one.
   [[nodiscard]] const std::vector<std::string>& rules() const { return rules_; }
 
  private:
