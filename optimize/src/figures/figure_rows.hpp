@@ -17,39 +17,43 @@ namespace jounce::optimizer {
 /// returns those that matter (an exchange method). Squares are linear forms such that the sum of
 /// their squares is figure(z)^2.
 struct FigureRows {
-  std::string name;
-  /// The exact value for a finished shape that begins at the first knot; it does not use the rows of the
-  /// program.
+  std::string name;  ///< name for the user
+  /// Returns the exact value for a finished shape that begins at the first knot. It does not use
+  /// the rows of the program.
   std::function<double(const std::vector<Segment>& shape)> value;
   /// The first planes.
   std::vector<Form> start = {};
-  /// The planes that touch the figure of `shape` where it exceeds `level`, for example one for each peak. None:
-  /// it does not exceed the level.
+  /// Returns the planes that touch the figure of `shape` where it exceeds `level`, for example one
+  /// for each peak; empty: it does not exceed the level.
   std::function<std::vector<Form>(const std::vector<Segment>& shape, double level)> cuts = {};
-  std::vector<Form> squares = {};
-  /// The places where the figure of a shape is attained, with the sign, for the report: each run of pieces
-  /// once.
+  std::vector<Form> squares = {};  ///< linear forms; the sum of their squares is figure^2
+  /// Returns the places where the figure of a shape is attained, with the sign, for the report; one
+  /// for each run of pieces.
   std::function<std::vector<Extremum>(const std::vector<Segment>& shape, double level)> places = {};
-  /// A value of ordinary size.
+  /// Usual size of the figure.
   double natural = 1;
   double nothing = 1e-12;  ///< values up to this share of `natural` are rounding
   double accuracy = 0;     ///< accuracy of the forms, as a share of `natural`; 0: rounding
-  /// The auxiliary variables in which the forms are written. The equations `== 0` define them by
-  /// the coordinates.
+  /// The equations (form == 0) that define the auxiliary variables by the coordinates. The other
+  /// forms of the figure use these variables.
   std::vector<Form> definitions = {};
-  double auxiliary_share = 0;  ///< no auxiliary variable exceeds this multiple of the figure
+  double auxiliary_share = 0;  ///< an auxiliary variable is at most this multiple of the figure
 
+  /// True if the figure is given by squares.
   [[nodiscard]] bool by_squares() const { return !squares.empty(); }
 };
 
-/// Gives a response or a residual auxiliary variables, numbered from `first`: as many as it has independent
-/// parts.
+/// Requests auxiliary variables for a response or a residual, as many as it has independent parts.
 struct Auxiliary {
-  std::size_t first = 0;
-  const std::vector<Segment>& given;
-  std::optional<double> at_most = {};  ///< unit of the unknowns; left out: the figure of `given`
+  std::size_t first = 0;              ///< index of the first one among the unknowns
+  const std::vector<Segment>& given;  ///< the given shape
+  /// Target of the figure, which determines the unit of the unknowns; nullopt: the figure of
+  /// `given`.
+  std::optional<double> at_most = {};
 };
 
+/// Returns the rows of a figure. `space` must outlive the result. `auxiliary`: the response or
+/// residual is written in auxiliary variables; null: in coordinates.
 FigureRows rows_of(const PeakOf& figure, const SplineSpace& space);
 FigureRows rows_of(const RmsOf& figure, const SplineSpace& space);
 FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space,
@@ -59,10 +63,9 @@ FigureRows rows_of(const RmsResponseOf& figure, const SplineSpace& space,
 FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space,
                    const Auxiliary* auxiliary = nullptr);
 
-/// True if there is a rows_of() for it.
+/// True if there is a rows_of() for the figure.
 bool has_rows(const ShapeFigure& figure);
-/// Rows of any figure. `space` must outlive the result. `auxiliary`: a response or a residual gets unknowns of its
-/// own.
+/// Returns the rows of any figure. `space` must outlive the result. `auxiliary`: see rows_of().
 FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
                        const Auxiliary* auxiliary = nullptr);
 
@@ -71,7 +74,7 @@ FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
 /// usually touches between two planes. In the next round, planes are four times as close.
 std::vector<double> places_around(const Segment& g, double s, double excess);
 
-/// max |y| of q over a shape that begins at x, with its place.
+/// Returns max |q| over a shape that begins at x, signed, with its place.
 Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x);
 
 }  // namespace jounce::optimizer

@@ -7,11 +7,14 @@
 
 namespace jounce::optimizer {
 
+/// Result of exchange_method().
 struct LocalSolution {
-  Point z;  ///< the best point: the least value without violation, or else the least violation
-  Merit merit;
-  bool converged = false;
-  int evaluations = 0;
+  /// The best point: the one with the least value without violation; if none, with the least
+  /// violation.
+  Point z;
+  Merit merit;             ///< its value and violation
+  bool converged = false;  ///< true if the method has ended by itself
+  int evaluations = 0;     ///< number of evaluations
 };
 
 /// Runs the exchange method. It solves with the ceilings and the epigraph imposed at a few places,

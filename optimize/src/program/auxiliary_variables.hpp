@@ -13,14 +13,14 @@ namespace jounce::optimizer {
 struct Affine {
   Eigen::VectorXd constant;
   Eigen::MatrixXd factor;  ///< one row for each number of y
-  std::size_t first = 0;
-  double natural = 1;
+  std::size_t first = 0;   ///< index of the first unknown
+  double natural = 1;      ///< usual size of y
 
-  /// sign * y_i.
+  /// Returns sign * y_i as a form.
   [[nodiscard]] Form row(Eigen::Index i, double sign) const;
 };
 
-/// Removes from rows over the coordinates the part that the joints cancel.
+/// Removes from rows over the coordinates the part that cancels in every spline.
 Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& space);
 
 /// Writes y in auxiliary variables, for which the target of the figure has about size one. Adds the

@@ -3,10 +3,10 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// The equalities of a shape: the joints of its pieces, the fixed ends, the values to keep exactly.
+/// The equalities of a shape: joints of its pieces, fixed ends, values that are kept exactly.
 namespace jounce::optimizer {
 
-/// The greatest residual of an equality at z; NaN if one is.
+/// Returns the greatest residual of an equality at z; NaN if a residual is NaN.
 double worst_equality(const ShapeModel& model, const Coordinates& z);
 
 /// Returns the coordinates nearest to z that meet the equalities to rounding. Fixed values at an

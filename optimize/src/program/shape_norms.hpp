@@ -9,12 +9,14 @@
 
 namespace jounce::optimizer {
 
-/// The root of a decreasing function of one number, from secants.
+/// Finds the root of a decreasing function by the secant method.
 class Root {
  public:
   explicit Root(double at) : at_(at) {}
+  /// The present estimate.
   [[nodiscard]] double at() const { return at_; }
-  /// Continues from the value of the function here. `slope`: the first estimate.
+  /// Continues from the value of the function at the present estimate. `slope`: the slope of the
+  /// first step.
   void advance(double value, double slope);
 
  private:
@@ -36,11 +38,12 @@ class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
 
-  /// True if there are any squares.
+  /// True if a figure of the model is a norm.
   [[nodiscard]] bool any() const;
+  /// Returns the squares for the present c.
   [[nodiscard]] std::vector<Form> squares() const;
 
-  /// Moves c towards its value for the present minimum. Returns true if c has converged.
+  /// Changes c towards its value for the present minimum. Returns true if c has converged.
   bool settle(const std::vector<Segment>& shape);
 
   /// Returns the correction that makes a bound of the quadratic program a bound of the sum. The sum

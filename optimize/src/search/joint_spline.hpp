@@ -9,8 +9,8 @@
 
 namespace jounce::optimizer {
 
-/// One joint at the knots of a motion from rest to rest; scalar T is double, or complex for the
-/// derivatives of everything by an interval.
+/// One joint of a motion from rest to rest. T is double, or complex for derivatives with respect to
+/// an interval.
 template <class T>
 struct JointSpline {
   std::vector<T> position, velocity, acceleration;  ///< at each knot
@@ -29,7 +29,7 @@ struct JointSpline {
 //
 //   (2)  v_i = d_i + h_i (a_(i-1) + 2 a_i) / 6,   jerk_i = (a_i - a_(i-1)) / h_i
 
-/// Through the points, two at least, at the ends of `h`: points + 1 intervals.
+/// Returns the spline through the points (at least two). `h`: intervals, one more than points.
 template <class T>
 JointSpline<T> joint_spline(std::span<const double> points, std::span<const T> h) {
   const std::size_t n = h.size();

@@ -20,10 +20,11 @@ struct SolverValues {
   std::vector<double> rows;
 };
 
-/// Throws Stop, as Evaluations::at() does.
+/// Returns the values at a choice. `margin`: h of (1). Throws Stop like Evaluations::at().
 SolverValues solver_values(Evaluations& evaluations, const Choice& z, double margin);
 
-/// Slopes of objective and rows in each variable by central differences, shorter at a bound.
+/// Returns the slopes of objective and rows with respect to each variable, by central differences;
+/// the step is shorter at a bound.
 std::vector<SolverValues> slopes(Evaluations& evaluations, const Choice& z, double margin,
                                  double difference);
 

@@ -14,7 +14,8 @@ namespace jounce::optimizer {
 ShapeOutcome optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
                             const KeepGoing& keep_going);
 
-/// Progress of a method whose number of rounds is unknown: 10 rounds count as half of the work.
+/// Returns the progress of a method whose number of rounds is unknown: 10 rounds count as half of
+/// the work.
 inline OptimizeProgress round_progress(int round, int evaluations, double reached) {
   return {.done = round / (round + 10.0),
           .round = round,

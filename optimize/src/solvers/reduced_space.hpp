@@ -9,7 +9,7 @@
 
 namespace jounce::optimizer {
 
-/// constant + slope . y
+/// The affine function constant + slope . y.
 struct DenseRow {
   double constant = 0;
   Eigen::VectorXd slope;
@@ -27,16 +27,19 @@ struct DenseRow {
 /// reports success.
 class ReducedSpace {
  public:
-  /// z0 is the solution of the equalities that is nearest to `near`. Equalities may repeat each other.
+  /// Sets z0 to the solution of the equalities nearest to `near`. Equalities may be redundant.
   ReducedSpace(const SplineSpace& space, const std::vector<Form>& equalities,
                const Coordinates& near);
 
+  /// Number of coordinates y.
   [[nodiscard]] Eigen::Index size() const { return basis_.cols(); }
-  /// The distance of z0 from the equalities. If it is not only rounding, they contradict each other.
+  /// Distance of z0 from the equalities. If it exceeds rounding, they contradict each other.
   [[nodiscard]] double contradiction() const { return contradiction_; }
+  /// Returns (1).
   [[nodiscard]] Coordinates z(const Eigen::VectorXd& y) const;
+  /// Returns a form as a function of y.
   [[nodiscard]] DenseRow row(const Form& form) const;
-  /// y of the nearest spline with these coordinates.
+  /// Returns y of the spline nearest to these coordinates.
   [[nodiscard]] Eigen::VectorXd y(const Coordinates& z) const;
 
  private:
