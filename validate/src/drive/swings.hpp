@@ -11,16 +11,16 @@ namespace jounce::validate_detail {
 /// Counts the zeros of a decaying speed as long as the swings between them are large enough.
 class Swings {
  public:
-  /// The next value of the speed, in the order of time.
+  /// Adds the next value of the speed, in the order of time.
   void see(double speed) { speed_ = std::max(speed_, std::abs(speed)); }
-  /// The speed crosses zero.
+  /// Adds a zero of the speed.
   void zero(double time) {
     zeros_.push_back({time, speed_});
     if (zeros_.size() > 1) fastest_ = std::max(fastest_, speed_);
     speed_ = 0;
   }
 
-  /// The greatest speed between two zeros so far.
+  /// Greatest speed between two zeros so far.
   [[nodiscard]] double fastest() const { return fastest_; }
 
   /// Frequency of the swings in Hz, each swing (half a period) from one zero to the next. It uses
@@ -38,7 +38,7 @@ class Swings {
  private:
   struct Zero {
     double time;
-    double speed;  ///< the greatest since the zero before
+    double speed;  ///< the greatest since the previous zero
   };
   std::vector<Zero> zeros_;
   double speed_ = 0;

@@ -14,7 +14,7 @@
 
 namespace jounce::validate_detail {
 
-/// The integral of the product of two outputs.
+/// The integral of the product of the outputs a and b.
 struct ProductIntegral {
   Eigen::Index a = 0;
   Eigen::Index b = 0;
@@ -34,26 +34,28 @@ class Ladder {
   /// `step` > 0: a frequent length, which becomes a rung.
   Ladder(const LinearSystem& system, int degree, std::vector<double> frequencies, double step);
 
-  /// True if the segment is of this kind: its degree and its sines' frequencies.
+  /// True if the segment is of this kind: its degree, and the frequencies of its sines.
   [[nodiscard]] bool takes(const Segment& f) const;
 
+  /// Number of states of the system.
   [[nodiscard]] Eigen::Index states() const { return states_; }
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(m_.rows()); }
 
+  /// M.
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return m_; }
   /// h: the norm of the system's part of M h is at most 1/2.
   [[nodiscard]] double shortest() const { return h_; }
-  /// exp(M h 2^j).
+  /// Returns exp(M h 2^j).
   [[nodiscard]] const Eigen::MatrixXd& rung(std::size_t j);
-  /// W of (7) for outputs a and b over h 2^j.
+  /// Returns W of (7) for outputs a and b over h 2^j.
   [[nodiscard]] const Eigen::MatrixXd& integral(std::size_t j, Eigen::Index a, Eigen::Index b);
-  /// exp(|M| h), entry by entry no less than |exp(M u)| for any u in [0, h].
+  /// Returns exp(|M| h). Entry by entry, it is at least |exp(M u)| for any u in [0, h].
   [[nodiscard]] Eigen::MatrixXd greatest() const;
-  /// Output `row` over a time no longer than `shortest()` from z on, as a polynomial.
+  /// Returns output `row` over a time of at most shortest() from z on, as a polynomial.
   [[nodiscard]] Segment polynomial(const Eigen::VectorXd& z, Eigen::Index row, double time);
 
-  /// Puts the segment's reference at u (0 to its length) into the lower part of z.
+  /// Writes the reference of the segment at u (0 to its length) into the lower part of z.
   void place(const Segment& f, double u, Eigen::VectorXd& z) const;
 
   /// Advances the system's part of z by a time. The caller must set the reference's part again.
@@ -62,13 +64,13 @@ class Ladder {
   double advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products = {});
 
   [[nodiscard]] const Eigen::MatrixXd& outputs() const { return outputs_; }  ///< y = outputs() z
-  /// The same, into as many numbers as there are outputs.
+  /// Writes the outputs at z to y, one number for each.
   void read(const Eigen::VectorXd& z, double* y) const;
 
-  /// The greatest number of instants that are computed in advance.
+  /// Greatest number of instants for read_ahead().
   static constexpr int block = 32;
-  /// The outputs at z and at the next instants, `step` apart, `count` in all (1 to block). Writes all outputs
-  /// of one instant after those of the instant before.
+  /// Writes the outputs at z and at the next instants, `step` apart, to y; `count` instants in all,
+  /// 1 to block. All outputs of one instant follow those of the previous one.
   void read_ahead(const Eigen::VectorXd& z, int count, double* y);
 
  private:

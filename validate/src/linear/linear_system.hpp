@@ -21,7 +21,8 @@ struct LinearSystem {
   Eigen::MatrixXd d;  ///< inputs columns
   Eigen::VectorXd follows_position;
   Eigen::VectorXd follows_velocity;
-  Eigen::VectorXd scale;  ///< x in the maker's units is scale times x, entry by entry
+  /// x in the units of the function that made the system is scale times x, entry by entry.
+  Eigen::VectorXd scale;
 
   [[nodiscard]] Eigen::Index states() const { return a.rows(); }
   [[nodiscard]] Eigen::Index outputs() const { return c.rows(); }
@@ -33,7 +34,7 @@ struct LinearSystem {
 /// last bit.
 LinearSystem balanced(LinearSystem system);
 
-/// max row sum of |A|: a bound of every rate.
+/// Returns the greatest row sum of |A|, a bound of every rate of change.
 double rate(const LinearSystem& system);
 
 }  // namespace jounce::validate_detail

@@ -10,14 +10,16 @@
 
 namespace jounce::validate_detail {
 
-/// The reference for a solver whose zero is the reference's start, locked to one piece at a time.
+/// The reference for a solver whose time 0 is the start of the reference. It is locked to one piece
+/// at a time.
 class LockedReference {
  public:
-  /// `before`: the motion of the axis until the first piece.
+  /// `before`: the motion of the axis before the first piece.
   LockedReference(double origin, const SignalPiece& first, const Jet& before)
       : origin_(origin), piece_(first), before_(before) {}
 
-  /// Keeps the last result, because right-hand side, Jacobian and events use the same instants.
+  /// Returns the reference at t. Keeps the last result, because right-hand side, Jacobian and
+  /// events use the same instants.
   const Jet& at(double t) {
     if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
     return jet_;
@@ -29,6 +31,7 @@ class LockedReference {
   /// deviations step with it: the axis itself continues without a step.
   bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
              OdeSolver& solver);
+  /// Stores the values at the end of the piece, from which the next one steps.
   void leave() { before_ = piece_.at(piece_.end); }
 
  private:

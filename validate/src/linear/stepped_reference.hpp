@@ -15,11 +15,12 @@ class SteppedReference {
   static constexpr std::size_t derivatives = 5;
 
   SteppedReference() = default;
+  /// The curve from one setpoint to the next, T s later.
   SteppedReference(const Jet& from, const Jet& to, double T);
 
-  /// Position relative to `from`, velocity, acceleration and jerk at 0 <= t <= T.
+  /// Returns position (relative to `from`), velocity, acceleration and jerk at t, 0 <= t <= T.
   [[nodiscard]] Jet at(double t) const;
-  /// r', r'', ..., r^(5) at t.
+  /// Returns r', r'', ..., r^(5) at t.
   [[nodiscard]] std::array<double, derivatives> rates(double t) const;
 
  private:
