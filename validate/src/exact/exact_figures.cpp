@@ -172,7 +172,9 @@ class Figures {
   template <class Visit>
   void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
     const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
-    const auto open = [&](const TrajectorySpan& part) { return either(part.bounds(row)); };
+    const auto open = [&](const TrajectorySpan& part) {
+      return either(part.bounds(row));
+    };
     const auto done = [&](const TrajectorySpan& part) {
       visit(part.time, part.time + part.length, part.bounds(row).least > limit);
     };

@@ -28,7 +28,6 @@ struct Steps {
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
   /// Length of step i.
   [[nodiscard]] double length(Eigen::Index i) const { return begin(i + 1) - begin(i); }
-  /// Bounds of an output in step i.
   [[nodiscard]] Bounds bounds(Eigen::Index i, Eigen::Index row) const {
     return bounds_of(y(row, i), y(row, i + 1), length(i), bend(row, i));
   }
