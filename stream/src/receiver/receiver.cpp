@@ -61,9 +61,9 @@ Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
   assert(boot > 0);
 }
 
-/// Draws a new number each time, and a different one after each boot: SplitMix64 maps 64-bit
-/// numbers one to one. It need not be secret: with a key, only its holders can sign for it; without
-/// a key, any sender may command.
+/// Draws another number each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It
+/// need not be secret: with a key, only its holders can sign for it; without a key, any sender may
+/// command.
 std::int64_t Receiver::draw_challenge() {
   std::int64_t drawn = 0;
   while (drawn <= 0) {
