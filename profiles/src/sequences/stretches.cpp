@@ -97,9 +97,9 @@ bool has_short_phase(const Profile& profile, double shortest) {
   return false;
 }
 
-class Search {
+class ScaleSearch {
  public:
-  Search(const StretchBounds& bounds, std::span<Knot> knots)
+  ScaleSearch(const StretchBounds& bounds, std::span<Knot> knots)
       : bounds_(bounds),
         axes_(knots.front().size()),
         knots_(knots),
@@ -145,16 +145,16 @@ class Search {
   std::vector<double> largest_;  ///< greatest magnitude of each axis' position
 };
 
-double Search::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
+double ScaleSearch::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
   return 2 * std::max(std::abs(way(knot - 1, axis)) / rest_[knot - 1],
                       std::abs(way(knot, axis)) / rest_[knot]);
 }
 
-double Search::acceleration_scale(std::size_t knot, std::size_t axis) const {  // (4)
+double ScaleSearch::acceleration_scale(std::size_t knot, std::size_t axis) const {  // (4)
   return 2 * velocity_scale(knot, axis) / std::min(rest_[knot - 1], rest_[knot]);
 }
 
-double Search::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
+double ScaleSearch::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
   if (passing(knot, axis) == 0) return 0;
   const double t1 = rest_[knot - 1];
   const double t2 = rest_[knot];
@@ -163,7 +163,7 @@ double Search::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
 }
 
 /// For each knot in turn: the greatest part of (5) that is faster than a stop there.
-void Search::start() {
+void ScaleSearch::start() {
   for (std::size_t k = 1; k + 1 < knots_.size(); ++k)
     for (double share = 1; share > 0x1p-6; share /= 2) {
       Knot candidate = knots_[k];
@@ -174,7 +174,7 @@ void Search::start() {
 
 /// First varies the velocities, because an acceleration limits the change of a velocity; then all
 /// values.
-void Search::refine(bool bends) {
+void ScaleSearch::refine(bool bends) {
   constexpr double finest = 0x1p-14;
   constexpr int sweeps = 400;
   std::vector<std::vector<Knot>> directions(knots_.size());
@@ -191,7 +191,7 @@ void Search::refine(bool bends) {
 
 /// The directions of the search: all velocities together; each velocity alone and, if requested,
 /// each acceleration; both values of one axis, in the same and in opposite directions.
-std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
+std::vector<Knot> ScaleSearch::directions(std::size_t knot, bool bends) const {
   const Knot nothing(axes_);
   std::vector<Knot> all{nothing};
   for (std::size_t i = 0; i < axes_; ++i) {
@@ -215,7 +215,7 @@ std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
   return all;
 }
 
-bool Search::advance(std::size_t knot, const Knot& direction, double step) {
+bool ScaleSearch::advance(std::size_t knot, const Knot& direction, double step) {
   Knot candidate = knots_[knot];
   for (std::size_t i = 0; i < axes_; ++i) {
     candidate[i].velocity += step * direction[i].velocity;
@@ -224,7 +224,7 @@ bool Search::advance(std::size_t knot, const Knot& direction, double step) {
   return accept(knot, candidate);
 }
 
-double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
+double ScaleSearch::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
   const auto& bounds = bounds_[stretch];
   const Hop hop = profiles_detail::stretch(bounds, from, to);
   for (std::size_t i = 0; i < hop.profiles.size(); ++i)
@@ -233,7 +233,7 @@ double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) c
 }
 
 /// Accepts the candidate if it shortens the two adjacent stretches by more than rounding.
-bool Search::accept(std::size_t knot, const Knot& candidate) {
+bool ScaleSearch::accept(std::size_t knot, const Knot& candidate) {
   for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;
   const double now = time_[knot - 1] + time_[knot];
@@ -273,7 +273,7 @@ std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot>
 
 void shorten(const StretchBounds& bounds, std::span<Knot> knots) {
   if (knots.size() < 3) return;
-  Search search(bounds, knots);
+  ScaleSearch search(bounds, knots);
   search.start();
   search.refine(false);
   search.refine(true);

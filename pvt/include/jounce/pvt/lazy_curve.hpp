@@ -22,7 +22,7 @@ class LazyCurve {
   using Any = std::variant<Cam, Trajectory>;
 
   template <class Over>
-  LazyCurve(Curve<Over> curve)  // implicit: a curve is a LazyCurve
+  LazyCurve(Curve<Over> curve)  // NOLINT(google-explicit-constructor): a curve is a LazyCurve
       : LazyCurve(Any(std::move(curve))) {}
   /// Throws InputError like table.curve(), so that the first use does not throw.
   explicit LazyCurve(Table table);
