@@ -114,7 +114,7 @@ std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spe
   return all;
 }
 
-/// The text for a bound: "return acceleration" -> "the slave's acceleration limit, on its return".
+/// "return acceleration" -> "the slave's acceleration limit, on its return"
 std::string told(const ShearBound& bound) {
   const std::string& q = bound.quantity;
   const std::string limit = "the slave's " + q.substr(q.find(' ') + 1) + " limit";

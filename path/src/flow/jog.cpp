@@ -28,7 +28,7 @@ Plan jogged(const Point& from, const Point& direction, double velocity, double d
   if (!(box.deceleration > 0 && box.deceleration < PathSettings::none))
     throw InputError("acceleration", box.deceleration,
                      "an axis that moves, or the path, needs a limit of acceleration");
-  // The line is so long that the button is released before the plan brakes.
+  // A line so long that the button is released before the plan brakes.
   const double length =
       box.velocity * duration + 2 * ramp_distance(box.velocity, 0, box.deceleration, box.jerk);
   Program program(n, from);

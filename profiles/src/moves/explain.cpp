@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// Text such as "velocity 12 is above velocity_max = 10"; "" if the value is within its bounds.
+/// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
 std::string outside(const std::string& name, double value, double min, double max) {
   if (value > max)
     return name + " " + six_digits(value) + " is above " + name + "_max = " + number(max);

@@ -9,8 +9,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The move is antisymmetric in time, so its first half determines it. The first half leads from
-// rest to the peak velocity v in the middle, where a = 0 and the jerk is -m. Its jounce is
+// The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
+// in the middle, where a = 0 and the jerk is -m. Its jounce is
 //
 //   +s for b, 0 for c, -s for b     the acceleration rises to p,    p = s b (b + c)
 //   0 for d                         stays there                     (only at the limit)

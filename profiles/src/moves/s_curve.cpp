@@ -95,7 +95,7 @@ double swept(double duration, double total) {
   throw InputError("to", to, "is too close to `from` for a move");
 }
 
-/// Rejects a jerk whose ramps are so short beside the move that their duration is zero in doubles.
+/// A ramp that vanishes beside the move would have no length in doubles.
 [[gnu::cold]] void refuse_jerk(double jerk, double total) {
   throw InputError("jerk", jerk,
                    "is so high that its ramps vanish in the duration of the move, " +

@@ -222,7 +222,7 @@ class FactorSearch {
   const Clock& clock_;
   FactorRequest request_;
   double maximum_;
-  double over_;  // end of the path without a change of the factor
+  double over_;  // end of the path without a change
   std::optional<Ramp> best_;
 };
 

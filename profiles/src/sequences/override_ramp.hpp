@@ -10,7 +10,7 @@
 
 namespace jounce::profiles_detail {
 
-/// One answer to a request: at `begin` the clock leaves its previous course and follows `pieces`.
+/// One answer to a request: at `begin` the clock leaves its old course and follows `pieces`.
 struct Ramp {
   double begin = 0;
   double end = 0;
@@ -52,8 +52,8 @@ struct Path {
   [[nodiscard]] double room(double from) const;
 };
 
-/// The answer to one request: of all tried starts, shapes and steepnesses with which all limits
-/// hold, the ramp that ends first. nullopt if the motion ends before.
+/// The answer to one request: of all starts, shapes and steepnesses that are tried, and with which
+/// all limits hold, the ramp that ends first; nothing if the motion is over before.
 std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
                                   const FactorRequest& request, double maximum);
 

@@ -105,8 +105,8 @@ void require_valid(const ViaSpec& spec) {
   require_valid_norm(spec.norm);
 }
 
-/// The bounds of an axis that covers `share` of the distance, with limits of the norm. These do not
-/// limit an axis that does not move.
+/// The bounds of an axis that goes `share` of the distance under limits of the norm. They do not limit an axis that
+/// does not move.
 Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
   if (!(share > 0)) return b;
   const auto limit = [](double most, double& min, double& max) {
