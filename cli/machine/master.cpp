@@ -111,8 +111,8 @@ void add_master(CommandLine& line) {
               "End after this number of seconds; a table that repeats has no end")
       .check(seconds());
   verb.option("--epoch", options->epoch,
-              "Epoch of the sender; executors reject samples unless it is greater than all before. "
-              "Default: seconds since 2020")
+              "Number of this run of the sender: executors reject samples with a lower number than "
+              "one received before. Default: seconds since 2020")
       .check(whole(0, std::numeric_limits<std::int32_t>::max()));
   verb.option("--noise", options->noise,
               "White noise of the encoder, rms: 20um, or a number in the unit of the table");

@@ -215,7 +215,7 @@ TEST(Load, RefusesWhatItCannotMean) {
   EXPECT_THAT(complaint("torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = "
                         "[\"rms torque\"]",
                         "coulomb = 1\n[optimize]\nminimize = [\"peak power\"]"),
-              testing::HasSubstr("a load without coulomb and lever"));
+              testing::HasSubstr("a load with coulomb or lever"));
 }
 
 TEST(ShapeFigures, OfADriveAreKnownByNameAndAskForOne) {
@@ -343,7 +343,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "is not a unit of this quantity: give the value in Hz"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = [20, 10] }]", "a band must ascend"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = 17, damping = 1 }]",
-            "damping = 1: must be 0 <= damping < 1"},
+            "damping = 1: must be at least 0 and less than 1"},
         Bad{"[\"rms torque\"]", "[{ figure = \"rms torque\", weight = 0 }]",
             "optimize.minimize[1].weight = 0: must be greater than 0"},
         Bad{"[\"rms torque\"]", "[{ figure = \"rms torque\", weight = nan }]",

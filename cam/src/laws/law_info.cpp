@@ -12,7 +12,7 @@ constexpr std::array laws{
     LawInfo{Law::line, "line", "Straight line", Ends::straight, false,
             "in step with the master: cutting, sealing, printing at constant speed",
             "constant velocity, exactly",
-            "the velocity jumps unless the neighbouring laws reach it (quintic, or any law that "
+            "the velocity jumps unless the adjacent laws reach it (quintic, or any law that "
             "moves)"},
     LawInfo{Law::dwell, "dwell", "Dwell", Ends::standing, false, "the slave waits",
             "no motion, no load", "none"},
@@ -37,11 +37,11 @@ constexpr std::array laws{
     LawInfo{Law::quintic_spline, "quintic_spline", "Quintic spline", Ends::given, false,
             "measured or taught `points`, with a tolerance where they are noisy",
             "least rms jerk of all curves through the points; jerk and jounce continuous",
-            "an outlier bends its neighbourhood"},
+            "an outlier bends the curve around it"},
     LawInfo{Law::hermite, "hermite", "Piecewise polynomial", Ends::given, false,
             "`points` with geo_velocity and geo_acceleration, as XYVA tables hold them and "
             "`jounce optimize` writes them: quintic pieces, of degree 7 with a geo_jerk, too",
-            "any shape, exactly; each point changes only its neighbourhood",
+            "any shape, exactly; each point changes only the curve next to it",
             "only as smooth as its numbers: the jerk may step at every point"},
     LawInfo{Law::cubic, "cubic", "2-3 polynomial", Ends::moving_free, false,
             "the least rms acceleration (motor heat) of all laws",

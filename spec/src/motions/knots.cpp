@@ -120,7 +120,7 @@ Table with_finite_segments(Table table) {
     if (!error.key().starts_with(begin)) throw;
     const int segment = std::stoi(error.key().substr(begin.size()));
     throw InputError("knot[" + std::to_string(segment + 1) + "]", "",
-                     "ends a segment whose " + error.rule());
+                     "is the end of a segment whose " + error.rule());
   }
   return table;
 }
@@ -150,7 +150,7 @@ Table table_of(const Trajectory& spline, Interpolation rule) {
 }
 
 void refuse_beside_times(TomlReader& reader, const char* key) {
-  if (reader.has(key)) reader.fail(key, "", "is found by times = \"shortest\": leave it out");
+  if (reader.has(key)) reader.fail(key, "", "is computed by times = \"shortest\": leave it out");
 }
 
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
