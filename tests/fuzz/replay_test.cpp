@@ -13,14 +13,14 @@
 namespace jounce {
 namespace {
 
-using Target = void (*)(fuzz::Input);
+using FuzzTarget = void (*)(fuzz::Input);
 
 struct Named {
   const char* name;
-  Target target;
+  FuzzTarget target;
 };
 
-class Replay : public testing::TestWithParam<Named> {};
+class ReplayFuzz : public testing::TestWithParam<Named> {};
 
 /// tests/fuzz/corpus/NAME/*, tests/fuzz/crashes/NAME-* and the examples.
 std::vector<std::filesystem::path> files_of(const std::string& name) {
@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> files_of(const std::string& name) {
   return files;
 }
 
-TEST_P(Replay, FindsNothing) {
+TEST_P(ReplayFuzz, FindsNothing) {
   const auto files = files_of(GetParam().name);
   ASSERT_FALSE(files.empty());
   for (const auto& file : files) {
@@ -48,7 +48,7 @@ TEST_P(Replay, FindsNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Fuzz, Replay,
+INSTANTIATE_TEST_SUITE_P(Fuzz, ReplayFuzz,
                          testing::Values(Named{"wire", fuzz::wire}, Named{"session", fuzz::session},
                                          Named{"rows", fuzz::rows}, Named{"key", fuzz::key},
                                          Named{"executor", fuzz::executor}, Named{"log", fuzz::log},

@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t length = 700;  // rows of the stream
-const wire::Queue queue{.units = {"s", "mm"}, .capacity = 64, .prefill = 30};
+const wire::Queue rows_queue{.units = {"s", "mm"}, .capacity = 64, .prefill = 30};
 
 /// Row i of the stream.
 wire::Row row(std::size_t i) {
@@ -53,7 +53,7 @@ class RowConversation {
 
  private:
   RowPlan plan() {
-    RowPlan plan{.executor = "feeder", .queue = queue, .rows = {}};
+    RowPlan plan{.executor = "feeder", .queue = rows_queue, .rows = {}};
     plan.rows = [this](std::size_t most) {
       std::vector<wire::Row> rows;
       for (; rows.size() < most && given_ < length; ++given_) rows.push_back(row(given_));
@@ -78,22 +78,22 @@ class RowConversation {
       if (source.below(4) != 0) sender_.receive(message, now_);
   }
   void play(std::size_t rows) {
-    const std::size_t whole = std::min(arrived_, played_ + rows) / queue.capacity;
-    played_ = std::max(played_, whole * queue.capacity);
-    receiver_.level(queue.queue, {.freed = {played_, 0},
-                                  .played = static_cast<std::int64_t>(played_),
-                                  .progress = wire::Progress::running});
+    const std::size_t whole = std::min(arrived_, played_ + rows) / rows_queue.capacity;
+    played_ = std::max(played_, whole * rows_queue.capacity);
+    receiver_.level(rows_queue.queue, {.freed = {played_, 0},
+                                       .played = static_cast<std::int64_t>(played_),
+                                       .progress = wire::Progress::running});
   }
 
   void take(const QueueOpened& e) {
-    if (e.queue.queue == queue.queue) arrived_ = played_ = 0;
+    if (e.queue.queue == rows_queue.queue) arrived_ = played_ = 0;
   }
   void take(const RowsArrived& e) {
-    if (impostor_ || e.rows.queue != queue.queue) return;
+    if (impostor_ || e.rows.queue != rows_queue.queue) return;
     require(e.rows.first_row == arrived_, "rows arrive in order, without gaps");
     for (const wire::Row& each : e.rows.rows)
       require(arrived_ < length && each == row(arrived_++), "a row is the one that was sent");
-    require(arrived_ <= played_ + 2 * queue.capacity, "no more rows than free places");
+    require(arrived_ <= played_ + 2 * rows_queue.capacity, "no more rows than free places");
   }
   template <class Event>
   void take(const Event& e) {

@@ -26,12 +26,13 @@ bool ramps(StartMode mode) {
 
 /// Levels X = origin + n * length between two cycles: their number, and the last of them in master
 /// position.
-struct Ends {
+struct Crossings {
   double count = 0;  ///< signed
   double level = 0;
 };
 
-Ends ends_between(double origin, double length, const Placement& p, double before, double now) {
+Crossings ends_between(double origin, double length, const Placement& p, double before,
+                       double now) {
   const double n0 = spot(p.at(before), origin, length, true).period;
   const double n1 = spot(p.at(now), origin, length, true).period;
   const double X = origin + (n1 > n0 ? n1 : n1 + 1) * length;
@@ -77,8 +78,8 @@ bool all_finite(const Sample& s) {
 void count_periods(const Coupling& coupling, const Sample& before, const Sample& now,
                    Stepped& out) {
   const Cam& cam = coupling.cam();
-  const Ends ends = ends_between(cam.start(), cam.length(), out.engaged.placement, before.master[0],
-                                 now.master[0]);
+  const Crossings ends = ends_between(cam.start(), cam.length(), out.engaged.placement,
+                                      before.master[0], now.master[0]);
   out.periods = as_int(ends.count);
   if (out.periods == 0) return;
   const auto at = out.jumped ? std::nullopt : passing(before, now, ends.level);
@@ -210,7 +211,7 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
 
   double level = (origin - placement.master_offset) / placement.master_scaling;
   if (placement.periodic) {
-    const Ends ends =
+    const Crossings ends =
         ends_between(origin, cam.length(), placement, before.master[0], now.master[0]);
     if (ends.count == 0) return {.at = {}};
     level = ends.level;

@@ -52,7 +52,8 @@
 namespace jounce {
 namespace {
 
-constexpr double rounding = 1e-7;  // ends that are zero to 1e-9 of the peak change a bound by that
+constexpr double end_rounding =
+    1e-7;  // ends that are zero to 1e-9 of the peak change a bound by that
 
 constexpr const char* impossible =
     "no motion can be below this bound: the data contradict each other";
@@ -102,12 +103,12 @@ class Certificate {
   /// `value` cannot be below `bound`.
   void at_least(Rule rule, std::string quantity, Coefficient c, double bound) {
     add(std::move(rule), std::move(quantity), c, bound, c.value / bound - 1,
-        c.value < bound * (1 - rounding - blur_));
+        c.value < bound * (1 - end_rounding - blur_));
   }
   /// `value` cannot be above `bound`.
   void at_most(Rule rule, std::string quantity, double value, double bound) {
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, bound, 1 - value / bound,
-        value > bound * (1 + rounding + blur_));
+        value > bound * (1 + end_rounding + blur_));
   }
   /// `value` is `expected`, to 1e-9 of `scale` plus rounding.
   void equal(Rule rule, std::string quantity, double value, double expected, double scale) {

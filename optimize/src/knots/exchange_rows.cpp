@@ -8,7 +8,7 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr int places = 7;  ///< Chebyshev points of a piece in the first program
+constexpr int first_places = 7;  ///< Chebyshev points of a piece in the first program
 constexpr int max_sharpened = 30;
 constexpr double same_place = 1e-7;  ///< positions in a piece closer than this are one
 constexpr double fixed = 1e-12;      ///< a row whose slope is not above this cannot be changed
@@ -63,8 +63,8 @@ void ExchangeRows::add_spacing(std::size_t segment) {
 }
 
 void ExchangeRows::add_everywhere(std::size_t piece, const Point& z) {
-  for (int k = 0; k < places; ++k) {
-    const double s = (1 - std::cos(std::numbers::pi * k / (places - 1))) / 2;
+  for (int k = 0; k < first_places; ++k) {
+    const double s = (1 - std::cos(std::numbers::pi * k / (first_places - 1))) / 2;
     for (const DerivativeBound& c : subproblem_.ceilings) add(row_of(c, piece, s, z), z);
     if (const auto order = peak_order(subproblem_.objective))
       for (const double sign : {1.0, -1.0}) add_peak(piece, s, *order, sign, z);

@@ -25,7 +25,7 @@
 //   (2)  u v = T z + Q' y(0),    y = u Q v + (1 - Q Q') y(0)
 //
 // a ceiling has size one in v however low it is, and its planes have r numbers. Entries of T below
-// `rounding_tolerance` of its largest row are rounding. If no |y_i| is above the figure F, then v = Q' y / u
+// `row_rounding` of its largest row are rounding. If no |y_i| is above the figure F, then v = Q' y / u
 // has
 //
 //   (3)  |v_k| <= |y| / u <= F sqrt(rows) / u
@@ -37,7 +37,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double rounding_tolerance = 1e-13;
+constexpr double row_rounding = 1e-13;
 constexpr double steepest = 1e7;  ///< greatest slope of (2) in v
 
 /// A figure of almost nothing is measured in its natural size.
@@ -78,7 +78,7 @@ MatrixXd without_joints(const MatrixXd& rows, const SplineSpace& space) {
 /// (2).
 Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows) {
   const double unit = unit_of(auxiliary, rows);
-  const jounce::cam_detail::PivotedQr qr(y.factor, rounding_tolerance);
+  const jounce::cam_detail::PivotedQr qr(y.factor, row_rounding);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(rank);
   const MatrixXd t = q.transpose() * y.factor;

@@ -10,7 +10,7 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double range = 1e3;  ///< range of a certificate, in sizes of the solution
+constexpr double certificate_range = 1e3;  ///< range of a certificate, in sizes of the solution
 
 /// The greatest difference of each unknown of a better solution from this one.
 std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
@@ -20,7 +20,7 @@ std::vector<double> range_of(const ShapeModel& model, const ShapeProgram& p,
   for (std::size_t j = 0; j < size; ++j)
     largest[j % largest.size()] = std::max(largest[j % largest.size()], std::abs(s.x[j]));
   std::vector<double> all(s.x.size());
-  for (std::size_t j = 0; j < size; ++j) all[j] = range * largest[j % largest.size()];
+  for (std::size_t j = 0; j < size; ++j) all[j] = certificate_range * largest[j % largest.size()];
   for (std::size_t k = 0; k < model.definitions.size(); ++k) {
     all[size + k] = model.range_of_auxiliary(k, all);
     if (!p.slack)  // these hold where the constraints hold

@@ -11,11 +11,11 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr std::array factorial{1.0,   1.0,    2.0,     6.0,      24.0,      120.0,
-                               720.0, 5040.0, 40320.0, 362880.0, 3628800.0, 39916800.0};
+constexpr std::array factorials{1.0,   1.0,    2.0,     6.0,      24.0,      120.0,
+                                720.0, 5040.0, 40320.0, 362880.0, 3628800.0, 39916800.0};
 
 double over_factorial(double power, int k) {
-  return power / factorial[static_cast<std::size_t>(k)];
+  return power / factorials[static_cast<std::size_t>(k)];
 }
 
 /// The power of two nearest to x, so that scaling causes no rounding.

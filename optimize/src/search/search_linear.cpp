@@ -22,7 +22,8 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double solved = 1e-6;  ///< residual of a program whose solution is worth trying
+constexpr double acceptable_residual =
+    1e-6;  ///< residual of a program whose solution is worth trying
 
 class Linear {
  public:
@@ -67,7 +68,7 @@ class Linear {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (auto row = row_of(rows[i], i, radius)) p.constraints.push_back(std::move(*row));
     ConvexSolution found = solve(p, Choice(n, 0));
-    if (!(found.residual <= solved)) return {};
+    if (!(found.residual <= acceptable_residual)) return {};
     for (double& each : found.x) each *= radius;
     return found.x;
   }

@@ -145,8 +145,8 @@ class TimeProblem {
 };
 
 /// One run of SLSQP from y, or y where the run ends in NaN.
-std::vector<double> solved(const TimeProblem& problem, bool limited, const std::vector<double>& y,
-                           int& evaluations) {
+std::vector<double> solve_times(const TimeProblem& problem, bool limited,
+                                const std::vector<double>& y, int& evaluations) {
   LocalProblem local{
       .row_tolerance = 1e-13, .lower = y, .upper = y, .x_relative = 1e-14, .max_evaluations = 400};
   for (double& bound : local.lower) bound -= std::log(farthest);
@@ -195,7 +195,7 @@ TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> h) {
     std::vector<double> y = best.intervals;
     const double scale = limited ? problem.scale(y) : 1;
     for (double& each : y) each = std::log(each * scale);
-    std::vector<double> next = exponentials(solved(problem, limited, y, best.evaluations));
+    std::vector<double> next = exponentials(solve_times(problem, limited, y, best.evaluations));
     const double value = settle(spec, problem, next);
     if (!(value < best.value)) break;
     const bool enough = value > best.value * (1 - 1e-13);

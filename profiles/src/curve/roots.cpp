@@ -17,9 +17,9 @@ namespace {
 
 /// The widest angle over which a sine is its Taylor polynomial of degree 11 to within rounding:
 /// the remainder is at most angle^12 / 12! = 1.3e-16.
-constexpr double widest_angle = 0.25;
+constexpr double widest_piece_angle = 0.25;
 
-/// f with each sine, which spans at most widest_angle, replaced by that polynomial. Without this, a
+/// f with each sine, which spans at most widest_piece_angle, replaced by that polynomial. Without this, a
 /// sine and a polynomial that nearly cancel (the error of a table) have no tight enclosure.
 Segment as_polynomial(const Segment& f) {
   Segment g = f;
@@ -125,7 +125,7 @@ void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
   }
   constexpr std::size_t n = Segment::max_degree;
   const Isolation<n> isolation{f, flat, remainder, noise_of(f), out};
-  const double pieces = std::max(1.0, std::ceil(widest / widest_angle));
+  const double pieces = std::max(1.0, std::ceil(widest / widest_piece_angle));
   for (int i = 0; i < static_cast<int>(pieces); ++i) {
     const double a = i / pieces;
     const double b = (i + 1) / pieces;

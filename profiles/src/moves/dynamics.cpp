@@ -40,17 +40,13 @@
 namespace jounce {
 namespace {
 
-double or_else(double value, double fallback) {
-  return value == 0 ? fallback : value;
-}
-
 Dynamics completed(Dynamics d) {
   require_positive("acceleration", d.acceleration);
   require_not_negative("deceleration", d.deceleration);
   require_not_negative("jerk", d.jerk);
   require_not_negative("deceleration_jerk", d.deceleration_jerk);
-  d.deceleration = or_else(d.deceleration, d.acceleration);
-  d.deceleration_jerk = or_else(d.deceleration_jerk, d.jerk);
+  if (d.deceleration == 0) d.deceleration = d.acceleration;
+  if (d.deceleration_jerk == 0) d.deceleration_jerk = d.jerk;
   if (d.jerk == 0 && d.deceleration_jerk > 0)
     throw InputError("jerk", d.jerk, "must be greater than 0 where deceleration_jerk is given");
   return d;

@@ -115,9 +115,9 @@ double Path::room(double from) const {
 namespace {
 
 /// The search for the answer to one request: the earliest end among all starts and steepnesses.
-class Search {
+class FactorSearch {
  public:
-  Search(const Path& path, const Clock& clock, const FactorRequest& request, double maximum)
+  FactorSearch(const Path& path, const Clock& clock, const FactorRequest& request, double maximum)
       : path_(path),
         clock_(clock),
         request_(request),
@@ -227,7 +227,7 @@ class Search {
 
 std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
                                   const FactorRequest& request, double maximum) {
-  return Search(path, clock, request, maximum).run();
+  return FactorSearch(path, clock, request, maximum).run();
 }
 
 }  // namespace jounce::profiles_detail

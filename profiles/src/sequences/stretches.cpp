@@ -95,9 +95,9 @@ bool has_short_phase(const Profile& profile, double shortest) {
   return false;
 }
 
-class Search {
+class ScaleSearch {
  public:
-  Search(const StretchBounds& bounds, std::span<Knot> knots)
+  ScaleSearch(const StretchBounds& bounds, std::span<Knot> knots)
       : bounds_(bounds),
         axes_(knots.front().size()),
         knots_(knots),
@@ -142,16 +142,16 @@ class Search {
   std::vector<double> largest_;  ///< position of each axis, in magnitude
 };
 
-double Search::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
+double ScaleSearch::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
   return 2 * std::max(std::abs(way(knot - 1, axis)) / rest_[knot - 1],
                       std::abs(way(knot, axis)) / rest_[knot]);
 }
 
-double Search::acceleration_scale(std::size_t knot, std::size_t axis) const {  // (4)
+double ScaleSearch::acceleration_scale(std::size_t knot, std::size_t axis) const {  // (4)
   return 2 * velocity_scale(knot, axis) / std::min(rest_[knot - 1], rest_[knot]);
 }
 
-double Search::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
+double ScaleSearch::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
   if (passing(knot, axis) == 0) return 0;
   const double t1 = rest_[knot - 1];
   const double t2 = rest_[knot];
@@ -160,7 +160,7 @@ double Search::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
 }
 
 /// Each knot in turn: as much of (5) as is shorter than stopping there.
-void Search::start() {
+void ScaleSearch::start() {
   for (std::size_t k = 1; k + 1 < knots_.size(); ++k)
     for (double share = 1; share > 0x1p-6; share /= 2) {
       Knot candidate = knots_[k];
@@ -170,7 +170,7 @@ void Search::start() {
 }
 
 /// Velocities first, since an acceleration keeps a velocity from its bound; then all.
-void Search::refine(bool bends) {
+void ScaleSearch::refine(bool bends) {
   constexpr double finest = 0x1p-14;
   constexpr int sweeps = 400;
   std::vector<std::vector<Knot>> directions(knots_.size());
@@ -187,7 +187,7 @@ void Search::refine(bool bends) {
 
 /// The joint changes: all velocities; each velocity alone, and on request each acceleration;
 /// both of an axis, in the same and in opposite directions.
-std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
+std::vector<Knot> ScaleSearch::directions(std::size_t knot, bool bends) const {
   const Knot nothing(axes_);
   std::vector<Knot> all{nothing};
   for (std::size_t i = 0; i < axes_; ++i) {
@@ -211,7 +211,7 @@ std::vector<Knot> Search::directions(std::size_t knot, bool bends) const {
   return all;
 }
 
-bool Search::advance(std::size_t knot, const Knot& direction, double step) {
+bool ScaleSearch::advance(std::size_t knot, const Knot& direction, double step) {
   Knot candidate = knots_[knot];
   for (std::size_t i = 0; i < axes_; ++i) {
     candidate[i].velocity += step * direction[i].velocity;
@@ -220,7 +220,7 @@ bool Search::advance(std::size_t knot, const Knot& direction, double step) {
   return accept(knot, candidate);
 }
 
-double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
+double ScaleSearch::duration(std::size_t stretch, const Knot& from, const Knot& to) const {
   const auto& bounds = bounds_[stretch];
   const Hop hop = profiles_detail::stretch(bounds, from, to);
   for (std::size_t i = 0; i < hop.profiles.size(); ++i)
@@ -229,7 +229,7 @@ double Search::duration(std::size_t stretch, const Knot& from, const Knot& to) c
 }
 
 /// Takes the candidate if the two stretches at the knot become shorter by more than rounding.
-bool Search::accept(std::size_t knot, const Knot& candidate) {
+bool ScaleSearch::accept(std::size_t knot, const Knot& candidate) {
   for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;
   const double now = time_[knot - 1] + time_[knot];
@@ -269,7 +269,7 @@ std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot>
 
 void shorten(const StretchBounds& bounds, std::span<Knot> knots) {
   if (knots.size() < 3) return;
-  Search search(bounds, knots);
+  ScaleSearch search(bounds, knots);
   search.start();
   search.refine(false);
   search.refine(true);

@@ -12,7 +12,7 @@ namespace jounce::profiles_detail {
 namespace {
 
 /// A violation by less than this share of the limit is rounding, not a violation.
-constexpr double forgiven = 1e-13;
+constexpr double bound_rounding = 1e-13;
 
 MotionState after(Profile& profile, const MotionState& s, double t, double jerk) {
   profile.add(t, jerk);
@@ -23,8 +23,8 @@ MotionState after(Profile& profile, const MotionState& s, double t, double jerk)
 /// The velocity limit that the natural velocity n passes: 1 the upper, -1 the lower, 0 none.
 int violated(const MotionState& s, const Bounds& b, double n) {
   const double terms = rounding * (std::abs(s.velocity) + std::abs(n));
-  if (n > b.velocity_max + (forgiven * b.velocity_max + terms)) return 1;
-  return n < b.velocity_min + (forgiven * b.velocity_min - terms) ? -1 : 0;
+  if (n > b.velocity_max + (bound_rounding * b.velocity_max + terms)) return 1;
+  return n < b.velocity_min + (bound_rounding * b.velocity_min - terms) ? -1 : 0;
 }
 
 /// (8): the motion returns level to the limit, which the natural velocity passes by `excess`. It ends
@@ -106,7 +106,7 @@ Braking braking_under_way(const MotionState& from, const MotionState& to,
   const double rise = way > 0 ? b.jerk_max : -b.jerk_min;
   const double n = v - a * a / (2 * rise);
   const bool rests = to.velocity == 0 && to.acceleration == 0;
-  if (!rests || distance == 0 || !(a > most * (1 + forgiven)) || !(n > 0)) return {};
+  if (!rests || distance == 0 || !(a > most * (1 + bound_rounding)) || !(n > 0)) return {};
   // (10) for the rest beside the ramp to zero acceleration
   const double ramp = a / rise * (v - a * a / (3 * rise));
   const double e = rise * (way * distance - ramp);

@@ -45,10 +45,10 @@ void add(const Stretch& s, Travel& travel) {
   go_to(s.at(s.length), travel);
 }
 
-constexpr double forgiven = 1e-12;
+constexpr double rounding_share = 1e-12;
 
 bool lies_within(double lowest, double highest, double min, double max, double rounding) {
-  const double slack = forgiven * std::max(std::abs(lowest), std::abs(highest)) + rounding;
+  const double slack = rounding_share * std::max(std::abs(lowest), std::abs(highest)) + rounding;
   return lowest >= min - slack && highest <= max + slack;
 }
 

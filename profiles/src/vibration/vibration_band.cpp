@@ -87,9 +87,9 @@ struct Piece {
   double at_a, at_b;  ///< |I|
 };
 
-class Search {
+class VibrationSearch {
  public:
-  Search(const Trajectory& motion, double tolerance)
+  VibrationSearch(const Trajectory& motion, double tolerance)
       : motion_(motion), moments_(motion), tolerance_(tolerance * moments_.travel) {}
 
   void along(const Border& side) {
@@ -148,7 +148,7 @@ WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double 
   const double high = two_pi * band.high;
   const double least = std::asin(band.damping_low);
   const double most = std::asin(band.damping_high);
-  Search search(motion, tolerance);
+  VibrationSearch search(motion, tolerance);
   search.along({true, band.damping_low, low, high});
   if (most > least) search.along({true, band.damping_high, low, high});
   search.along({false, low, least, most});

@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_evaluated = std::numeric_limits<double>::quiet_NaN();
 constexpr double degrees = 180 / std::numbers::pi;
 
 double decibels(std::complex<double> l) {
@@ -97,15 +97,15 @@ Figure nyquist_figure(const Drive& drive) {
   Figure figure{.title = title_of(loop), .x_label = "real part"};
   Panel panel{.y_label = "imaginary part"};
   panel.series.push_back({.label = "axes",
-                          .x = {left, right, gap, 0, 0},
-                          .y = {0, 0, gap, -high, high},
+                          .x = {left, right, not_evaluated, 0, 0},
+                          .y = {0, 0, not_evaluated, -high, high},
                           .style = Style::under});
   Series curve{.label = "loop"};
   for (const LoopPoint& p : loop_response(drive)) {
     const bool inside =
         p.value.real() >= left && p.value.real() <= right && std::abs(p.value.imag()) <= high;
-    curve.x.push_back(inside ? p.value.real() : gap);
-    curve.y.push_back(inside ? p.value.imag() : gap);
+    curve.x.push_back(inside ? p.value.real() : not_evaluated);
+    curve.y.push_back(inside ? p.value.imag() : not_evaluated);
   }
   Series circle{.label = "unit circle"};
   for (int i = 0; i <= 360; ++i) {

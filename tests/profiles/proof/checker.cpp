@@ -172,7 +172,7 @@ class Check {
   Verdict verdict_;
 };
 
-std::string text(Real x) {
+std::string six_digits(Real x) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.6Lg", x);
   return buffer.data();
@@ -199,7 +199,7 @@ void Check::exact() {
   if (!(std::abs(f_.duration() - T) <= 1e-15L * T)) fail("duration() is not the sum of the phases");
   verdict_.instant = instant();
   if (c_.duration && !(std::abs(T - Real{*c_.duration}) <= verdict_.instant))
-    fail("lasts " + text(*c_.duration) + " and " + text(T - Real{*c_.duration}) +
+    fail("lasts " + six_digits(*c_.duration) + " and " + six_digits(T - Real{*c_.duration}) +
          ", not the duration asked for");
 }
 
@@ -224,7 +224,7 @@ void Check::end() {
     const Real error = is == wanted ? 0 : std::abs(is - wanted) / scale;
     verdict_.end_error = std::max(verdict_.end_error, static_cast<double>(error));
     if (!(error <= tolerance))
-      fail(std::string("ends off in ") + what + " by " + text(error) + " of its scale");
+      fail(std::string("ends off in ") + what + " by " + six_digits(error) + " of its scale");
   };
   compare(s.p, f_.end().position, verdict_.scale.position, "position");
   if (f_.order() > 1) compare(s.v, f_.end().velocity, verdict_.scale.velocity, "velocity");
@@ -237,8 +237,8 @@ bool Check::below(Real x, Real bound, Real scale, const char* what) {
   const Real excess = (x - bound) / scale;
   verdict_.excess = std::max(verdict_.excess, static_cast<double>(excess));
   if (excess <= tolerance) return true;
-  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " + text(excess) +
-       " of its scale");
+  fail(std::string(what) + (sign_ > 0 ? "_max" : "_min") + " exceeds its bound by " +
+       six_digits(excess) + " of its scale");
   return false;
 }
 

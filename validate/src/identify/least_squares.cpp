@@ -110,7 +110,7 @@ Covariance covariance(const MatrixXd& jacobian) {
   const double longest = length.maxCoeff();
   for (double& l : length) l = std::max(l, 1e-10 * (longest > 0 ? longest : 1));
   const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<MatrixXd> svd(
+  const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(
       Linearized(condensed({VectorXd::Zero(jacobian.rows()), scaled})).jacobian,
       Eigen::ComputeFullV);
   VectorXd singular = VectorXd::Zero(n);
