@@ -101,10 +101,11 @@ void add_master(CommandLine& line) {
   verb.axis(options->axis);
   verb.option("--as", options->name, "Name of the master").required();
   verb.option("--rate", options->rate, "Samples per second").check(within(1.0, 10000.0)).shown();
-  verb.option("--before", options->before, "Seconds at rest at the first point")
+  verb.option("--before", options->before, "Seconds at rest at the first point, before the motion")
       .check(within(0.0, 1e6))
       .shown();
-  verb.option("--after", options->after, "Seconds at rest at the last point, before it leaves")
+  verb.option("--after", options->after,
+              "Seconds at rest at the last point, before the master reports that it leaves")
       .check(within(0.0, 1e6))
       .shown();
   verb.option("--seconds", options->seconds,

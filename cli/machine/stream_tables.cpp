@@ -188,8 +188,8 @@ int stream_group(const StreamArguments& options) {
                      options.until != "start";
   if (alone)
     throw InputError("--to", options.to,
-                     "names several axes, which cannot be combined with other options for one "
-                     "axis: omit --rolling, --bank, --swap, --start-at, "
+                     "names several axes, so the options for one axis do not apply: omit "
+                     "--rolling, --bank, --swap, --start-at, "
                      "--at-next-cut, --relative and --until");
   const std::vector<std::string> names = names_of(options.to);
   std::vector<StreamPlan> plans;

@@ -393,7 +393,8 @@ CamProblem make_problem(const Spec& spec) {
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(
-        "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
+        "polydyne", "",
+        "cannot be combined with [optimize], because its knots describe the motion of the load"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);

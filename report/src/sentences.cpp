@@ -183,8 +183,9 @@ std::string of_step(const Finding& f, const std::string& value, const std::strin
 }
 
 std::string of_unstable_loop(const Finding& f, const std::string& where) {
-  return fmt::format("the loop is unstable{}: an error grows by the factor e = 2.718 in {} ms",
-                     f.where > 0 ? " at " + where : "", rounded(1e3 / f.value));
+  return fmt::format("the loop is unstable: {} grows by the factor e = 2.718 every {} ms",
+                     f.where > 0 ? "an oscillation at " + where : "an error",
+                     rounded(1e3 / f.value));
 }
 
 /// A quantity against its limit.

@@ -562,7 +562,7 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
   const Result gear = run("check " + examples + "pmc600-gear-in-pos/gear.toml");
   EXPECT_THAT(gear.out, HasSubstr("coupling/end"));
   EXPECT_THAT(gear.out,
-              HasSubstr("at the master's 10000 pulse/s the slave moves at 5000 pulse/s "
+              HasSubstr("at the master velocity 10000 pulse/s, the slave moves at 5000 pulse/s "
                         "there; with a live master, it stays in gear after the end of its table"));
   const std::string once =
       "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
@@ -573,13 +573,14 @@ TEST_F(Cli, CheckNamesAnEndThatMoves) {
   const Result cam_once = run("check once.toml");
   EXPECT_EQ(cam_once.status, 0) << "the axis brakes there";
   EXPECT_THAT(cam_once.out, Not(HasSubstr("BROKEN"))) << "one finding";
-  EXPECT_THAT(cam_once.out, HasSubstr("at the master's 180 deg/s the slave moves at 90 mm/s there; "
-                                      "with a live master, it brakes there"));
+  EXPECT_THAT(cam_once.out,
+              HasSubstr("at the master velocity 180 deg/s, the slave moves at 90 mm/s there; "
+                        "with a live master, it brakes there"));
   EXPECT_THAT(cam_once.out, HasSubstr("warn   coupling/end"));
   write("scaled.toml", once + "[coupling]\nstart = \"absolute\"\nslave_scaling = 2\n");
   EXPECT_THAT(run("check scaled.toml").out, HasSubstr("the slave moves at 180 mm/s there"));
   EXPECT_THAT(run("check scaled.toml --master-velocity 90").out,
-              HasSubstr("at the master's 90 deg/s the slave moves at 90 mm/s there"));
+              HasSubstr("at the master velocity 90 deg/s, the slave moves at 90 mm/s there"));
   write("open.toml",
         "jounce = 1\nkind = \"follow\"\nunits = { master = \"pulse\", position = "
         "\"pulse\" }\nsegment = [{ master = 20000, slave = 10000 }]\n"

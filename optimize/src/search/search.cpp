@@ -108,9 +108,9 @@ std::string ending(const Evaluations& evaluations) {
 std::string settled_reason(const Evaluations& evaluations, const Searched& how) {
   if (evaluations.size() == 0) return "every variable is fixed";
   if (evaluations.size() == 1)
-    return "the best value over the whole range, searched at " +
+    return "the best value in the whole range, of which " +
            std::to_string(std::clamp(evaluations.max_evaluations() / 4, 8, 256) + 1) +
-           " places; edges are bisected, and the best places refined";
+           " places were evaluated; edges are bisected, and the best places refined";
   const std::string local = "no step from the best point improves the figure by more than " +
                             brief(evaluations.options().tolerance) + " of its value; ";
   if (!evaluations.is_global())

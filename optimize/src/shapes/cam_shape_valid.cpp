@@ -107,8 +107,7 @@ void require_corridors(const CamShapeProblem& problem) {
     const Corridor& c = problem.corridors[i];
     const std::string key = "corridor[" + std::to_string(i + 1) + "]";
     if (!(c.from <= c.to))
-      throw InputError(key + ".from", c.from,
-                       "must be at most " + number(c.to) + ", the end of the corridor");
+      throw InputError(key + ".from", c.from, "must be at most to = " + number(c.to));
     const bool met = std::any_of(runs.begin(), runs.end(),
                                  [&](const auto& run) { return optimize_detail::meets(c, run); });
     if (!met)

@@ -88,7 +88,8 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   }
   if (corridor.from > corridor.to)
     each.fail("from", number(corridor.from),
-              "must not be above to: write a corridor over the end of a periodic cam as two");
+              "must be at most to = " + number(corridor.to) + " " + words.units.x +
+                  ": write a corridor across the end of a periodic cam as two corridors");
   corridor.lower = read_edge(each, "lower", named.unit);
   corridor.upper = read_edge(each, "upper", named.unit);
   read_value(each, named.unit, corridor);

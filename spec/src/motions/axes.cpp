@@ -94,7 +94,8 @@ std::vector<std::vector<double>> read_positions(TomlReader& top,
                                                 const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
   for (TomlReader& point : top.tables("point")) {
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     points.push_back(point.numbers("position", rate_units(parts, 0)));
     point.finish();
   }
@@ -110,7 +111,8 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
   bool limited = false;
   for (std::size_t k = 0; k < points.size(); ++k) {
     TomlReader& point = points[k];
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     axes.points.push_back(point.numbers("position", rate_units(parts, 0)));
     const bool end = k == 0 || k + 1 == points.size();
     for (const char* key : {"velocity", "acceleration"})

@@ -155,7 +155,7 @@ void refuse_beside_times(TomlReader& reader, const char* key) {
 
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
-    top.fail("times", "\"shortest\"", "needs the rule cubic_hermite or quintic_hermite");
+    top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
   refuse_beside_times(top, "velocities");
   if (top.has("points"))
     top.fail("points", "",

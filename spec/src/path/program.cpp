@@ -156,9 +156,8 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
     return command.kind != Program::Kind::dwell;
   });
   if (!moves)
-    throw InputError(
-        "G-code", "",
-        "moves no axis: the program needs at least one G0, G1, G2 or G3 with a position")
+    throw InputError("program", "",
+                     "moves no axis: add at least one G0, G1, G2 or G3 with a position")
         .at(document, 1);
   path.program = std::move(made.program);
   path.events = std::move(made.events);
