@@ -104,7 +104,7 @@ constexpr std::array entries{
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.", "Start a motion first."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis follows no master.",
-          "None: the axis is not engaged."},
+          "Nothing to do: the axis is not engaged with a master."},
     Entry{Cause::direction_blocked, "direction_blocked",
           "The limit switch in the direction of the motion is active.",
           "Move the axis in the other direction, off the limit switch."},
@@ -127,8 +127,8 @@ constexpr std::array entries{
           "time."},
     Entry{Cause::start_position, "start_position",
           "The table does not begin at the position of the axis.",
-          "Move the axis to the start of the table: `jounce order NAME move`. Or start the "
-          "executor with --adopt-start, or send the table with --rolling --relative."},
+          "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), start "
+          "the executor with --adopt-start, or send the table with --rolling --relative."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
