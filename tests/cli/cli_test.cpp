@@ -170,7 +170,7 @@ TEST_F(Cli, AValueThatIsLeftOutIsNotTheNextWord) {
 TEST_F(Cli, ARunNeedsTheFoldersOfItsFiles) {
   EXPECT_EQ(run("new axis -o a.toml").status, 0);
   for (const char* option : {"--log", "--record", "--black-box"}) {
-    const Run done =
+    const Result done =
         run(std::string("run a.toml --url memq:// --seconds 0.1 ") + option + " none/a.x");
     EXPECT_EQ(done.status, 2) << option;
     EXPECT_EQ(done.err, std::string("jounce: ") + option +

@@ -155,12 +155,13 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
 
   const std::string json = to_json(small());
   EXPECT_EQ(complaint(replaced(json, "\"jounce_table\": 1", "\"jounce_table\": 2")),
-            "t: jounce_table = 2: this program reads schema version 1");
+            "t: jounce_table = 2: must be 1, the format version that this program reads");
   EXPECT_EQ(complaint(replaced(json, "\"knots\": 3", "\"knots\": 3, \"knots\": 3")),
             "t: knots: is given twice: remove one");
   EXPECT_EQ(complaint(replaced(json, "1.5", "null")),
             "t: columns.velocity[2] = null: must be a finite number");
-  EXPECT_EQ(complaint(replaced(json, "\"axis\": \"time\",", "")), "t: axis: is missing");
+  EXPECT_EQ(complaint(replaced(json, "\"axis\": \"time\",", "")),
+            "t: axis: is missing: a Jounce table in JSON needs this key");
 }
 
 TEST(WriteFile, LeavesNothingBehindWhenItCannotWrite) {

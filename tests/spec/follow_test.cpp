@@ -107,7 +107,7 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
                        "1\nslave = 1\n"),
               HasSubstr("must be 1 or -1"));
   EXPECT_THAT(error_of("[follow]\nincrements = true\n[[segment]]\nmaster = -1\nslave = 1\n"),
-              HasSubstr("it is an increment"));
+              HasSubstr("with increments = true it counts from the previous segment"));
 }
 
 TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {

@@ -95,7 +95,7 @@ TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
   EXPECT_EQ(curve.jet(3072, Side::left)[0], 4096);
   EXPECT_EQ(complaint(keys, "time,position,type\n1024,1024,sideways\n"),
             "points.csv:2: type = sideways: must be one of normal, even, stop, continue, or its "
-            "number from 0");
+            "number, counted from 0");
   EXPECT_EQ(complaint(pt + "[pt]\n", "time,position\n5,1\n4,2\n"),
             "points.csv:3: time = 4: must be greater than 5");
 }

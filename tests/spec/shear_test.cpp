@@ -163,8 +163,9 @@ TEST(ShearSpec, WarnsOfASyncThatIsAsGoodAsNone) {
   EXPECT_NEAR(f.value, 4.5, 1e-9);
   EXPECT_EQ(f.limit, 10);
   EXPECT_EQ(f.advice, "the stroke is too short: lengthen it, or slow the line down");
-  EXPECT_EQ(sentence_over(f, "mm"),
-            "the carriage is in step for only 4.5 mm, from 187.5 mm: less than 10 mm");
+  EXPECT_EQ(
+      sentence_over(f, "mm"),
+      "the carriage is in step for only 4.5 mm, from 187.5 mm on; at least 10 mm is recommended");
   EXPECT_THAT(figure(sync_figures(of("192")), "in step").meaning,
               StartsWith("0.0045 s at 1000 mm/s"));
   EXPECT_TRUE(check_sync(of("250")).findings.empty());
