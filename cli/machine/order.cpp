@@ -162,9 +162,10 @@ void add_order(CommandLine& line) {
   verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
       .required()
       .check(command_word(*options));
-  verb.option("VALUE", options->words.value,
-              "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
-              "of set-position, ratio of gear-in and gear-in-pos (3:2)");
+  verb.option(
+      "VALUE", options->words.value,
+      "Factor of override (50%), distance of inch, velocity of jog (0: come to rest), position "
+      "of set-position, ratio of gear-in and gear-in-pos (3:2)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());

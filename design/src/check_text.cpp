@@ -43,7 +43,7 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   if (rates.acceleration > 0 && master_accelerates_too_fast(cam, *input.spec)) {
     const MasterLimit most = greatest_master_acceleration(cam, *input.spec);
     return fmt::format(
-        "  fastest acceleration of the master {} {}: the slave's {} limit, at {} {}\n",
+        "  fastest acceleration of the master {} {}, limited by the slave's {} at {} {}\n",
         rounded(most.value), master_rate_unit(*input.spec, 2), most.quantity, rounded(most.where),
         input.labels.units.x);
   }
@@ -55,7 +55,7 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
                         master_rate_unit(*input.spec, 2));
-  return line + fmt::format(": the slave's {} limit, at {} {}\n", limit.quantity,
+  return line + fmt::format(", limited by the slave's {} at {} {}\n", limit.quantity,
                             rounded(limit.where), input.labels.units.x);
 }
 

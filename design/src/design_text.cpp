@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 std::string fewest_text(const Input& input) {
   const std::string rate = input.labels.over_master ? std::string(OverMaster::names[1])
                                                     : std::string(OverTime::names[1]);
-  const char* why = *input.binding == Binding::none ? "two knots do"
+  const char* why = *input.binding == Binding::none ? "two knots are enough"
                     : *input.binding == Binding::most
                         ? "the smallest error for this number of knots, or close to it"
                     : *input.binding == Binding::tolerance

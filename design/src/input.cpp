@@ -175,9 +175,9 @@ void explain_end(Finding& end, const Input& input, const EngageState& at) {
   const double speed = spec != nullptr ? master_speed(*spec, at) : at.master_velocity.value_or(0);
   const double slave = end.value * coupling.slave_scaling * coupling.master_scaling * speed;
   if (speed != 0)
-    end.advice =
-        fmt::format("at the master's {} {} the slave moves at {} {} there; ", rounded(speed),
-                    rate_unit(units.x, "s", 1), rounded(slave), rate_unit(units.position, "s", 1));
+    end.advice = fmt::format("at the master velocity {} {}, the slave moves at {} {} there; ",
+                             rounded(speed), rate_unit(units.x, "s", 1), rounded(slave),
+                             rate_unit(units.position, "s", 1));
   if (end.rule == "coupling/begin") {
     end.broken = true;
     end.margin = -1;

@@ -276,7 +276,8 @@ std::vector<Made> make_axes(const Spec& spec) {
 Made make(const Spec& spec) {
   std::vector<Made> all = make_axes(spec);
   if (all.size() > 1)
-    throw spec.document.located(InputError("axis", std::to_string(all.size()), "must be one axis"));
+    throw spec.document.located(InputError("axis", std::to_string(all.size()),
+                                           "must be 1: this works with a single axis only"));
   return std::move(all.front());
 }
 
@@ -307,7 +308,7 @@ Trajectory master_of(const Spec& spec) {
                      "must be 1e-9 to 1e4 times the length of the cam, " + six_digits(turn));
   if (master.distance / velocity < 1e-6)
     throw InputError("master.velocity", master.velocity,
-                     "must be lower: the master passes its distance in less than 1 us");
+                     "is too high: the master would travel master.distance in less than 1 us");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Extrapolation::hold);
@@ -396,7 +397,8 @@ CamProblem make_problem(const Spec& spec) {
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(
-        "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
+        "polydyne", "",
+        "cannot be combined with [optimize], because its knots describe the motion of the load"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);

@@ -94,8 +94,9 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
                                  [&](const Input& each) { return each.axis == compare.axis; });
   if (axis == axes.end()) {
     if (!axes.front().plan)
-      throw spec.document.located(
-          InputError("compare.axis", "\"path\"", "lines that overlap have no length along them"));
+      throw spec.document.located(InputError("compare.axis", "\"path\"",
+                                             "is not possible for lines that overlap in time: they "
+                                             "have no length along the path. Name an axis"));
     add(axes.front().plan->law().curve());
     return events;
   }

@@ -60,7 +60,7 @@ std::vector<PeakChange> peak_changes(const Spec& given_spec, const Spec& optimiz
 
 std::string peaks_text(const std::vector<PeakChange>& peaks) {
   std::string text = fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}\n", "peaks", "given",
-                                 "optimised", "change", "limit");
+                                 "optimized", "change", "limit");
   for (const PeakChange& peak : peaks)
     text += fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", peak.name,
                         peak.given ? rounded(*peak.given) : "-", rounded(peak.optimized),

@@ -113,7 +113,7 @@ void read_axis(TomlReader& top, Spec& spec) {
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
-  if (!spec.drive)
+  if (!top.has("drive"))
     top.fail("drive", "",
              "is missing: add the section [drive]; `jounce new drive` writes an example");
   spec.subject = DriveAlone{};

@@ -153,7 +153,7 @@ TEST(Search, StaysInItsDipWhenItIsNotToLookElsewhere) {
   const SearchOutcome outcome = search(box(2, -5.12, 5.12, 1.7), rastrigin_in_disc, {.starts = 1});
   expect_met(outcome, rastrigin_in_disc);
   EXPECT_EQ(outcome.starts, 0);
-  EXPECT_THAT(outcome.reason, HasSubstr("no proof"));
+  EXPECT_THAT(outcome.reason, HasSubstr("without proof"));
 }
 
 // ---- one variable ------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ std::string rejected(const MotionState& from, const MotionState& to, double dura
 
 TEST(Explain, NamesTheValueOfTheTargetAndItsBound) {
   EXPECT_THAT(rejected({}, {.position = 1, .velocity = 12}),
-              EndsWith("bounds: velocity 12 is above velocity_max = 10"));
+              EndsWith("bounds: velocity 12 is above the highest permitted value 10"));
   EXPECT_THAT(
       rejected({}, {.position = 1, .velocity = -11, .acceleration = 200}),
       EndsWith("bounds: velocity -11 is below velocity_min = -10, acceleration 200 is above "

@@ -194,7 +194,8 @@ std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) 
 }
 
 [[noreturn]] void refuse(const char* key, const std::string& value, Law law) {
-  throw InputError(key, value, std::string("the law `") + name(law) + "` has no such parameter");
+  throw InputError(key, value,
+                   std::string("the law `") + name(law) + "` has no parameter of this name");
 }
 
 std::vector<Segment> rise(Law law, const LawForm& form) {

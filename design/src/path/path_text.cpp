@@ -41,8 +41,8 @@ double degrees(double angle) {
 std::string times_text(const PathSummary& s, const Along& units) {
   return fmt::format(
       "{0} {2} for {1} {3}, {4} {5} on average\n"
-      "with a stop at each corner: {6} {2}; at least {7} {2} on this path (proven; jerk not "
-      "limited)\n",
+      "with a stop at each corner: {6} {2}; proven lower bound on this path, without jerk limits: "
+      "{7} {2}\n",
       rounded(s.duration), rounded(s.length), units.time, units.length,
       rounded(s.length / s.duration), units.velocity, rounded(s.stop_duration),
       rounded(s.lower_bound));

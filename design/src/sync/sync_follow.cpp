@@ -42,7 +42,7 @@ void add_speed(Report& report, const Spec& spec) {
   for (Finding& f : report.findings)
     if (f.rule == "follow/open_end" && spec.master)
       f.advice =
-          fmt::format("at the master's {} {} the slave moves at {} {} there; {}",
+          fmt::format("at the master velocity {} {}, the slave moves at {} {} there; {}",
                       rounded(spec.master->velocity), rate_unit(spec.units.x, spec.time_unit, 1),
                       rounded(f.value * spec.master->velocity),
                       rate_unit(spec.units.position, spec.time_unit, 1), f.advice);

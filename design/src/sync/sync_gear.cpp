@@ -70,8 +70,8 @@ Report check_gear(const GearCourse& course, const Units& units) {
   f.margin = -1;
   f.broken = true;
   f.unit = units.position + "/" + units.x;
-  f.advice = "engage over a distance > 0, or with from_ratio = " + number(ratio) +
-             " if the slave is in step from the start";
+  f.advice = "engage over a distance greater than 0, or give from_ratio = " + number(ratio) +
+             " if the slave already has this ratio at the start";
   return {{f}};
 }
 

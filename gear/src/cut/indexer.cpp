@@ -24,7 +24,7 @@ void require_valid(const Indexer& spec) {
   if (spec.before + spec.motion > room * (1 + 1e-12))
     throw InputError("motion", spec.motion,
                      "must be at most " + six_digits_down(room - spec.before) +
-                         ": cycle / count = " + six_digits(room) +
+                         ", the time for one index: cycle / count = " + six_digits(room) +
                          " less before = " + number(spec.before));
   gearing::require_rest_to_rest("law", spec.law, spec.form);
 }

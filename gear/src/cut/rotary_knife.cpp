@@ -85,7 +85,8 @@ void require_valid(const RotaryKnifeSpec& spec) {
   if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
   if (!is_rise_at_rest(spec.law))
-    throw InputError("law", name(spec.law), "must be a symmetric rise from rest to rest");
+    throw InputError("law", name(spec.law),
+                     "must be a symmetric law from rest to rest, such as 345");
   if (spec.form.inflection)
     throw InputError("inflection", *spec.form.inflection,
                      "must be left out: the recovery is symmetric about its middle");

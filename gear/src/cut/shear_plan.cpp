@@ -171,7 +171,8 @@ void require_numbers(const FlyingShear& spec) {
   if (spec.safety < 1) throw InputError("safety", spec.safety, "must be at least 1");
   if (!(std::abs(spec.angle) < std::numbers::pi / 2))
     throw InputError("angle", spec.angle,
-                     "must be between -pi/2 and pi/2: the guide follows the line");
+                     "must be greater than -pi/2 and less than pi/2: otherwise the carriage does "
+                     "not move with the line");
 }
 
 void require_complete(const FlyingShear& spec) {
@@ -214,7 +215,7 @@ std::string or_slower(const FlyingShear& spec, const char* key) {
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
           six_digits_up(least.value) + " at this line_speed" + or_slower(spec, "cut_length") +
           (by_limit ? ": a shorter return would break " + limit_of(quantity)
-                    : ": no master distance is left for the return"));
+                    : ": no travel of the master is left for the return"));
 }
 
 [[noreturn]] void refuse(const Worked& shear, const Cycle& cycle, const std::string& quantity) {

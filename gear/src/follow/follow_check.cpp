@@ -54,9 +54,10 @@ bool is_odd(double travel, std::optional<double> usual) {
 std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
   const auto [master, slave] = travel_of(spec.tables[table], i);
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
-    return std::string("its travel of the ") + whose + ", " + rounded(is) + ", is " +
-           rounded(std::abs(is) / would_be) + " times the usual " + rounded(would_be) +
-           ": check it. With the usual travel it would end at the ratio " + rounded(end);
+    return std::string("the ") + whose + " travel of this segment, " + rounded(is) + ", is " +
+           rounded(std::abs(is) / would_be) + " times that of the other segments, " +
+           rounded(would_be) + ": check it. With " + rounded(would_be) +
+           ", the segment would end at the ratio " + rounded(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
@@ -215,9 +216,11 @@ class Inspection {
     f.limit = of_master ? table.end->master : table.end->slave;
     f.has_limit = true;
     f.margin = -std::abs((f.value - f.limit) / f.value);
-    f.advice = "the spec gives the end as master " + rounded(table.end->master) + ", slave " +
-               rounded(table.end->slave) + ": master " + rounded(missing.master) + " and slave " +
-               rounded(missing.slave) + " are missing" + as_segment(table, missing);
+    f.advice = "the segments end at master " + rounded(table.segments.back().x) + ", slave " +
+               rounded(table.segments.back().position) + ", but the spec gives the end as master " +
+               rounded(table.end->master) + ", slave " + rounded(table.end->slave) + ": master " +
+               rounded(missing.master) + " and slave " + rounded(missing.slave) + " are missing" +
+               as_segment(table, missing);
     return f;
   }
 
@@ -229,7 +232,8 @@ class Inspection {
       if (std::abs(t.master - missing.master) <= scale &&
           std::abs(t.slave - missing.slave) <=
               rounded_input * std::abs(table.segments.back().position))
-        return ", as much as segment " + std::to_string(i + 1) + " has: is one left out?";
+        return ", which equals segment " + std::to_string(i + 1) +
+               ": check whether a segment is missing";
     }
     return "";
   }

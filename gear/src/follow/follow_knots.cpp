@@ -130,13 +130,13 @@ class Knots {
     if (!near(slave, before.slave))
       throw InputError(key("zone", i, "slave"), slave,
                        "must be " + six_digits(before.slave) +
-                           ", the position of the slave there: leave it out, or change the point "
-                           "or zone before");
+                           ", the position that the slave has there: leave it out, or change the "
+                           "previous point or zone");
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
           key("zone", i, "ratio"), ratio,
           "must be " + six_digits(*before.ratio) +
-              ", the ratio of the slave there: let it reach the new ratio before this zone");
+              ", the ratio that the slave has there: let it reach the new ratio before this zone");
     before.ratio = ratio;
   }
 

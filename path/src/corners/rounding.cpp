@@ -440,7 +440,7 @@ class Rounding {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
       throw InputError(
           "acceleration", "",
-          "is missing: each axis that moves, or the path, needs a limit of acceleration")
+          "is missing: add acceleration to the limits of each axis that moves, or to [path.limits]")
           .at({}, piece(k).line);
   }
 

@@ -101,7 +101,9 @@ class Overlapping {
         rates_(rates_of(limits, n_, m_)) {
     for (const PathPiece& p : route_.path.pieces())
       if (p.kind != PieceKind::line)
-        throw InputError("overlap", "", "needs lines: this command is none").at({}, p.line);
+        throw InputError("overlap", "",
+                         "is possible between lines only, and this command is not a line")
+            .at({}, p.line);
   }
 
   /// Plans the legs. `shared`: their rates are reduced by (2).
@@ -132,7 +134,8 @@ class Overlapping {
       unit.box = line_box(rates_, settings_[pieces[k].settings], legs[k].direction.data());
       if (!(unit.box.acceleration > 0 && unit.box.acceleration < none))
         throw InputError("acceleration", unit.box.acceleration,
-                         "an axis that moves, or the path, needs a limit of acceleration")
+                         "is missing: add acceleration to the limits of each axis that moves, or "
+                         "to [path.limits]")
             .at({}, pieces[k].line);
       if (shared) {
         if (k > 0 && !route_.joints[k].rests) lower(unit.box, legs[k - 1], legs[k]);

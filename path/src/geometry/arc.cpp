@@ -134,8 +134,8 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   if (std::abs(r0 - r1) > tolerance)
     throw InputError("center", "",
                      "is " + six_digits(r0) + " from the start of the arc and " + six_digits(r1) +
-                         " from its end; at most " + six_digits(tolerance) +
-                         " of difference is permitted: correct the center or an end point");
+                         " from its end; these radii may differ by at most " +
+                         six_digits(tolerance) + ": correct the center or an end point");
   if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
   // Moves the center onto the bisector of the chord, by the shortest distance.
   const Point along = vec::scaled(chord, 1 / c);
@@ -161,7 +161,8 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
     throw InputError(
         "radius", radius,
         half > 0 ? "must be at least half the distance from start to end, " + six_digits_up(half)
-                 : std::string("defines no arc between equal points; give a center"));
+                 : std::string("cannot define a full circle, because start and end are equal: give "
+                               "the center instead"));
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

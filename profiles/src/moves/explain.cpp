@@ -11,12 +11,12 @@
 namespace jounce {
 namespace {
 
-/// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
+/// "velocity 12 is above the highest permitted value 10"; "" for a value between its bounds.
 std::string outside(const std::string& name, double value, double min, double max) {
   if (value > max)
-    return name + " " + six_digits(value) + " is above " + name + "_max = " + number(max);
+    return name + " " + six_digits(value) + " is above the highest permitted value " + number(max);
   if (value < min)
-    return name + " " + six_digits(value) + " is below " + name + "_min = " + number(min);
+    return name + " " + six_digits(value) + " is below the lowest permitted value " + number(min);
   return "";
 }
 
@@ -94,7 +94,7 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
   for (std::size_t i = 0; i < all.count; ++i)
     possible += " to " + number(all.blocked[i].from) + " s, " + number(all.blocked[i].to) + " s";
   return with(explain(status),
-              number(duration) + " s is given, possible are " + possible + " and more");
+              number(duration) + " s is given; possible durations are " + possible + " and more");
 }
 
 }  // namespace jounce

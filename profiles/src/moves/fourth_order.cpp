@@ -9,6 +9,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "profiles/src/moves/duration.hpp"
+
 // The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
 // in the middle, where a = 0 and the jerk is -m. Its jounce is
 //
@@ -180,12 +182,12 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
   const Rates limits{spec.acceleration, spec.jerk, spec.jounce};
   const Plan plan = planned(std::abs(spec.to - spec.from), spec.velocity, limits);
   const double total = 2 * plan.half.duration() + plan.cruise;
-  require_finite("duration", total);
-  if (!(total > 0)) throw InputError("to", spec.to, "is too close to `from` for a move");
+  if (!(total > 0 && total < INFINITY)) profiles_detail::refuse_duration(spec.to, total);
   if (plan.half.phases[0].duration <= negligible * total)
     throw InputError("jounce", spec.jounce,
-                     "is so high that its phases vanish in the duration of the move, " +
-                         six_digits(total) + " s: lower it, or use an S-curve");
+                     "is so high that the ramps of the jerk are too short to compute beside the "
+                     "duration of the move, " +
+                         six_digits(total) + " s: lower the jounce, or use profile = \"s_curve\"");
   return curve(plan, spec.velocity, total, spec.from, spec.to);
 }
 

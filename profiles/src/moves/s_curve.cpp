@@ -8,6 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "profiles/src/moves/duration.hpp"
 #include "profiles/src/solver/span.hpp"
 
 // A ramp between rest and velocity v with acceleration a and jerk j is point-symmetric, so it
@@ -90,16 +91,12 @@ double swept(double duration, double total) {
   return duration > dust * total ? duration : 0;
 }
 
-[[gnu::cold]] void refuse_duration(double to, double total) {
-  require_finite("duration", total);
-  throw InputError("to", to, "is too close to `from` for a move");
-}
-
 /// A ramp that vanishes beside the move would have no length in doubles.
 [[gnu::cold]] void refuse_jerk(double jerk, double total) {
   throw InputError("jerk", jerk,
-                   "is so high that its ramps vanish in the duration of the move, " +
-                       six_digits(total) + " s: lower it, or use a trapezoid");
+                   "is so high that the ramps of the acceleration are too short to compute beside "
+                   "the duration of the move, " +
+                       six_digits(total) + " s: lower the jerk, or use profile = \"trapezoid\"");
 }
 
 [[gnu::cold]] void refuse(double from, double to, double velocity, double acceleration,
@@ -144,7 +141,7 @@ JOUNCE_INLINE Profile ramps_of(const SCurveSpec& spec, double h, const Limit& r1
   const RampPhases down = ramp_to(v, r2);
   const double cruise = cruises ? h / v - (up.duration() + down.duration()) / 2 : 0;
   const double total = up.duration() + cruise + down.duration();
-  if (!positive(total)) refuse_duration(spec.to, total);
+  if (!positive(total)) profiles_detail::refuse_duration(spec.to, total);
   if (up.jerk <= dust * total) refuse_jerk(r1.j, total);
   if (down.jerk <= dust * total) refuse_jerk(r2.j, total);
 
@@ -176,7 +173,7 @@ Profile trapezoid(const TrapezoidSpec& spec) {
   const double down = v * per_b;
   const double cruise = h / v - (up + down) / 2;  // only rounding if there is no cruise
   const double total = up + cruise + down;
-  if (!positive(total)) refuse_duration(spec.to, total);
+  if (!positive(total)) profiles_detail::refuse_duration(spec.to, total);
 
   const double sign = std::copysign(1, spec.to - spec.from);
   return {{spec.from, 0, 0},

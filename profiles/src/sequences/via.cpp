@@ -271,7 +271,7 @@ std::vector<Knot> feasible(const profiles_detail::StretchBounds& bounds, std::ve
   throw InputError(
       "start", "",
       "no motion was found that keeps the bounds without a reversal: begin and end slower, within "
-      "the limits of the stretch, or move the neighbouring points apart");
+      "the limits of the stretch, or move the adjacent points apart");
 }
 
 }  // namespace

@@ -34,9 +34,9 @@ Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion,
              .margin = margin,
              .broken = margin <= 0,
              .segment = {},
-             .advice = margin <= 0
-                           ? "slower, or " + point(events[i].point) + " further from the one before"
-                           : ""};
+             .advice = margin <= 0 ? "pass the points more slowly, or move " +
+                                         point(events[i].point) + " further from the previous one"
+                                   : ""};
   }
   return worst;
 }
@@ -54,9 +54,10 @@ Finding missed(std::size_t fired, std::size_t points, const std::string& next,
           .margin = broken ? static_cast<double>(fired) / static_cast<double>(points) - 1 : 0,
           .broken = broken,
           .segment = {},
-          .advice = broken ? point(fired) + " at " + next +
-                                 " is not passed after the one before, and blocks those after it"
-                           : "",
+          .advice =
+              broken ? point(fired) + " at " + next +
+                           " is not passed after the previous one, and blocks all following points"
+                     : "",
           .unit = "1"};
 }
 

@@ -52,7 +52,9 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
       segment.fail("repeat", std::to_string(repeat),
                    "needs increments = true: add it, or leave repeat out");
     if (increments && !(master > 0))
-      segment.fail("master", number(master), "must be greater than 0: it is an increment");
+      segment.fail(
+          "master", number(master),
+          "must be greater than 0: with increments = true it counts from the previous segment");
     if (repeat < 1 || repeat > most - points.size())
       segment.fail("repeat", std::to_string(repeat),
                    "must be at least 1, and make at most 1e6 segments");
@@ -78,8 +80,9 @@ FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& unit
   }
   read_segments(segments, units, increments, googol, table.segments);
   if (const std::size_t n = table.segments.size(); googol && n > googol::follow_fifo)
-    segments.fail(segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
-                  "must be at most 512 in a table, the size of the FIFO of memory 1");
+    segments.fail(
+        segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
+        "must be at most 512 in a table: the FIFO of the controller holds no more (memory 1)");
   return table;
 }
 
@@ -126,9 +129,9 @@ Law read_law(TomlReader& follow) {
   if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists them");
   const Ends ends = info(*law).ends;
   if (ends != Ends::given && ends != Ends::moving)
-    follow.fail(
-        "law", '"' + *text + '"',
-        "must have a ratio and no acceleration at its ends, as quintic and modified_sine have");
+    follow.fail("law", '"' + *text + '"',
+                "must be a law that begins and ends at a velocity without acceleration, such as "
+                "quintic or modified_sine");
   return *law;
 }
 

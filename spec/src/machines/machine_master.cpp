@@ -75,7 +75,7 @@ MachineMasterSpec::Encoder read_encoder(TomlReader& reader, const std::string& u
 }
 
 MachineMasterSpec::FromTable read_from_table(TomlReader& reader, const std::string& unit) {
-  MachineMasterSpec::FromTable table{.file = reader.text("file")};
+  MachineMasterSpec::FromTable table{.file = reader.text("file", "FILE")};
   const auto folder = std::filesystem::path(reader.document().name).parent_path();
   if (const std::filesystem::path given(table.file); given.is_relative())
     table.file = (folder / given).string();

@@ -94,7 +94,8 @@ std::vector<std::vector<double>> read_positions(TomlReader& top,
                                                 const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
   for (TomlReader& point : top.tables("point")) {
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     points.push_back(point.numbers("position", rate_units(parts, 0)));
     point.finish();
   }
@@ -110,18 +111,20 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
   bool limited = false;
   for (std::size_t k = 0; k < points.size(); ++k) {
     TomlReader& point = points[k];
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     axes.points.push_back(point.numbers("position", rate_units(parts, 0)));
     const bool end = k == 0 || k + 1 == points.size();
     for (const char* key : {"velocity", "acceleration"})
       if (!end && point.has(key))
-        point.fail(key, "", "is free between the first point and the last: leave it out");
+        point.fail(key, "", "applies only to the first and the last point: leave it out here");
     const ViaRates rates{optional_rates(point, "velocity", parts, 1),
                          optional_rates(point, "acceleration", parts, 2)};
     if (end) (k == 0 ? axes.via.start : axes.via.end) = rates;
     if (k == 0 && point.has("limits"))
       point.fail("limits", "",
-                 "apply to the travel to a point, which the first point has not: leave them out");
+                 "apply to the travel from the previous point, so the first point has none: leave "
+                 "them out");
     limited = limited || point.has("limits");
     if (k > 0)
       axes.via.stretches.push_back(

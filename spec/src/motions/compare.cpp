@@ -52,7 +52,7 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
 std::vector<double> read_pair(TomlReader& reader, const char* key,
                               const std::vector<std::string>& units) {
   if (!reader.has(key)) reader.refuse_misspelt(key);
-  if (!reader.has(key)) reader.fail(key, "", "is missing: a zone needs [x, y]");
+  if (!reader.has(key)) reader.fail(key, "", "is missing: a zone needs two numbers, [x, y]");
   return reader.numbers(key, units);
 }
 

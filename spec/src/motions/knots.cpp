@@ -121,7 +121,7 @@ Table with_finite_segments(Table table) {
     if (!error.key().starts_with(begin)) throw;
     const int segment = std::stoi(error.key().substr(begin.size()));
     throw InputError("knot[" + std::to_string(segment + 1) + "]", "",
-                     "ends a segment whose " + error.rule());
+                     "is the end of a segment whose " + error.rule());
   }
   return table;
 }
@@ -151,12 +151,12 @@ Table table_of(const Trajectory& spline, Interpolation rule) {
 }
 
 void refuse_beside_times(TomlReader& reader, const char* key) {
-  if (reader.has(key)) reader.fail(key, "", "is found by times = \"shortest\": leave it out");
+  if (reader.has(key)) reader.fail(key, "", "is computed by times = \"shortest\": leave it out");
 }
 
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
-    top.fail("times", "\"shortest\"", "needs the rule cubic_hermite or quintic_hermite");
+    top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
   refuse_beside_times(top, "velocities");
   if (top.has("points"))
     top.fail("points", "",

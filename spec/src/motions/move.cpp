@@ -82,8 +82,8 @@ MoveSpec read_point_to_point(MotionFields& f) {
   if (const auto direction = move.optional_choice("direction", direction_names)) {
     if (!s.period)
       move.fail("direction", '"' + direction_names[*direction] + '"',
-                "needs the period of the axis, because only a modulo axis has a choice of "
-                "direction: add it, or leave direction out");
+                "needs period, because only a modulo axis has a choice of direction: add period, "
+                "or leave direction out");
     s.direction = directions[*direction];
   }
   return s;

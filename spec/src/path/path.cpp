@@ -106,7 +106,9 @@ std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axe
   auto overlap = path.optional_table("overlap");
   if (!overlap) return std::nullopt;
   if (path.has("corner"))
-    path.fail("corner", "", "cannot be combined with overlap, which makes all corners");
+    path.fail(
+        "corner", "",
+        "cannot be combined with overlap, which rounds all corners: leave one of the two out");
   OverlapOptions read;
   if (const auto d = read_magnitude(*overlap, "deviation", axes.unit(0))) read.deviation = *d;
   read.share = overlap->optional_number("share", "1").value_or(1);
@@ -165,7 +167,7 @@ Frame read_frame(TomlReader frame, const PathAxes& axes) {
   const Point offset = frame.has("offset") ? read_position(frame, "offset", axes, {}) : Point{};
   const auto rotation = frame.optional_number("rotation", "deg");
   if (frame.has("zyz")) {
-    if (rotation) frame.fail("zyz", "", "cannot be combined with rotation");
+    if (rotation) frame.fail("zyz", "", "cannot be combined with rotation: give one of the two");
     const std::vector<double> zyz = frame.number_list("zyz", "deg");
     if (zyz.size() != 3) frame.fail("zyz", std::to_string(zyz.size()), "must be three angles");
     if (axes.path_axes < 3) frame.fail("zyz", "", "needs three axes that are not followers");
@@ -201,7 +203,9 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   }
   path.joints = read_kinematics(top, axes, spec, taken);
   if (path.overlap && path.joints)
-    top.fail("kinematics", "", "cannot be combined with an overlap, which moves the axes alone");
+    top.fail("kinematics", "",
+             "cannot be combined with overlap, which plans the axes without joints: leave one of "
+             "the two out");
   machine.path_axes = axes.path_axes;
   machine.second = conversion("s", spec.time_unit);
   path.program = Program(axes.size(), machine.start, axes.path_axes);
@@ -209,7 +213,9 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   read_program(top, axes, machine.settings, path);
   path.override_steps = read_override(top, axes);
   if (path.overlap && !path.override_steps.empty())
-    top.fail("override", "", "cannot be combined with an overlap: its path depends on the time");
+    top.fail("override", "",
+             "cannot be combined with overlap, because the path of overlapping lines depends on "
+             "the time: leave one of the two out");
   table.finish();
   return path;
 }

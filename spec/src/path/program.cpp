@@ -31,8 +31,8 @@ std::vector<std::string> columns_of(TomlReader& top, const PathAxes& axes) {
     for (const std::string& other : columns)
       if (other == column_of(name))
         top.fail("points", "",
-                 "needs another name of the axis " + name + ": its column would be " + other +
-                     ", which another one is");
+                 "is not possible: the column of axis " + name + " would be " + other +
+                     ", the name of another column: rename the axis");
     columns.push_back(column_of(name));
   }
   return columns;
@@ -79,7 +79,7 @@ Frame read_frame_of(TomlReader& gcode, const char* key, const PathAxes& axes) {
 
 /// Reads records of MoveSequence; RoundDiameter is the least diameter of a corner.
 void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
-  const std::string file = records.text("file");
+  const std::string file = records.text("file", "FILE.csv");
   if (const auto diameter = read_magnitude(records, "round_diameter", axes.unit(0))) {
     path.machine.settings.corner = Corner::curvature;
     path.machine.settings.value = 2 / *diameter;
@@ -156,9 +156,8 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
     return command.kind != Program::Kind::dwell;
   });
   if (!moves)
-    throw InputError(
-        "G-code", "",
-        "moves no axis: the program needs at least one G0, G1, G2 or G3 with a position")
+    throw InputError("program", "",
+                     "moves no axis: add at least one G0, G1, G2 or G3 with a position")
         .at(document, 1);
   path.program = std::move(made.program);
   path.events = std::move(made.events);
