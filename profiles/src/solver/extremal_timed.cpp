@@ -13,8 +13,8 @@
 //
 //   (8)   vp = n + k jp g + z h
 //
-// **jp is the small one.** While nothing is held, X = x1 + x2 runs. With S = z1 + z2 = s1 + s2 + jp X,
-// equal vp give
+// **jp is the small one.** While nothing is held, X = x1 + x2 runs. With S = z1 + z2 = s1 + s2 + jp
+// X, equal vp give
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
