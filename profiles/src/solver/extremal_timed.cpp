@@ -26,7 +26,7 @@
 // **Otherwise** digits are lost only if the acceleration keeps its sign. One half holds L; the
 // other has z = jd y - L, where y, the duration of the fall, may be short compared with L/jd. Then
 //
-//   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L)        c' of the half that holds
+//   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L),   c': of the half that holds
 
 namespace jounce::profiles_detail {
 
