@@ -58,7 +58,7 @@ struct Unlinked {
   }
 };
 
-/// A file under a temporary name beside its own; removed unless it was renamed.
+/// A file under a temporary name in the same folder; removed unless it was renamed.
 class Temporary {
  public:
   explicit Temporary(const Output& file) : path_(target(file.path)), at_(path_ + ".XXXXXX") {

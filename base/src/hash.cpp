@@ -13,9 +13,10 @@ static_assert(std::endian::native == std::endian::little,
               "columns are hashed as they lie in memory");
 namespace {
 
-/// OpenSSL's SHA-256, which uses the processor's own instructions where it has them: a table of
-/// millions of knots is hashed at both ends of every transfer. Its EVP functions load providers and
-/// a configuration file at the first hash, a quarter of the instructions of a short `check`.
+/// OpenSSL's SHA-256. It uses the SHA instructions of the processor if there are any: a table of
+/// millions of knots is hashed at both ends of every transfer. The newer EVP functions of OpenSSL
+/// are not used: at the first hash they load providers and a configuration file, a quarter of the
+/// instructions of a short `check`.
 class Hasher {
  public:
   Hasher() { SHA256_Init(&context_); }
@@ -84,7 +85,7 @@ Sha256 ContentHasher::result(Domain axis, Interpolation rule, Extrapolation outs
   return all.result();
 }
 
-/// The columns of a large table are hashed side by side, each by a thread of its own.
+/// The columns of a large table are hashed in parallel, each in a separate thread.
 Sha256 content_hash(const Table& table, const Units& units) {
   constexpr std::size_t large = 100'000;
   const auto& [x, p, v, a] = table.columns();

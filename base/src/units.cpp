@@ -11,9 +11,10 @@
 
 #include "jounce/profiles/error.hpp"
 
-// The grammar, the products and the conversion are UDUNITS-2's. The units are declared here rather
-// than read from its XML data base: its radian is dimensionless, so that degrees would pass for
-// pulses, and a tool that starts a hundred times a minute in CI should not parse XML each time.
+// UDUNITS-2 provides the grammar, the products and the conversion of units. The units are declared
+// here and not read from its XML database, for two reasons: its radian is dimensionless, so degrees
+// would be accepted for pulses, and a tool that starts a hundred times a minute in CI should not
+// parse XML each time.
 
 namespace jounce {
 namespace {

@@ -9,10 +9,13 @@
 namespace jounce {
 namespace {
 
-// Googol: a FIFO holds 32 or 1024 PT segments, 16 or 512 follow segments (GTS manual 7.4, 7.6); times
-// and master positions are `long`, the others `double`. Velocity changes linearly in a NORMAL segment, so
-// that its position is quadratic. The origin of the segments is a knot more.
+// Capacity of each target. Googol: a FIFO holds 32 or 1024 PT segments, or 16 or 512 follow
+// segments (GTS manual 7.4, 7.6). Times and master positions are `long`, all other numbers
+// `double`. In a NORMAL segment the velocity is linear and the position quadratic. A table has one
+// knot more than segments: the origin.
+//
 // HMPL: 50 points of time, position and velocity (MovePVT, 5.2.8).
+//
 // SEW: 1024 points in a curve point table (MOVI-C).
 constexpr std::array known{
     ControllerTable{"googol_pt", Domain::time, Interpolation::cubic_hermite, 33, "ms", true},

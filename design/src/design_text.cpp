@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Error of the velocity of a table of fewest knots, and the reason for their number.
+/// For a table of fewest knots: the error of its velocity, and the reason for the number of knots.
 std::string fewest_text(const Input& input) {
   const std::string rate = input.labels.over_master ? std::string(OverMaster::names[1])
                                                     : std::string(OverTime::names[1]);

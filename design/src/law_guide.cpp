@@ -16,7 +16,8 @@ std::string shown(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "∞";
 }
 
-/// Right-aligned in `width` columns on a terminal: ∞ is one column and three bytes.
+/// The value, right-aligned in `width` columns of a terminal. The sign ∞ is one column, but three
+/// bytes.
 std::string cell(double value, std::size_t width) {
   const std::string text = shown(value);
   const std::size_t columns = std::isfinite(value) ? text.size() : 1;
@@ -65,41 +66,45 @@ std::vector<Row> rows(const Characteristics& c) {
           {"Ca", c.ca.value, "peak acceleration"},
           {"Ca*", c.ca_star.value, "peak deceleration"},
           {"Cj", c.cj.value, "peak jerk"},
-          {"Cm", c.cm.value, "peak of velocity times acceleration: dynamic torque"},
-          {"rms", c.rms, "rms acceleration: motor heat"}};
+          {"Cm", c.cm.value, "peak of velocity times acceleration, for the dynamic torque"},
+          {"rms", c.rms, "rms acceleration, for the heat of the motor"}};
 }
 
 constexpr const char* introduction = R"(# The laws, and how to choose one
 
-`jounce laws --markdown` prints this page, so its names, texts and numbers are those of the program.
+This page is the output of `jounce laws --markdown`, so its names, texts and numbers are those of the program.
 
-A motion law moves the slave over a stroke h while the master moves by a length b. If the master runs at
-constant speed ω, the peaks of the slave are
+A motion law moves the slave over a stroke h while the master moves by a length b. If the master runs at the
+constant speed ω, the peaks of the slave's motion, and of the torque on the master, are
 
-    velocity Cv h ω / b,   acceleration Ca h (ω / b)²,   jerk Cj h (ω / b)³,   torque of inertia J Cm h² (ω / b)³ / ω
+    velocity Cv h ω / b,   acceleration Ca h (ω / b)²,   jerk Cj h (ω / b)³,   torque Cm J h² (ω / b)³ / ω
 
-Cv, Ca, Cj and Cm are characteristic values of the law, in the tables below. J is the inertia of the slave. So
-choose a law by the quantity that limits the machine:
+J is the inertia of the slave. Cv, Ca, Cj and Cm are characteristic values of the law. The tables below list
+them, together with the peak deceleration Ca* and the rms acceleration. Choose a law by the limit of the machine,
+or by the motion:
 
-| limiting quantity | law |
+| limit or motion | law |
 |---|---|
-| nothing in particular | `modified_sine`, or `345` if the controller accepts only polynomials |
-| speed of the motor | `modified_sine`; over long strokes `modified_constant_velocity` |
-| torque of the motor (mass) | `modified_trapezoid` |
-| heat of the motor | `345`; `cubic` if jumps of the acceleration are permitted |
-| vibration | `inclined_sine`, `4567`; with a known natural frequency, see the result of `jounce validate` |
-| none; no dwell before or after the motion | `simple_sine` out and back; `harmonic_combination` from a dwell to a reversal |
+| no particular limit | `modified_sine`, or `345` if the controller accepts only polynomials |
+| speed of the motor | `modified_sine`; for long strokes `modified_constant_velocity` |
+| torque of the motor (inertia) | `modified_trapezoid` |
+| heat of the motor | `modified_sine`; `cubic` if steps of the acceleration are permitted |
+| vibration | `inclined_sine`, `4567`; if the natural frequency is known, compare the results of `jounce validate` |
+| back and forth without a dwell | `simple_sine` |
+| from a dwell to a reversal, or back | `harmonic_combination` |
 | given velocities at the ends | `quintic`; any law with the ends "R, G" can also begin and end at a velocity |
 | measured points | `quintic_spline` with a `tolerance` |
-| your own shape, or an optimized one | `hermite`, by `jounce optimize`: see [the best shape of a cam](optimize/cams.md) |
+| your own shape, or an optimized one | `hermite`, which `jounce optimize` writes: see [the best shape of a cam](optimize/cams.md) |
 
-The letters of VDI 2143 describe the ends: R rest, G constant velocity, U reversal (acceleration without
-velocity), B both. A spec does not contain these letters, because they follow from the knots. If a knot omits a
-value, the value follows from the laws before and after the knot, or from `boundaries`.
+The letters of VDI 2143 describe the motion at each end of a segment: R rest, G constant velocity, U reversal
+(acceleration without velocity), B motion (velocity and acceleration). A spec does not contain these letters,
+because they follow from its knots. If a knot omits a value, the laws before and after the knot, or the key
+`boundaries`, determine this value.
 
-Some laws from rest to rest have the key `inflection` λ: the share of the segment before the velocity peak,
-default 1/2. It does not change Cv. The peak acceleration becomes Ca / (2λ), and the peak deceleration Ca / (2(1
-− λ)). For R-U laws with an inflection, Jounce computes λ from the acceleration at the knot of the reversal.
+Some laws from rest to rest have the key `inflection`. It is the share λ of the segment before the velocity peak,
+by default 1/2. It does not change Cv. The peak acceleration becomes Ca / (2λ), and the peak deceleration
+Ca / (2(1 − λ)). For R-U laws with an inflection, Jounce computes λ from the acceleration at the knot of the
+reversal.
 
 )";
 
@@ -136,7 +141,8 @@ std::vector<Law> rising_laws() {
 }
 
 Characteristics characteristics(Law law) {
-  // Values beside a dwell, the usual case: a law whose acceleration steps there has no finite jerk.
+  // The values next to a dwell, the usual case. A law whose acceleration steps there has an
+  // infinite jerk.
   const bool reverses = info(law).ends == Ends::rest_to_reversal;
   return characteristics(Cam(normalised(law, shown_form(law)), 0,
                              reverses ? Extrapolation::refuse : Extrapolation::hold));
@@ -147,17 +153,17 @@ const char* ends_in_words(Ends ends) {
     case Ends::given:
       return "any velocity and acceleration (R, G, U, B)";
     case Ends::straight:
-      return "the velocity of its own slope, acceleration 0 (G-G)";
+      return "the constant velocity of the line, acceleration 0 (G-G)";
     case Ends::standing:
       return "velocity and acceleration 0 (R-R), no stroke";
     case Ends::moving:
       return "any velocity, acceleration 0 (R or G)";
     case Ends::moving_free:
-      return "any velocity; the acceleration there is its own (U or B)";
+      return "any velocity; the law determines the acceleration (U or B)";
     case Ends::rest_to_reversal:
       break;
   }
-  return "rest at one end, reversal at the other with an acceleration of its own (R-U or U-R)";
+  return "rest at one end, reversal with an acceleration at the other (R-U or U-R)";
 }
 
 std::string law_table() {
@@ -199,7 +205,7 @@ std::string laws_markdown() {
     for (const Row& row : rows(characteristics(law))) text += " | " + shown(row.value);
     text += " |\n";
   }
-  text += "\n`scca` is shown with shares of 0.25, 0.25, 0.5.\n\n";
+  text += "\nThe values of `scca` are for shares of 0.25, 0.25 and 0.5.\n\n";
   for (const LawInfo& law : all_laws()) text += markdown(law.law);
   text.pop_back();
   return text;

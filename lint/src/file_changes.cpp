@@ -33,7 +33,7 @@ Diagnostic diagnostic(const char* rule, Level level, const std::string& file, st
   return d;
 }
 
-/// The curve of a spec, or of its table beside another table.
+/// The curve of a spec. `as_table`: that of its table, for a comparison with another table.
 Version version(const Input& input, const std::string& name, bool as_table) {
   Version made = version_of(input, name);
   if (!as_table || !input.spec) return made;

@@ -7,7 +7,7 @@
 
 namespace jounce::lint_detail {
 
-/// "3.5 mm", or "3.5" without a unit.
+/// Returns "3.5 mm"; "3.5" without a unit.
 inline std::string with_unit(double value, const std::string& unit) {
   return rounded(value) + (unit.empty() ? "" : " " + unit);
 }

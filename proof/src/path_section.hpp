@@ -6,7 +6,8 @@
 
 namespace jounce {
 
-/// The path that an axis belongs to, for its report: times, costs, and the places that cost most.
+/// Returns a section about the path to which an axis belongs: times, costs, and the places that
+/// cost most.
 Section path_section(const Input& input);
 
 }  // namespace jounce

@@ -75,8 +75,8 @@ Json played_json(const Played& played) {
 }  // namespace
 
 Proof prove(const Input& input, const ProofOptions& options) {
-  // The velocity of a table of straight lines steps. So does that of an input without another curve, and of a time
-  // table, whose segments have velocities of their own.
+  // The velocity of a table of straight lines steps. That of an input without another curve steps,
+  // too, and that of a time table, each of whose segments has its own velocities.
   const WitnessOptions of_table{.velocity_steps =
                                     input.table.table.rule() == Interpolation::linear};
   const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);

@@ -10,11 +10,12 @@
 
 namespace jounce {
 
-/// The drive over its tolerances, on all cores. Only the calling thread calls `progress`.
+/// Computes the drive over its tolerances, on all cores. Only the calling thread calls `progress`.
 ToleranceResult robustness(const SignalView& reference, const DriveSpec& drive,
                            const ProofProgress& progress);
 
-/// The worst case of every figure as lines of `jounce validate`, and as JSON; `unit`: unit of the position.
+/// Returns the worst case of every figure as lines of `jounce validate`, and as JSON. `unit`: unit
+/// of the position.
 std::string robustness_text(const ToleranceResult& result, const std::string& unit);
 nlohmann::ordered_json robustness_json(const ToleranceResult& result);
 

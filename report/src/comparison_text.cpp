@@ -32,7 +32,7 @@ std::pair<std::string, std::string> apart(double a, double b) {
   return {first, second};
 }
 
-/// "a", or "a -> b" where they differ by more than rounding; what is rounding beside the peak is 0.
+/// "a", or "a -> b" if they differ by more than rounding. A value below the rounding counts as 0.
 std::string arrow(double a, double b, const Change& change) {
   const double peak =
       std::max(std::abs(change.before.peak().value), std::abs(change.after.peak().value));

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A position for people: what is rounding beside the range is 0.
+/// A position for people. A value below the rounding of the range is 0.
 std::string tidy(double value, const Range& range) {
   return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
 }

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// "3.5 mm", or "3.5" without a unit.
+/// Returns "3.5 mm"; "3.5" without a unit.
 std::string with_unit(double value, const std::string& unit);
 
 }  // namespace jounce

@@ -22,7 +22,8 @@ using spec_detail::TomlReader;
 
 using spec_detail::read_unit;
 
-/// A kind of spec: its independent axis, and the function that reads its own part, after units, table and limits.
+/// A kind of spec: its independent axis, and the function that reads its own part after units,
+/// table and limits.
 struct Kind {
   const char* name;
   enum { over_time, over_master, no_curve } runs;
@@ -159,7 +160,7 @@ constexpr std::array kinds{
     Kind{"drive", Kind::no_curve, read_drive_alone},
 };
 
-/// Kinds of files for other verbs.
+/// Rejects kinds of files that belong to other commands.
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")

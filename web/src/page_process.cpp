@@ -41,8 +41,9 @@ constexpr Nanos patience = 1s;  // wait for a page that shall end
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// Starts the child with these three descriptors and the socket, in a group of its own (Ctrl-C is for the
-/// executor, which still has axes to stop), and with no signal blocked or ignored.
+/// Starts the child with these three descriptors and the socket, and with no signal blocked or
+/// ignored. The child is in a new process group, which Ctrl-C does not reach: Ctrl-C is for the
+/// executor, which still has axes to stop.
 class Spawn {
  public:
   Spawn(int input, int socket) {

@@ -21,9 +21,9 @@
 
 #include "jounce/web/gate.hpp"
 
-// One thread waits for all connections; a command, which waits for an axis, has a thread of a pool.
-// httplib, used before, reads a whole body before it checks the token, and has a timeout for each
-// read but none for a request: it cannot be bounded from outside.
+// One thread waits for all connections. A command waits for an axis and therefore runs in a thread
+// of a pool. Boost.Beast is used because its limits can be set: the token is checked before the
+// body of a request is read, and a whole request has a timeout.
 namespace jounce::web {
 namespace {
 

@@ -8,36 +8,39 @@
 
 #include "jounce/profiles/error.hpp"
 
-// The filter (Morrison 1969; Brookner, Tracking and Kalman Filtering Made Easy, 1998, 1.3 and 1.4).
-// Let h be the time since the previous measurement and z the new one:
+// The filter of the master. Source: N. Morrison 1969; E. Brookner, Tracking and Kalman Filtering
+// Made Easy, 1998, 1.3 and 1.4. Estimate: position x, velocity v, acceleration a. h is the time
+// since the previous measurement and z the new measurement:
 //
 //   (1)  x- = x + v h + a h^2 / 2,   v- = v + a h,   a- = a             prediction
 //   (2)  r = z - x-
 //   (3)  x = x- + A r,   v = v- + B r / h,   a = a- + 2 C r / h^2
 //
-// Fading memory: all eigenvalues of the error are at t = exp(-h / time_constant), so that the error
-// decays as fast as possible with the least overshoot:
+// Fading memory: old measurements count less and less. All eigenvalues of the error are at
+// t = exp(-h / time_constant): the error decays as fast as possible with the least overshoot:
 //
 //   (4)  order 2:  A = 1 - t^2,   B = (1 - t)^2,                   C = 0
 //   (5)  order 3:  A = 1 - t^3,   B = 3/2 (1 - t)^2 (1 + t),       C = (1 - t)^3 / 2
 //
-// At first there is no memory to fade. Until (4), (5) are as slow, the filter is the least squares
-// line (parabola) through all n + 1 measurements so far,
+// The first measurements use (6) or (7) instead, as long as their gains are higher than those of
+// (4) or (5): the least-squares line (order 2) or parabola (order 3) through all n + 1 measurements
+// so far,
 //
 //   (6)  order 2:  A = 2 (2n + 1) / D,         B = 6 / D,              D = (n + 1)(n + 2)
 //   (7)  order 3:  A = 3 (3n^2 + 3n + 2) / D,  B = 18 (2n + 1) / D,    C = 30 / D,
 //                  D = (n + 1)(n + 2)(n + 3),  n >= 2
 //
-// The output follows the estimate x*, v*. In a cycle of dt, with constant acceleration,
+// The output p, v follows the estimate x*, v*. In a cycle of dt, with constant acceleration,
 //
 //   (8)  e = x* - (p + dt (v + v*) / 2)        position error if it ended with v*
 //   (9)  v := v* + k e,   k = 2 (1 - exp(-dt / settle)) / dt
 //  (10)  p := p + dt (v_before + v) / 2
 //
-// so e falls by exp(-dt / settle), and the output follows a target of constant velocity or
-// acceleration without lag. |k e| is limited to sqrt(a |e|), the speed from which half the
-// acceleration a brings the output to rest on its target. v is limited to its previous value +- a
-// dt, and to the velocity.
+// The position error e falls by the factor exp(-dt / settle) in each cycle, and the output follows
+// a master of constant velocity or acceleration without lag. |k e| is limited to sqrt(a |e|),
+// where a is here the highest acceleration of the output: the speed from which a / 2 brings the
+// output to rest on its target. v changes by at most a dt in a cycle, and is limited to the highest
+// velocity.
 
 namespace jounce {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "jounce/axis/axis.hpp"
 
-// Homing of an axis: Homing computes the velocity, and the axis plans the motion like any other
-// move of its own. The position range does not apply: it refers to a home position that is not yet
-// available.
+// Homing of an axis. The class Homing computes the velocity, and the axis plans the motion
+// to that velocity as for any other move. The position range does not apply: it refers to the home
+// position, which is not yet known.
 
 namespace jounce {
 namespace {

@@ -4,9 +4,10 @@
 #include "jounce/axis/axis.hpp"
 
 // Waiting commands: one command for its tick, and the moves that wait for the end of the present
-// motion (BufferMode). The first of these takes over from rest, or at the point at which the
-// previous move passes its target. Each waiting move is planned to end at rest until it is in
-// progress itself. After any withdrawal, the present motion can therefore stop at its own target.
+// motion (BufferMode). The first of these moves takes over when the motion is at rest, or at the
+// point at which the previous move passes its target. A waiting move is planned to end at rest
+// until it is in progress. If the moves after it are withdrawn, it can therefore still stop at its
+// target.
 
 namespace jounce {
 

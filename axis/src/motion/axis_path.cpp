@@ -66,9 +66,9 @@ MotionAxis::Rejection MotionAxis::start_at_pass_end() {
   return std::nullopt;
 }
 
-/// Reason why the armed movement cannot take over from the present path. From its accepted start to
-/// the swap, the rate is limited to the range of both paths. It falls to that by the dynamics of the
-/// present path.
+/// Returns the reason why the armed movement cannot take over from the present path, or none. From
+/// its accepted start to the swap, the rate is limited to the range that both paths permit. The
+/// present path slows down to that range within its own limits.
 MotionAxis::Rejection MotionAxis::against_swap() const {
   if (above_.running() || armed_.is_live()) return Refusal{Cause::in_motion};
   if (!path_.steady(now_.tick)) return Refusal{Cause::rate_changing};

@@ -55,9 +55,9 @@ Bounds towards(const MotionState& from, double target, const MoveDynamics& d, do
   return bounds;
 }
 
-/// Until the acceleration is 0, the velocity changes by a^2 / (2j). If the jerk is too low for the
-/// velocity to stay within its limit, or for a stop without reversal, it is raised, at most to that
-/// of a stop: the axis's limits take precedence.
+/// The jerk of a move. Until the acceleration is 0, the velocity changes by a^2 / (2j). If the jerk
+/// of the command is too low to keep the velocity within its limit, or to stop without reversal, it
+/// is raised, at most to the jerk of a stop: the limits of the axis take precedence.
 double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& config) {
   const auto& [p, v, a] = from;
   const double along = std::copysign(v, v * a);  // > 0: it speeds up
@@ -97,8 +97,7 @@ std::optional<Profile> joined(const Profile& first, const Profile& second, const
 }
 
 /// A move that passes its target faster than its own velocity: it moves at its own velocity first
-/// and speeds up as late as possible, with a ramp that ends at the target. Let w be the distance of
-/// the ramp:
+/// and speeds up as late as possible. Its ramp ends at the target. With w the distance of the ramp:
 ///
 ///     (1)  from -> (target - w, own velocity) -> (target, velocity there)
 ///
@@ -122,8 +121,8 @@ std::optional<Profile> speed_up(const MotionState& from, const Goal& goal, const
   return move ? std::optional(move.profile) : std::nullopt;
 }
 
-/// True if the halves of a motion meet in the middle: the first is computed from its start, the
-/// second back from its end (Profile::at). They do not meet if the accelerations differ by many
+/// Returns true if the halves of a motion meet in the middle: the first is computed from its start,
+/// the second back from its end (Profile::at). They do not meet if the accelerations differ by many
 /// orders of magnitude: a double then has too few digits for the durations.
 bool halves_meet(const Profile& motion, const AxisConfig& config) {
   const double middle = motion.duration() / 2;
@@ -153,9 +152,10 @@ double wanted_at_passing(double previous, double next, BufferMode mode) {
   return std::min(previous, next);
 }
 
-/// Comes to rest at the end of the range that this stop leaves: it reverses and returns, inside the
-/// range throughout. The sign of the velocity does not determine that end: the acceleration may
-/// still reverse the motion.
+/// A motion that ends at rest at the end of the range that this stop exceeds: it reverses and
+/// returns. The end is found from the extreme positions of the stop and not from the sign of the
+/// velocity, because the acceleration may still reverse the motion. Returns no value if that end
+/// has no limit or there is no such motion.
 std::optional<Profile> rest_at_limit(const MotionState& from, const Profile& stop,
                                      const MoveDynamics& d, const AxisConfig& config) {
   const auto [lowest, highest] = positions(stop);

@@ -7,16 +7,17 @@
 
 #include "jounce/profiles/moves/move.hpp"
 
-// A stop, a hold and an override on the path. The axis still plays the table, but the table's own
-// time s runs at a rate r(t) = ds/dt, so the position never leaves the path. By the chain rule,
-// with p the table,
+// Stop, hold and override on a path. The axis still plays the table, but the time s of the table
+// runs at a rate r(t) = ds/dt. The position therefore never leaves the path. By the chain rule,
+// with p(s) the table,
 //
 //     (1)  velocity      p' r
 //     (2)  acceleration  p'' r^2 + p' r'
 //     (3)  jerk          p''' r^3 + 3 p'' r r' + p' r''
 //
-// Let V, A, J be the peaks of the table and h >= r the highest rate of a change. The change keeps
-// its limits a and j anywhere on the path if |r'| <= R and |r''| <= 2 R^2 with
+// Let V, A, J be the peaks of velocity, acceleration and jerk of the table and h >= r the highest
+// rate during a change. The change keeps the limits a and j everywhere on the path if |r'| <= R and
+// |r''| <= 2 R^2 with
 //
 //     (4)  A h^2 + V R <= a                          that is  R <= (a - A h^2) / V
 //     (5)  J h^3 + 3 A h R + 2 V R^2 <= j            that is  R <= 2c / (b + sqrt(b^2 + 8 V c)),
@@ -27,10 +28,10 @@
 //
 //     (6)  D = 3 / (2R)
 //
-// and, by symmetry, it covers D/2 of path time. It is a velocity move
-// (jounce/profiles/moves/move.hpp) whose "velocity" is the rate. Such a move may start from any
-// state, so a new change may interrupt it. On a ramp to a rate, r' can always fall to 0 before r
-// passes that rate; so r stays between the rates, and path time never runs backwards.
+// By symmetry it covers D/2 of path time. It is a velocity move (jounce/profiles/moves/move.hpp)
+// whose "velocity" is the rate. Such a move may start from any state, and a new change may
+// interrupt it. On a ramp to a rate, r' can always fall to 0 before r passes that rate. Therefore r
+// stays between the old and the new rate, and path time never runs backwards.
 //
 // A step of the velocity within the table counts as the acceleration that makes it in one tick. At
 // rates above 1, a tick may contain twice as many steps.

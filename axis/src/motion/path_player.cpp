@@ -45,9 +45,9 @@ bool PathPlayer::change(double rate, const PathRequest& request) noexcept {
   return clock_.change(request.tick, rate, slope_to(rate, request.tick, request.added));
 }
 
-/// After a late cycle, a stop from now on may end beyond the available path, and so may a change of
-/// this tick. The stop then begins in the last stepped tick, for which starves() has kept enough
-/// path.
+/// Starts a stop. A growing path must be available as far as the stop needs it. After a late cycle,
+/// a stop that begins in this tick may need more; it then begins in the last stepped tick.
+/// starves() has kept enough path for that.
 bool PathPlayer::stop(const PathRequest& request) noexcept {
   const std::int64_t tick = request.tick;
   PathClock now = clock_;
@@ -61,10 +61,11 @@ bool PathPlayer::stop(const PathRequest& request) noexcept {
          clock_.change(changeable_, 0, slope_to(0, changeable_, request.added));
 }
 
-/// Above full speed, a growing path runs only while its available part suffices to return to full
-/// speed and then to rest. A slow supply therefore first slows the path; it is an underrun only at
-/// full speed. The path gets the requested rate, or half of the increase, or half of that, if half
-/// as much again is available: the margin prevents oscillation.
+/// Sets the rate of a growing path above full speed (rate 1). It keeps such a rate only as long as
+/// the available part suffices to return to full speed and then to rest. A slow supply therefore
+/// slows the path to full speed first; only there is it an underrun. The new rate is the requested
+/// one. If 1.5 times the path time that it needs is not available, half of the increase is tried,
+/// then half of that, and so on. The margin prevents oscillation.
 void PathPlayer::govern(const PathRequest& request) noexcept {
   if (request.rate <= 1) return;
   const double most = wanted(request.rate, request.next);

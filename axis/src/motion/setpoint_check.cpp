@@ -32,8 +32,9 @@ MotionState mirrored(const MotionState& state) {
   return {-state.position, -state.velocity, -state.acceleration};
 }
 
-/// An upper bound of the upward distance of any stop with this deceleration: the velocity never
-/// exceeds (1), and the duration never exceeds (2), the sum of its three phases.
+/// An upper bound of the upward distance of any stop with deceleration s and jerk j, from velocity
+/// v and acceleration a. It is the product of (1), which the velocity never exceeds, and (2), the
+/// sum of the durations of the three phases, which the duration never exceeds.
 ///
 ///     (1)  w = max(v, 0) + a^2 / (2 j)            where a > 0
 ///     (2)  a / j  +  w / s  +  s / j
@@ -43,10 +44,11 @@ double most_way(double v, double a, double s, double j) {
   return w * (rise / j + w / s + s / j);
 }
 
-/// The upward distance before reversal, with the jerk -j to the acceleration -s, then at that
-/// acceleration.
+/// The upward distance before reversal from velocity v and acceleration a: with the jerk -j until
+/// the acceleration is -s, then at that acceleration. (3) is the instant of a reversal before the
+/// acceleration is -s:
 ///
-///     (3)  v + a t - j t^2 / 2 = 0                 if it reverses before the acceleration is -s
+///     (3)  v + a t - j t^2 / 2 = 0
 double way_to_turn(double v, double a, double s, double j) {
   if (std::isinf(j)) return v > 0 ? v * v / (2 * s) : 0;
   const double root = a * a + 2 * j * v;

@@ -7,10 +7,10 @@
 
 #include "jounce/axis/setpoint_check.hpp"
 
-// One tick of an axis, from its inputs to its outputs; read from step() down. Other files: commands
-// in axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp, a path and the next one
-// in axis_path.cpp, the end of a motion in axis_ends.cpp. The players of a motion have classes of
-// their own: PathPlayer, LivePlayer, MovePlayer, SuperimposedMove.
+// One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
+// axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp (commands), axis_path.cpp
+// (a path and the next one), axis_ends.cpp (the end of a motion). Each kind of motion is played by
+// a class: PathPlayer, LivePlayer, MovePlayer, SuperimposedMove.
 
 namespace jounce {
 
@@ -182,9 +182,9 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   return Cause::none;
 }
 
-/// True if the whole motion is available and was admitted against the range: a path, or a move
-/// planned to a target. Each can stop inside: the path on itself, the move with the stop limits,
-/// which exceed its own.
+/// Returns true if the whole motion was checked against the position range when it was accepted: a
+/// path, or a move to a position. Each can stop inside the range: the path on itself, the move with
+/// the stop limits, which exceed those of the move.
 bool MotionAxis::inside_as_a_whole() const {
   if (above_.shifts()) return false;
   if (on_path()) return path_->bounded();

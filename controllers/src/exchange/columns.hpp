@@ -8,20 +8,22 @@
 
 #include "controllers/src/exchange/exchange_parts.hpp"
 
-/// Files with a line for each knot.
+/// Text files with one line for each knot.
 namespace jounce::controllers_detail {
 
-/// The values of a line, separated by semicolons, white space or commas.
+/// Returns the values of a line, separated by semicolons, white space or commas.
 std::vector<std::string_view> column_cells(std::string_view line);
 
-/// The cells of the first line that is no comment, if it can be a knot or a header; else none.
+/// Returns the cells of the first line that is not a comment, if it can be a knot or a header;
+/// otherwise none.
 std::vector<std::string_view> first_cells(std::string_view text);
 
-/// Knots of `columns` values, 2 (X Y) or 4 (X Y V A). `counted`: the first line is their number.
+/// Reads knots of `columns` values: 2 (X Y) or 4 (X Y V A). `counted`: true if the first line
+/// contains the number of knots.
 std::vector<Exchanged> read_columns(const std::string& text, const Place& place,
                                     std::size_t columns, bool counted = false);
 
-/// A line for each knot: X and Y, or X Y V A for a quintic table, then `end`.
+/// Returns a line for each knot, X and Y, or X Y V A for a quintic table, then `end`.
 std::string rows_text(const TableFile& file, char separator, const std::string& end);
 
 }  // namespace jounce::controllers_detail

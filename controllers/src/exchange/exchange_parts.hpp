@@ -18,42 +18,44 @@ struct Line {
   std::string_view text;  ///< without white space around it
 };
 
-/// The lines that are not blank.
+/// Returns the lines that are not blank.
 std::vector<Line> lines_of(std::string_view text);
 
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);
 
-/// The comments `# key: value` or `// key: value` that Jounce wrote.
+/// A value from a comment `# key: value` or `// key: value` that Jounce wrote.
 struct Note {
-  std::string value;
-  int line = 0;
+  std::string value;  ///< the value
+  int line = 0;       ///< number of its line
 };
 using Notes = std::map<std::string, Note>;
 Notes notes_of(const std::vector<Line>& lines);
 bool is_comment(std::string_view line);
 
-/// The comments themselves, each line begun with `mark`.
+/// Returns the comments for a table. Each line begins with `mark`.
 std::string notes_text(const TableFile& file, const std::string& mark);
 
-/// One cam as read: a column entry and a line for each knot.
+/// One cam as it was read. `columns` and `lines` have one entry for each knot.
 struct Exchanged {
-  std::string name = {};  ///< empty where the format has no names of cams
+  std::string name = {};  ///< name of the cam; "" if the format has no names
   Interpolation rule = Interpolation::quintic_hermite;
-  Columns columns = {};
-  std::vector<int> lines = {};
-  Notes notes = {};
-  std::vector<std::string> unread = {};  ///< parts of the file beside the knots
+  Columns columns = {};                  ///< columns of its table
+  std::vector<int> lines = {};           ///< line of each knot
+  Notes notes = {};                      ///< comments that Jounce wrote
+  std::vector<std::string> unread = {};  ///< parts of the file other than the knots
 };
 
-/// Place of an error in a file.
+/// A file, for errors with a place in it.
 class Place {
  public:
+  /// `name`: name of the file. `decimal_comma`: true if a comma is the decimal separator.
   Place(std::string name, bool decimal_comma)
       : name_(std::move(name)), decimal_comma_(decimal_comma) {}
+  /// Throws InputError for this line, key and value.
   [[noreturn]] void fail(int line, const std::string& key, std::string_view value,
                          const std::string& rule) const;
-  /// A finite number, or fail().
+  /// Returns a finite number; calls fail() for any other text.
   [[nodiscard]] double number(int line, const std::string& key, std::string_view text) const;
 
   [[nodiscard]] const std::string& name() const { return name_; }

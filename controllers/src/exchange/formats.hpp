@@ -12,14 +12,16 @@ namespace jounce::controllers_detail {
 /// A format with the functions that detect, read and write it.
 struct FormatRow {
   CamFormat format;
+  /// True if the text is in this format.
   bool (*detects)(const std::string& text);
-  /// All cams of the file, at least one; null if it cannot be read.
+  /// Returns all cams of the file, at least one. Null if Jounce cannot read the format.
   std::vector<Exchanged> (*read)(const std::string& text, const Place& place);
+  /// Returns a table as text in this format.
   std::string (*write)(const TableFile& file);
-  const char* unreadable = "";  ///< the reason, as a rule
+  const char* unreadable = "";  ///< reason why the format cannot be read, as a rule
 };
 
-/// One row for each vendor's source; formats.cpp lists them.
+/// The formats, one for each source of a vendor. A new one is added to the list in formats.cpp.
 extern const FormatRow codesys_format;
 extern const FormatRow twincat_format;
 extern const FormatRow siemens_format;
@@ -30,7 +32,9 @@ extern const FormatRow sew_format;
 extern const FormatRow pairs_format;
 extern const FormatRow xyva_format;
 
+/// Returns all formats, in the order in which they are tried.
 std::span<const FormatRow* const> format_rows();
+/// Returns the row of a format.
 const FormatRow& row_of(const CamFormat& format);
 
 }  // namespace jounce::controllers_detail

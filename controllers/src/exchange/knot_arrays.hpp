@@ -11,48 +11,54 @@
 
 namespace jounce::controllers_detail {
 
-/// A structure of Structured Text (IEC 61131-3) or SCL whose array is a cam. Names are compared in any letter case.
+/// A structure of Structured Text (IEC 61131-3) or SCL; an array of it is a cam. Names are compared
+/// without regard to case.
 struct KnotType {
-  std::string_view name;                   ///< without its library
+  std::string_view name;                   ///< name without its library
   std::array<std::string_view, 4> fields;  ///< x, p, v, a; empty for a field that it does not have
-  std::vector<std::string_view> others = {};  ///< further fields, whose values stay words
+  std::vector<std::string_view> others = {};  ///< further fields; their values are not converted
 };
 
+/// One element of such an array.
 struct Knot {
-  std::array<double, 4> values{};             ///< x, p, v, a; 0 if not given, as in the language
-  std::map<std::string, std::string> others;  ///< by the field as in KnotType
-  int line = 0;
+  std::array<double, 4> values{};  ///< x, p, v, a; 0 if not given, as the language defines
+  /// Values of the further fields, by the names in KnotType.
+  std::map<std::string, std::string> others;
+  int line = 0;  ///< its line in the file
 };
 
+/// One such array.
 struct KnotArray {
-  std::string name;
-  std::size_t at = 0;  ///< place of its end in the text
+  std::string name;    ///< name of its variable
+  std::size_t at = 0;  ///< offset of its end in the text
   std::vector<Knot> knots = {};
 };
 
-/// All arrays of this type, in the order of the file: those with initial values,
+/// Returns all arrays of this type, in the order of the file. Two forms are read. Arrays with
+/// initial values:
 ///
 ///     Cam_A : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0, dY := 0), (dX := 360, dY := 40)];
 ///
-/// and those whose elements are assigned, with a number or a variable with a constant value as the index:
+/// Arrays whose elements are assigned one by one. The index is a number or a variable with a
+/// constant value:
 ///
 ///     points[1].leadingValue := 0.0;    i := 2;  points[i].leadingValue := 120.0;
 ///
-/// Throws InputError for a field that the type does not have, a missing element, and a number of elements that does not
-/// match the declared range.
+/// Throws InputError for a field that the type does not have, for a missing element, and if the
+/// number of elements does not match the declared range.
 std::vector<KnotArray> knot_arrays(const std::string& text, const KnotType& type,
                                    const Place& place);
 
-/// The knots as a cam; the columns v and a only if `type` has these fields.
+/// Returns the knots as a cam. It has the columns v and a only if `type` has these fields.
 Exchanged cam_of_knots(const KnotArray& array, const KnotType& type, Interpolation rule);
 
-/// The initial values, a line `    (dX := 0.0, ...),` for each knot.
+/// Returns the initial values, with one line `    (dX := 0.0, ...),` for each knot.
 std::string knots_text(const Columns& columns, const KnotType& type);
 
-/// A REAL or LREAL literal of IEC 61131-3, which has a decimal point.
+/// Returns a REAL or LREAL literal of IEC 61131-3, which has a decimal point.
 std::string real_literal(double value);
 
-/// Without the names of libraries, lists and enumerations before the last point.
+/// Returns the name without libraries, lists and enumerations, which precede its last point.
 std::string unqualified(const std::string& name);
 
 }  // namespace jounce::controllers_detail

@@ -8,8 +8,8 @@
 
 namespace jounce::controllers_detail {
 
-/// The words and signs of Structured Text (IEC 61131-3), one after another, without comments and
-/// pragmas, and their lines. Words are compared in any letter case, as in the language.
+/// Reads Structured Text (IEC 61131-3) token by token and counts lines. Comments and pragmas are
+/// skipped. Words are compared without regard to case, as the language defines.
 ///
 ///     StReader code(text, place);
 ///     for (std::string word = code.next(); !word.empty(); word = code.next()) ...
@@ -17,6 +17,7 @@ namespace jounce::controllers_detail {
 ///     const double x = code.number("dX");                  // -40, - 40, LREAL#1.0, 1_000.5
 class StReader {
  public:
+  /// A place in the text.
   struct Mark {
     std::size_t at = 0;
     int line = 1;
@@ -24,22 +25,26 @@ class StReader {
 
   StReader(const std::string& text, const Place& place);
 
-  /// The next word in lower case, string with its quotes as it is, `:=`, `..` or sign; empty at the end.
+  /// Returns the next token: a word in lower case, a string with its quotes, `:=`, `..` or a sign;
+  /// "" at the end.
   std::string next();
-  /// The next token, without consuming it.
+  /// Returns the next token without consuming it.
   std::string peek();
+  /// Consumes the next token; fails if it is another one.
   void expect(const std::string& wanted);
-  /// A number literal with its signs and without its type. fail() with `key` for anything else.
+  /// Reads a number literal with its signs, without its type. Calls fail() with `key` for anything
+  /// else.
   double number(const std::string& key);
-  /// The next word as it stands in the file, such as a name.
+  /// Returns the next word in its original letter case.
   std::string name();
-  /// Reads on to the `,` or the closing bracket that ends a value, and stays in front of it.
+  /// Skips a value, up to the `,` or the closing bracket that ends it; these are not consumed.
   void skip_value();
 
   [[noreturn]] void fail(const std::string& key, std::string_view value,
                          const std::string& rule) const;
   [[nodiscard]] int line() const { return here_.line; }
   [[nodiscard]] Mark here() const { return here_; }
+  /// Continues at this place.
   void go_to(const Mark& mark) { here_ = mark; }
 
  private:

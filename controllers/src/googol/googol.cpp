@@ -11,7 +11,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// A ramp over dv under `percent`, share p = percent/100, with acceleration A at its peak (7.7.1):
+// A ramp that changes the velocity by dv, with `percent` of smoothing, p = percent/100, and the
+// peak acceleration A (manual 7.7.1). T is its duration, ta that of each jerk phase, te that of
+// constant acceleration:
 //
 //   (1)  T = dv / (A (1 - p/2)),   ta = p T / 2,   te = (1 - p) T
 //   (2)  jerk = A / ta = 2 A^2 (1 - p/2) / (p dv)

@@ -9,7 +9,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// sin^2 edges of velocity have the mean acceleration dv/T and the peak pi/2 dv/T:
+// An edge of the velocity in the form of sin^2, of height dv and duration T, has the mean
+// acceleration dv/T and the peak acceleration pi/2 dv/T:
 //
 //   (1)  sigmoid: T as in the trapezoid, mean = acceleration
 //   (2)  sigmoid_limit: peak = acceleration, mean = 2/pi acceleration

@@ -18,11 +18,13 @@
 
 #include "controllers/src/exchange/formats.hpp"
 
-// Cams of Rockwell Logix in an L5X export. A tag of the type CAM is what a person edits: elements of Master, Slave
-// (REAL) and SegmentType (0 linear, 1 cubic) of the segment to the next element. MCCP computes a CAM_PROFILE from it,
-// whose elements are 14 DINTs in the text form "L5K": Status (2: calculated), Master, Slave, SegmentType, and c0 to c3
-// of slave = Slave + c0 + c1 d + c2 d^2 + c3 d^3, d = master - Master; each number but Status and SegmentType is a
-// double, its high word first.
+// Cams of Rockwell Logix in an L5X export. A tag of the type CAM is edited by the user. Its
+// elements contain Master and Slave (REAL) and SegmentType (0 linear, 1 cubic), the law of the
+// segment to the next element. The instruction MCCP computes a CAM_PROFILE from it. Each element of
+// that is written as 14 DINTs in the text form "L5K": Status (2: calculated), Master, Slave,
+// SegmentType, and c0 to c3 of slave = Slave + c0 + c1 d + c2 d^2 + c3 d^3 with
+// d = master - Master. Each number except Status and SegmentType is a double in two DINTs, the high
+// word first.
 namespace jounce::controllers_detail {
 namespace {
 

@@ -6,9 +6,9 @@
 #include "controllers/src/exchange/formats.hpp"
 #include "controllers/src/exchange/knot_arrays.hpp"
 
-// Cams of the SIMATIC S7-1500T, as points that a program gives to a technology object TO_Cam: those of
-// LCamHdl_CreateCamBasic (library LCamHdl), joined by polynomials of degree 5, and those of the object
-// itself, joined by lines or splines.
+// Cams of the SIMATIC S7-1500T, as the points that a program writes to a technology object TO_Cam.
+// Two forms are read: the points of LCamHdl_CreateCamBasic (library LCamHdl), joined by polynomials
+// of degree 5, and the points of the object, joined by lines or splines.
 namespace jounce::controllers_detail {
 namespace {
 

@@ -76,7 +76,7 @@ std::string corner_text(const CornerRecord& corner, const Along& units) {
   return text;
 }
 
-/// Indices of the losses, the greatest first.
+/// Indices of the losses, in descending order of the loss.
 std::vector<std::size_t> by_loss(const std::vector<SpeedLoss>& losses) {
   std::vector<std::size_t> order(losses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -103,7 +103,7 @@ std::string places_text(const PathSummary& s, const Along& units) {
   return text;
 }
 
-/// A line for each kind of note: how many, and the first in words.
+/// One line for each kind of note: the number of notes, and the first one in words.
 std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
   for (std::size_t k = 1; k < note_names.size(); ++k) {

@@ -37,7 +37,7 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   return f;
 }
 
-/// Adds the velocity of the slave to the advice where its tables end at a ratio.
+/// Adds the velocity of the slave to the advice for tables that end at a ratio.
 void add_speed(Report& report, const Spec& spec) {
   for (Finding& f : report.findings)
     if (f.rule == "follow/open_end" && spec.master)

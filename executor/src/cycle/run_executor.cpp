@@ -18,9 +18,9 @@ namespace {
 std::atomic<int> signals_seen{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait");
 
-/// Counts SIGINT, SIGTERM and SIGHUP during its lifetime, and ignores SIGPIPE: neither a closed
-/// terminal nor a closed pipe may end the process under a moving axis. SA_RESTART, because LCM's
-/// memq does not survive a call interrupted by a signal.
+/// Counts SIGINT, SIGTERM and SIGHUP during its lifetime, and ignores SIGPIPE. The process must not
+/// end while an axis moves, because a terminal or a pipe was closed. Handlers use SA_RESTART: LCM's
+/// memq fails if a signal interrupts one of its calls.
 class SignalWatch {
  public:
   SignalWatch() {

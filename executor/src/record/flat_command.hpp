@@ -11,7 +11,7 @@
 
 namespace jounce::record_fields {
 
-/// A command as the record has it: the fields of all commands in one. cycle_t has their names.
+/// A command in the form of the record: the fields of all commands, with the names of cycle_t.
 struct FlatCommand {
   CommandKind kind = CommandKind::none;
   std::uint64_t id = 0;
@@ -29,7 +29,7 @@ struct FlatCommand {
   double distance = as_configured;
 };
 
-/// f(field of the command, field of the flat one) for every field; the movement is apart.
+/// Calls f(field of the command, field of the flat command) for every field except the movement.
 template <class C, class Flat, class F>
 void each_pair_of_command(C& c, Flat& flat, F f) {
   using T = std::remove_const_t<C>;
@@ -61,6 +61,7 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   }
 }
 
+/// Returns a command in that form.
 inline FlatCommand flat(const Command& command) {
   FlatCommand flat{.kind = command.kind(), .id = command.id, .at = command.at};
   const auto put = [](const auto& from, auto& to) { to = from; };
@@ -68,7 +69,7 @@ inline FlatCommand flat(const Command& command) {
   return flat;
 }
 
-/// Throws InputError for a command that no axis executes.
+/// Returns the command. Throws InputError for a kind that no axis executes.
 inline Command command_of(const FlatCommand& flat) {
   const auto with_defaults = made<AxisCommand>(flat.kind);
   if (!with_defaults) throw InputError("command", name(flat.kind), "is not a command of an axis");

@@ -10,7 +10,7 @@
 
 namespace jounce::executor_detail {
 
-/// An event of an LCM log file (LCM's eventlog.c): all numbers big-endian,
+/// An event of an LCM log file (LCM's eventlog.c). All numbers are big-endian. Order of the fields:
 ///
 ///     u32 0xEDA1DA01, i64 number, i64 time stamp in us, i32 channel's length, i32 data's length,
 ///     channel, data
@@ -28,15 +28,17 @@ void append(std::string& bytes, std::int64_t number, std::int64_t microseconds,
 /// Reads one event after another, with at most one in memory.
 class LcmLogReader {
  public:
-  /// `in` must outlive it; `name` is for errors.
+  /// `in` must outlive the reader. `name`: name of the file for errors.
   LcmLogReader(std::istream& in, std::string name);
 
-  /// Returns nullopt at the end, and if the file ends within an event: then cut(). Throws
-  /// InputError if no event begins there, or its lengths are impossible.
+  /// Returns the next event; nullopt at the end. If the file ends within an event, returns nullopt,
+  /// and cut() is true. Throws InputError if no event begins at this place, or if its lengths are
+  /// impossible.
   std::optional<LcmEvent> next();
 
+  /// True if the file ends within an event.
   [[nodiscard]] bool cut() const { return cut_; }
-  [[nodiscard]] std::int64_t events() const { return events_; }  ///< read so far
+  [[nodiscard]] std::int64_t events() const { return events_; }  ///< number of events read so far
   [[nodiscard]] std::int64_t offset() const {
     return offset_;
   }  ///< offset of the next one, in bytes

@@ -27,9 +27,9 @@ std::string bytes_of(const Wire& w) {
   return bytes;
 }
 
-/// Fixed-size types only: their decoder cannot read past the bytes. The first eight bytes are LCM's
-/// fingerprint of the type's fields, so that a record with other fields (another version's) is
-/// rejected.
+/// Decodes an event of a fixed-size LCM type. Only such types are permitted: their decoder cannot
+/// read past the bytes. The first eight bytes are LCM's fingerprint of the fields. A record with
+/// other fields (of another version) is therefore rejected.
 template <class Wire>
 RecordEvent event_of(std::string_view channel, std::string_view bytes) {
   Wire w{};

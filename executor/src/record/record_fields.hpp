@@ -12,8 +12,9 @@
 
 #include "executor/src/record/flat_command.hpp"
 
-/// The common fields of the record types in executor/lcm and ours, one list for each type, for both
-/// directions: each_input(ours, theirs, Put{}) writes, Get{} reads, and a custom function compares.
+/// The fields that the types of record.hpp ("ours") and the LCM types in executor/lcm ("theirs")
+/// have in common. There is one list for each type, for all purposes: each_input(ours, theirs,
+/// Put{}) writes, Get{} reads, and other functions compare.
 namespace jounce::record_fields {
 
 template <class Ours, class Theirs, class F>
@@ -27,7 +28,7 @@ void each_sensor(Ours& s, Theirs& w, F f) {
   }
 }
 
-/// f(name, ours, theirs) for every field.
+/// Calls f(name, ours, theirs) for every field.
 template <class Ours, class Theirs, class F>
 void each_command(Ours& c, Theirs& w, F f) {
   f("id", c.id, w.id);
@@ -68,8 +69,8 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("rows", c.inputs.rows, w.rows);
 }
 
-/// Reasons why the command of a tick was rejected, and why the waiting motion did not begin; cause
-/// none: neither.
+/// Reasons why the command of a tick was rejected, and why the waiting motion was dropped. The
+/// cause `none` means that it was not.
 struct Refusals {
   Refusal refused = {};
   Refusal dropped = {};
@@ -77,6 +78,7 @@ struct Refusals {
   Refusals() = default;
   explicit Refusals(const Tick& tick)
       : refused(tick.refused.value_or(Refusal{})), dropped(tick.dropped.value_or(Refusal{})) {}
+  /// Sets the refusals of a tick.
   void put_into(Tick& tick) const {
     if (refused.cause != Cause::none) tick.refused = refused;
     if (dropped.cause != Cause::none) tick.dropped = dropped;
@@ -195,7 +197,7 @@ void each_coupling(Ours& c, Theirs& w, F f) {
   f("master_jump", c.master_jump, w.master_jump);
 }
 
-/// The number of enumerators that a record may contain.
+/// Number of enumerators that a record may contain.
 template <class Enum>
 constexpr int count_of = 0;
 template <>
@@ -245,7 +247,7 @@ inline constexpr int count_of<wire::QueueEvent> = 3;
 template <>
 inline constexpr int count_of<HandedOver::Kind> = static_cast<int>(HandedOver::Kind::end) + 1;
 
-/// Ours to theirs.
+/// Copies ours to theirs.
 struct Put {
   template <class Ours, class Theirs>
   void operator()(const char* /*name*/, const Ours& ours, Theirs& theirs) const {
@@ -256,7 +258,7 @@ struct Put {
   }
 };
 
-/// Theirs to ours. Throws InputError(field, value, rule) for a number without an enumerator.
+/// Copies theirs to ours. Throws InputError(field, value, rule) for a number without an enumerator.
 struct Get {
   template <class Ours, class Theirs>
   void operator()(const char* name, Ours& ours, const Theirs& theirs) const {

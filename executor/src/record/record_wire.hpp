@@ -22,15 +22,15 @@
 #include "jounce_record/sight_t.hpp"
 #include "jounce_record/table_t.hpp"
 
-/// Converts every event of a record to its type of executor/lcm, and back. ours() throws
-/// InputError(field, value, rule) for values that no event has.
+/// Converts every event of a record to its LCM type in executor/lcm, and back. ours() throws
+/// InputError(field, value, rule) for a value out of range.
 namespace jounce::record_wire {
 
 using namespace jounce_record;
 using namespace record_fields;
 
-inline constexpr std::int16_t version = 6;  ///< the format version of every record type
-inline constexpr std::size_t knots_an_event = 200;
+inline constexpr std::int16_t version = 6;          ///< version of the format, in every type
+inline constexpr std::size_t knots_an_event = 200;  ///< greatest number of knots in an event
 
 template <std::size_t N>
 void put_text(const std::string& text, std::uint8_t (&bytes)[N]) {

@@ -11,18 +11,21 @@
 
 namespace jounce::executor_detail {
 
-/// The masters of a record, reconstructed from their recorded inputs.
+/// The masters of a record, computed again from their recorded inputs.
 ///
 ///     masters.add(recorded);                            // in order, before everything else
 ///     masters.take(sample);                             // for the next cycle
 ///     if (const auto what = masters.compare(sight, time)) ...   // difference from the cycle
 ///
-/// Throws InputError for an invalid filter, and for more samples than a cycle takes.
+/// Throws InputError for an invalid filter, and if there are more samples than one cycle can take.
 class RemadeMasters {
  public:
+  /// Adds a master. Call it in the order of the masters, before all other functions.
   void add(const RecordedMaster& master);
+  /// Adds a sample for the next cycle.
   void take(const RecordedSample& sample);
-  /// `time`: s, of the sight's tick. Returns nullopt for a master from elsewhere.
+  /// Computes the value of a master, and returns its difference from the recorded one; nullopt:
+  /// none, or the master is not in the record (Made::elsewhere). `time`: time of the tick, s.
   [[nodiscard]] std::optional<TickDifference> compare(const RecordedSight& seen, double time);
 
  private:

@@ -8,16 +8,18 @@
 
 namespace jounce::executor_detail {
 
-/// The record of a run, and the buffer to it; both null without a record.
+/// The recorder of a run and its buffer; both are null if the run has no record.
 struct RunRecord {
   std::unique_ptr<RecordBuffer> buffer = {};
   std::unique_ptr<Recorder> recorder = {};
 };
 
-/// Creates the recorder for the options of a run. Throws like Recorder.
+/// Creates the recorder for the options of a run. Throws InputError and std::system_error like
+/// Recorder.
 RunRecord record_of(const RunOptions& run, const std::vector<ExecutorOptions>& axes);
 
-/// The masters of a run, their followers, and the data to reconstruct them in a replay.
+/// Returns the masters of a run, with their followers and the data from which a replay computes
+/// them.
 std::vector<RecordedMaster> recorded_masters(const std::vector<MachineMaster>& masters,
                                              const std::vector<ExecutorOptions>& axes);
 

@@ -5,7 +5,8 @@
 
 namespace jounce::io_detail {
 
-/// The rule for a G number (41 of G41) or a letter that no program for Jounce may contain: its meaning, and a remedy.
+/// Returns the rule for a G number (41 for G41) or for letters that Jounce does not support: the
+/// meaning, and a remedy.
 std::string rule_of_unsupported(double g_number);
 std::string rule_of_unsupported(const std::string& letters);
 

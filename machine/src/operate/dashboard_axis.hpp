@@ -7,10 +7,10 @@
 
 namespace jounce::machine_detail {
 
-/// The line of an axis in the list of all.
+/// Returns the row of an axis in the list of all axes.
 dashboard::Row listed(const dashboard::Watched& axis, const dashboard::View& view, bool chosen);
 
-/// All rows of one axis.
+/// Returns all rows of one axis.
 std::vector<dashboard::Row> details(const dashboard::Watched& axis, const dashboard::View& view);
 
 }  // namespace jounce::machine_detail

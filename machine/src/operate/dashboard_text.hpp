@@ -10,27 +10,29 @@
 
 namespace jounce::machine_detail {
 
-/// Columns that a text takes on a terminal: characters, not bytes.
+/// Returns the number of columns that a text takes on a terminal: characters, not bytes.
 std::size_t columns(std::string_view text);
 
-/// A text from the wire, made safe for a terminal: no control character, not even one of two bytes.
+/// Returns a text from the wire without control characters, even those of two bytes: it is safe for
+/// a terminal.
 std::string harmless(std::string_view text, bool ascii);
 
-/// Cut to so many columns; filled up to them.
+/// cut() shortens a text to `width` columns; padded() also fills it up with spaces.
 std::string cut(std::string_view text, std::size_t width);
 std::string padded(std::string_view text, std::size_t width);
 
-/// A number with its unit; "not known" for NaN.
+/// Returns a number with its unit; "not known" for NaN.
 std::string valued(double value, const std::string& unit);
 
-/// Filled by a share of 0 to 1.
+/// Returns a bar that is filled by a share, 0 to 1.
 std::string bar(double share, bool ascii);
 
-/// One character for each value, scaled from the lowest to the highest one; if there are more than
-/// `width`, the last ones.
+/// Returns one character for each value, scaled from the lowest to the highest value. If there are
+/// more than `width` values, only the last ones are shown.
 std::string sparkline(const std::deque<double>& values, std::size_t width, bool ascii);
 
-/// A character a class, by the logarithm: or nothing but the most frequent class would be seen.
+/// Returns one character for each class, with a logarithmic scale. With a linear scale, only the
+/// most frequent class would be visible.
 std::string histogram(const wire::Histogram& counts, bool ascii);
 
 }  // namespace jounce::machine_detail

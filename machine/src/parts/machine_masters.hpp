@@ -6,8 +6,9 @@
 
 namespace jounce::machine_detail {
 
-/// Makes the master of a machine's spec, and what follows it does then. One that plays a table becomes one
-/// more axis, a virtual one, behind those that are there. Throws InputError, placed in the document.
+/// Makes the master of a machine spec, and returns how an axis follows it. A master that plays a
+/// table becomes an additional, virtual axis after the others. Throws InputError with its place in
+/// the document.
 Follow add_machine_master(const MachineMasterSpec& spec, const Document& document,
                           const MachineOptions& options, MachineParts& parts);
 

@@ -19,7 +19,7 @@
 namespace jounce {
 namespace {
 
-/// An axis as its file has it, and its leader with the place of that key.
+/// An axis as read from its file, and its leader with the place of that key.
 struct Read {
   Spec spec;
   std::optional<FollowWhom> follow = {};
@@ -27,7 +27,7 @@ struct Read {
   std::string key = {};
 };
 
-/// `unit`: s of the spec's time.
+/// `unit`: one time unit of the spec, s.
 HomingSpec homing_of(const AxisSpec::Homing& spec, double unit) {
   return {.method = spec.method,
           .search_velocity = spec.search_velocity / unit,

@@ -28,7 +28,7 @@ std::int32_t epoch_now() {
       std::clamp<std::int64_t>(now, 0, std::numeric_limits<std::int32_t>::max()));
 }
 
-/// Sends the position of the master, at instants of its own clock.
+/// Sends the position of the master, with instants of the sender's clock.
 class Samples {
  public:
   Samples(Transport& link, const LineMaster& line)

@@ -11,9 +11,9 @@
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Peak: |q| at one place is the higher of two planes, q and -q. The first planes are where the pieces begin,
-// end and, if q bends within a piece, in the middle. The others are where the exact extrema of q on a piece
-// exceed the level.
+// Peak of a quantity q: |q| at one place is the higher of the two planes q and -q. The first planes
+// are at the beginning and the end of each piece and, if q bends within a piece, at its middle.
+// Later planes are where the exact extrema of q on a piece exceed the level.
 //
 // Rms: a sum of squares (SplineSpace::squares).
 

@@ -15,8 +15,9 @@
 //
 //   (1)  T = q_0 + J q_2 + J' q_1 + C sign(q_1) + G sin(angle + turn q_3)
 //
-// A shape is cut where f' vanishes and where J has a break. On each interval the sign is constant and T is a
-// polynomial plus the sine term. The power of two linear quantities is a polynomial throughout.
+// A shape is divided where f' vanishes and where J has a break. On each interval the sign is
+// constant, and T is a polynomial plus the sine term. The product of two quantities that are linear
+// in the shape (a power) is a polynomial throughout.
 
 namespace jounce::optimizer {
 namespace {

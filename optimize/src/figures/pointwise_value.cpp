@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of a pointwise figure for a whole shape: extrema, integrals, places that meet a level.
+// The value of a pointwise figure for a whole shape: extrema, integrals, and places where it equals
+// a level.
 //
-// The peak of a wave with a sine: between a and b its distance from the straight line between its end values is
-// at most
+// The peak of a quantity with a sine term: between a and b, its distance from the straight line
+// between its end values is at most
 //
 //   (2)  (b - a)^2 / 8 (max |P''| + |G| (max |angle'|^2 + max |angle''|))
 //
-// so a half is dropped as soon as the higher of its end values plus (2) is below the best known value.
+// An interval is halved until (2) is within the tolerance. A half is dropped as soon as the higher
+// of its end values plus (2) is below the best known value.
 
 #include <algorithm>
 #include <array>

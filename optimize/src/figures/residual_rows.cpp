@@ -12,16 +12,16 @@
 #include "optimize/src/program/auxiliary_variables.hpp"
 #include "optimize/src/program/chebyshev.hpp"
 
-// The residual of a mode (jounce/profiles/vibration/vibration_band.hpp, residual_phasor) is linear in the
-// shape. With the coordinates z of spline_space.hpp, piece i of length h that ends at e_i, the end of the shape
-// at e, and the pole s,
+// The residual R of a mode (jounce/profiles/vibration/vibration_band.hpp, residual_phasor) is
+// linear in the shape. With the coordinates z and sizes S of spline_space.hpp, piece i of length h
+// that ends at e_i, the end e of the shape, and the pole s,
 //
 //   (1)  R(z) = sum over i, j of z_ij S_ij e^(s (e - e_i)) r_j(h),   r_j: of the single segment u^j / j!
 //   (2)  |R| is the highest of the planes Re(e^(-i t) R) over all directions t
 //
-// The worst residual of a band is the highest of the planes of all its modes, so it is convex. The first planes
-// are four for each of a few modes. Each part of the band and each local peak then adds the plane that touches
-// it at its worst mode, if that exceeds the level.
+// The worst residual of a band is the highest of the planes of all its modes. It is therefore
+// convex. The first planes are four for each of a few modes. Each part of the band and each local
+// peak then adds the plane that touches it at its worst mode, if that exceeds the level.
 
 namespace jounce::optimizer {
 namespace {

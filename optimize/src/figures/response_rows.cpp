@@ -4,8 +4,8 @@
 
 #include "optimize/src/program/auxiliary_variables.hpp"
 
-// A response y is determined by its values for a set of shapes. It is affine in the shape. With z_k the shapes
-// of a basis and c_k their coordinates
+// A response y that is affine in the shape is determined by its values for a set of shapes. With
+// z_k the shapes of a basis and c_k their coordinates
 //
 //   (1)  y(z) = y(0) + sum_k c_k (y(z_k) - y(0)) = y(0) + R z
 //

@@ -14,10 +14,10 @@
 
 #include "optimize/src/knots/free_quantities.hpp"
 
-// Peak acceleration, d = displacement, after a reflection that makes d >= (v0 + v1) L / 2. Full acceleration A
-// up to the speed w and full deceleration after it cover the greatest distance:
+// Peak acceleration A. d is the displacement, after a reflection that makes d >= (v0 + v1) L / 2.
+// Full acceleration A up to the speed w and full deceleration after it cover the greatest distance:
 //     (1)  w = (v0 + v1 + A L) / 2,   d = (v0 + v1) L / 2 + A L^2 / 4 - (v1 - v0)^2 / (4 A)
-// which gives the least A. With a speed limit V < w, the motion coasts at V between them:
+// (1) gives the least A. With a speed limit V < w, the motion moves at V between them:
 //     (2)  A = (2 d' + sqrt(4 d'^2 + (v1 - v0)^2 L^2)) / L^2,   d' = d - (v0 + v1) L / 2
 //     (3)  d = V L - ((V - v0)^2 + (V - v1)^2) / (2 A)
 //
@@ -40,13 +40,13 @@
 // Square of acceleration: the cubic solves f'''' = 0, the natural equation for the integral of f''^2:
 //     (11) 4 (v0^2 + v0 v1 + v1^2) / L - 12 d (v0 + v1) / L^2 + 12 d^2 / L^3
 //
-// A place to pass inside an interval, with free velocity and a slave within bounds: the remainder of Taylor's
-// polynomial from an end is at least
+// A place to pass inside an interval, with free velocity and a slave position within bounds. The
+// remainder of Taylor's polynomial from an end is at least
 //     (12) n2 = |d - v0 L|,   n3 = |d - v0 L - a0 L^2 / 2|,
 //          A >= 2 n2 / L^2,   J >= 6 n3 / L^3,   integral of f''^2 >= 3 n2^2 / L^3
-// for the nearest of the permitted slaves. Where the master of the place is free within bounds, the bounds are
-// divided into cells. In each cell the least n and the greatest L count, and the bound is the least of all
-// cells.
+// for the nearest of the permitted slave positions. If the master position of the place is free
+// within bounds, the bounds are divided into cells. In each cell the least n and the greatest L are
+// used, and the bound is the least of all cells.
 
 namespace jounce {
 namespace {
@@ -249,7 +249,7 @@ double exact_share(const CamDesign& made, std::size_t segment, Objective objecti
   return objective == Objective::rms_acceleration ? value * value * cam.length() : value;
 }
 
-/// True if a law beside a knot has the acceleration of the knot there: some laws have their own.
+/// True if a law has the acceleration of the knot at its end; other laws determine it themselves.
 bool takes_acceleration(Law law) {
   const Ends ends = info(law).ends;
   return ends != Ends::moving_free && ends != Ends::rest_to_reversal;

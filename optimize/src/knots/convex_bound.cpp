@@ -12,7 +12,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr int places =
-    13;  ///< Chebyshev points of a piece in the first program, beside its extrema
+    13;  ///< Chebyshev points of a piece in the first program, in addition to its extrema
 constexpr int rounds = 5;
 
 /// The tangents of a subproblem at z as a convex program in z and t, both in their units.

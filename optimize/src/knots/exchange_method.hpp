@@ -7,17 +7,21 @@
 
 namespace jounce::optimizer {
 
+/// Result of exchange_method().
 struct LocalSolution {
-  Point z;  ///< the best point: the least value without violation, or else the least violation
-  Merit merit;
-  bool converged = false;
-  int evaluations = 0;
+  /// The best point: the one with the least value without violation; if none, with the least
+  /// violation.
+  Point z;
+  Merit merit;             ///< its value and violation
+  bool converged = false;  ///< true if the method has ended by itself
+  int evaluations = 0;     ///< number of evaluations
 };
 
-/// The exchange method. Solves with the ceilings and the epigraph imposed at a few places, finds the exact
-/// extrema of the result, adds the places where they break a ceiling or exceed the epigraph, and solves again.
-/// It ends when there is no such place and neither a restart nor the linearized problem gains anything. `go_on`
-/// is called at each evaluation; false ends the run with the best so far.
+/// Runs the exchange method. It solves with the ceilings and the epigraph imposed at a few places,
+/// finds the exact extrema of the result, adds the places where they exceed a ceiling or the
+/// epigraph, and solves again. It ends when there is no such place and neither a restart nor the
+/// linearized problem improves the result. `go_on` is called at each evaluation; if it returns
+/// false, the run ends with the best result so far.
 LocalSolution exchange_method(const Subproblem& subproblem, const Point& start, int max_evaluations,
                               const std::function<bool()>& go_on);
 

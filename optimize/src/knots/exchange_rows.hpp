@@ -8,20 +8,22 @@
 
 namespace jounce::optimizer {
 
-/// The rows that represent a subproblem: its ceilings and the epigraph of its objective, first at a few Chebyshev
-/// points of every piece, then also where the exact extrema of a solution break them.
+/// The rows that represent a subproblem: its ceilings and the epigraph of its objective. At first
+/// they are at a few Chebyshev points of every piece, later also at the exact extrema of solutions
+/// that exceed them.
 class ExchangeRows {
  public:
   ExchangeRows(const Subproblem& subproblem, const Point& start);
 
+  /// The present rows.
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-  /// The value of the objective for which t = 1.
+  /// Value of the objective for t = 1.
   [[nodiscard]] double reference() const { return reference_; }
-  /// The relative excess of the epigraph that counts as rounding.
+  /// Relative excess of the epigraph that counts as rounding.
   [[nodiscard]] double precision() const;
 
-  /// Adds the extrema of `shape`, the cam at z, that break a ceiling or exceed the epigraph at t. Returns their
-  /// number.
+  /// Adds the extrema of `shape`, the cam at z, that exceed a ceiling, or exceed the epigraph at t.
+  /// Returns their number.
   int exchange(const Shape& shape, const Point& z, double t);
 
  private:
@@ -39,7 +41,7 @@ class ExchangeRows {
 
   const Subproblem& subproblem_;
   double reference_;
-  double margin_;  ///< relative distance kept from the ceilings: SLSQP leaves as much rounding
+  double margin_;  ///< relative distance from the ceilings, for the rounding of SLSQP
   int sharpened_ = 0;
   std::vector<Row> rows_;
 };

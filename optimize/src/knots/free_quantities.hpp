@@ -8,7 +8,7 @@
 
 #include "jounce/optimize/problem.hpp"
 
-/// The free quantities of the knots of a cam: shared by the validation, the bounds and the solver.
+/// The free quantities of the knots of a cam, for the validation, the bounds and the solver.
 namespace jounce::optimizer {
 
 enum class Quantity : std::size_t { master, slave, geo_velocity, geo_acceleration };
@@ -21,14 +21,15 @@ constexpr std::size_t index(Quantity q) {
   return static_cast<std::size_t>(q);
 }
 
-/// A knot by quantity.
+/// The values of a knot, indexed by Quantity.
 using Knot = std::array<double, 4>;
-using Freedom = std::array<bool, 4>;
+using Freedom = std::array<bool, 4>;  ///< true if a quantity is free, indexed by Quantity
 
 inline bool any(const Freedom& f) {
   return f[0] || f[1] || f[2] || f[3];
 }
 
+/// Returns the bounds of a quantity; nullopt if it is not free.
 inline const std::optional<Bound>& bound_of(const FreeKnot& free, Quantity quantity) {
   switch (quantity) {
     case Quantity::master:
@@ -43,7 +44,7 @@ inline const std::optional<Bound>& bound_of(const FreeKnot& free, Quantity quant
   return free.geo_acceleration;
 }
 
-/// "start.free", "segment[3].free": segments count from 1, as in the spec.
+/// Returns "start.free", "segment[3].free": segments count from 1, as in the spec.
 inline std::string free_key(std::size_t knot) {
   return knot == 0 ? "start.free" : "segment[" + std::to_string(knot) + "].free";
 }
@@ -51,6 +52,7 @@ inline std::string free_key(std::size_t knot, Quantity quantity) {
   return free_key(knot) + "." + quantity_names[index(quantity)];
 }
 
+/// Returns the knots of a cam, with all derivatives.
 inline std::vector<Knot> knots_of(const CamSpec& cam) {
   std::vector<Knot> knots;
   for (const CamKnot& k : resolved_knots(cam))
@@ -58,8 +60,8 @@ inline std::vector<Knot> knots_of(const CamSpec& cam) {
   return knots;
 }
 
-/// The free quantities of each knot. The two knots at the seam of a periodic cam have the same. A bound without
-/// width frees nothing.
+/// Returns the free quantities of each knot. The first and the last knot of a periodic cam are one
+/// knot and have the same ones. A bound whose ends are equal frees nothing.
 inline std::vector<Freedom> freedom(const CamProblem& problem) {
   std::vector<Freedom> all(problem.cam.segments.size() + 1);
   for (const FreeKnot& free : problem.free)

@@ -10,13 +10,15 @@
 #include "optimize/src/knots/affine_cam.hpp"
 #include "optimize/src/solvers/interior_point.hpp"
 
-// Between two knots the slave is linear in the states at both. With x the free derivatives,
+// Between two knots the slave position is linear in the states at both. With x the free
+// derivatives,
 //
 //   (1)  minimize t   subject to   |f''(m; x)| <= t   at every m
 //
-// is a linear program with infinitely many constraints. It is solved with some m: first the knots and a few
-// points between them, then also the places where the exact extrema of the solution exceed t, until none
-// exceeds it by 1e-9 (an exchange method). Then, with T = (1 + 1e-6) t, in the same way
+// is a linear program with infinitely many constraints. It is solved with finitely many m: first
+// the knots and a few points between them, then also the places where the exact extrema of the
+// solution exceed t, until no extremum exceeds t by a share of 1e-9 (an exchange method). Then,
+// with T = (1 + 1e-6) t, in the same way
 //
 //   (2)  minimize the integral of f'''^2   subject to   |f''(m; x)| <= T   at every m,
 //
@@ -26,9 +28,9 @@
 //
 //   (3)  max |f''| >= sum y_k sign_k f''(m_k; x) = b + r . (x - x0),   x0 the solution
 //
-// and with the multipliers of (1) r is zero except for rounding. An x better than x0 has |f''| <= T, so its
-// accelerations differ from those of x0 by at most 2 T, and its velocities by at most 2 T times the length of
-// an adjacent segment (f' takes the slope of the chord somewhere in it):
+// With the multipliers of (1), r is zero except for rounding. An x better than x0 has |f''| <= T.
+// Its accelerations therefore differ from those of x0 by at most 2 T, and its velocities by at most
+// 2 T times the length of an adjacent segment (somewhere in it, f' equals the slope of the chord):
 //
 //   (4)  least peak >= b - sum |r_j| 2 T (1 or length_j)
 
@@ -64,7 +66,7 @@ class Exchange {
     }
   }
 
-  /// The t of (1), in units of the peak, and the x that has it. Sets the certificate.
+  /// Solves (1): returns t, in units of the peak, and sets x and the certificate.
   double least() {
     x_.assign(cam_.unknowns().size() + 1, 0);
     x_.back() = 1;

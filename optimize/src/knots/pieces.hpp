@@ -11,8 +11,9 @@
 
 /// A cam as a function of its knots, with exact gradients.
 ///
-/// Between two knots at distance L the laws are linear in q = (p0, v0, a0, p1, v1, a1). With e = (0, 1, 2, 0,
-/// 1, 2), z = (m - m0) / L and normalized shapes B_i (LawPiece of jounce/cam/laws/law.hpp):
+/// Between two knots at the masters m0 and m1 = m0 + L, the laws are linear in q = (p0, v0, a0, p1,
+/// v1, a1). With e = (0, 1, 2, 0, 1, 2), z = (m - m0) / L and normalized shapes B_i (LawPiece of
+/// jounce/cam/laws/law.hpp):
 ///
 ///     (1)  f           = sum_i q_i L^e_i B_i(z)
 ///     (2)  f^(k)       = sum_i q_i L^(e_i - k) B_i^(k)(z)
@@ -25,40 +26,47 @@
 ///          dI/dL   = sum_ij (e_i + e_j - 3) q_i q_j L^(e_i + e_j - 4) G_ij
 namespace jounce::optimizer {
 
-/// The gradient by the knot before (0..3) and by the knot after (4..7).
+/// A gradient with respect to the values of the knot before (0 to 3) and of the knot after (4 to
+/// 7).
 using KnotGradient = std::array<double, 8>;
 
-/// One segment of the finished curve: the six shapes of (1) over its share of the spec's segment.
+/// One segment of the finished curve: the six shapes of (1) over its share of a segment of the
+/// spec.
 struct Piece {
-  std::size_t segment = 0;  ///< segment of the spec; between knots `segment` and `segment + 1`
+  /// Index of the segment of the spec, which is between the knots `segment` and `segment + 1`.
+  std::size_t segment = 0;
   std::array<Segment, 6> shape{};
 };
 
-/// The pieces in the order of design(spec).cam.segments().
+/// Returns the pieces, in the order of design(spec).cam.segments().
 std::vector<Piece> pieces(const CamSpec& spec);
 
-/// The k-th derivative at a fixed z, B_i^(k)(z) of (2), plus `lower` times the derivative below it.
+/// A derivative of the curve at a fixed z, (2) with k = `order`, plus `lower` times the next lower
+/// derivative.
 struct Sample {
-  std::size_t piece = 0;
-  std::size_t segment = 0;
-  std::size_t order = 0;
-  double s = 0;  ///< within the piece, [0, 1]
-  double lower = 0;
-  std::array<double, 6> weight{};
-  std::array<double, 6> weight_below{};  ///< only if lower is not 0
+  std::size_t piece = 0;           ///< index of the piece
+  std::size_t segment = 0;         ///< index of the segment of the spec
+  std::size_t order = 0;           ///< order of the derivative, k
+  double s = 0;                    ///< place within the piece, 0 to 1
+  double lower = 0;                ///< factor of the next lower derivative
+  std::array<double, 6> weight{};  ///< B_i^(k)(z)
+  /// The same for the next lower derivative; unused if `lower` is 0.
+  std::array<double, 6> weight_below{};
 };
 
+/// Returns the sample at a place of a piece.
 Sample sample(std::span<const Piece> pieces, std::size_t piece, std::size_t order, double s,
               double lower = 0);
 
-/// (2), with (3) and (4) in `gradient`.
+/// Returns (2), and writes (3) and (4) to `gradient`.
 double value(const Sample& sample, std::span<const Knot> knots, KnotGradient& gradient);
 
-/// G of (5) for one segment of the spec.
+/// G of (5), for one segment of the spec.
 using Gram = std::array<std::array<double, 6>, 6>;
+/// Returns G of each segment.
 std::vector<Gram> grams(std::span<const Piece> pieces);
 
-/// (5), with (6) in `gradient`.
+/// Returns (5), and writes (6) to `gradient`.
 double square_acceleration(const Gram& gram, const Knot& from, const Knot& to,
                            KnotGradient& gradient);
 

@@ -4,7 +4,7 @@
 
 #include "jounce/optimize/bound.hpp"
 
-// The energy E = f'^2 / 2 has the power f' f'' = E'. So |E'| <= P permits, with x from the start,
+// The energy E = f'^2 / 2 has the power f' f'' = E'. With |E'| <= P and x measured from the start,
 //
 //   (1)  |f'| <= sqrt(v0^2 + 2 P x)   and   |f'| <= sqrt(v1^2 + 2 P (L - x))
 //
@@ -14,7 +14,8 @@
 //
 //   (3)  integral of sqrt(v^2 + 2 P x) over 0 ... a = ((v^2 + 2 P a)^(3/2) - |v|^3) / (3 P)
 //
-// From rest to rest h = 2/3 sqrt(P) L^(3/2), so P = 9/4 h^2 / L^3. The displacement grows with P: bisection.
+// From rest to rest the displacement is h = 2/3 sqrt(P) L^(3/2), and therefore P = 9/4 h^2 / L^3.
+// In general the displacement grows with P, and P is found by bisection.
 
 namespace jounce {
 namespace {

@@ -45,8 +45,8 @@ void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quan
                        std::string("cannot be free: the law `") + name(law) + "` of segment " +
                            std::to_string(segment + 1) + " fixes it");
   };
-  // A law with an acceleration of its own passes it on to an adjacent polynomial. A free quantity would change
-  // that acceleration too, and the problem would not be linear in the free quantities.
+  // A law that determines its acceleration passes it on to an adjacent polynomial. A free quantity
+  // would change that acceleration too, and the problem would not be linear in the free quantities.
   const auto hands_over = [&](std::size_t segment) {
     if (info(cam.segments[segment].law).ends != Ends::moving_free) return;
     const std::size_t before = segment > 0 ? segment - 1 : (cam.periodic ? last - 1 : last);

@@ -11,49 +11,53 @@
 
 namespace jounce::optimizer {
 
-/// One free quantity. The solver's variable is z = (value - given) / scale.
+/// One free quantity. The variable of the solver is z = (value - given) / scale.
 struct Variable {
-  std::size_t knot = 0;
-  Quantity quantity = Quantity::master;
-  bool seam = false;  ///< the other end of a periodic cam changes by the same amount
-  double given = 0;
-  double lower = 0;
-  double upper = 0;
-  double scale = 1;
+  std::size_t knot = 0;                  ///< index of the knot
+  Quantity quantity = Quantity::master;  ///< the quantity
+  bool seam = false;  ///< true: the other end of a periodic cam changes by the same amount
+  double given = 0;   ///< value in the given cam
+  double lower = 0;   ///< lower bound
+  double upper = 0;   ///< upper bound
+  double scale = 1;   ///< unit of the variable
 };
 
 /// A cam as a function of its free quantities.
 struct Space {
   explicit Space(const CamProblem& problem);
 
-  CamSpec given;
-  std::vector<Knot> knots;  ///< knots of `given`
-  std::vector<Variable> variables;
-  std::vector<Piece> pieces;
-  std::vector<Gram> grams;
-  std::vector<bool> moves;           ///< by segment: true if a free quantity changes it
-  std::vector<double> least_length;  ///< by segment: the least length
-  double stroke = 1;  ///< range of the given slave positions, or a substitute where that is 0
+  CamSpec given;                     ///< the given cam
+  std::vector<Knot> knots;           ///< knots of `given`
+  std::vector<Variable> variables;   ///< the free quantities
+  std::vector<Piece> pieces;         ///< pieces of the cam
+  std::vector<Gram> grams;           ///< G of each segment
+  std::vector<bool> moves;           ///< for each segment: true if a free quantity changes it
+  std::vector<double> least_length;  ///< for each segment: its least length
+  double stroke = 1;  ///< range of the given slave positions, or a substitute if that is 0
 
+  /// Length of the cam.
   [[nodiscard]] double length() const { return knots.back()[0] - knots.front()[0]; }
-  /// True if every constraint is linear and every objective convex: no master is free.
+  /// True if every constraint is linear and every objective convex: no master position is free.
   [[nodiscard]] bool convex() const;
 };
 
-using Point = std::vector<double>;  ///< z, one for each variable
+using Point = std::vector<double>;  ///< values of z, one for each variable
 
-/// Moves z into the bounds, with the masters in order.
+/// Returns z within the bounds, with masters that ascend.
 Point clamped(const Space& space, Point z);
 
+/// Returns the knots, and the spec, at z.
 std::vector<Knot> knots_at(const Space& space, std::span<const double> z);
 CamSpec spec_at(const Space& space, std::span<const double> z);
 
-/// The chain rule for (3), (4), (6): adds the gradient by the knots of `segment` to that by z.
+/// Applies the chain rule for (3), (4), (6): adds the gradient with respect to the knots of
+/// `segment` to that with respect to z.
 void add_gradient(const Space& space, std::size_t segment, const KnotGradient& by_knots,
                   std::span<double> by_z);
 
-/// A start: free masters are drawn within their bounds, and the other free quantities are read from the given
-/// cam there. Number 0 is the given cam. Portable: splitmix64 of seed and number.
+/// Returns the start with this number; 0: the given cam. Free masters are drawn at random within
+/// their bounds, and the other free quantities are those of the given cam there. The result is the
+/// same on every platform (splitmix64 of seed and number).
 Point start_point(const Space& space, std::uint64_t seed, std::size_t number);
 
 }  // namespace jounce::optimizer

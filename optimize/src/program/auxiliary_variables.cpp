@@ -8,19 +8,22 @@
 
 #include "optimize/src/solvers/sparse_factor.hpp"
 
-// The values at many instants, or of many modes, are affine in the coordinates z of a spline (spline_space.hpp):
-// y = y(0) + R z with rows R. One coordinate alone makes separate pieces, not a spline. The effect of the jumps
-// of its position cancels in any spline. Rows a of R are therefore taken as they are within the joints E z = 0:
+// The values at many instants, or of many modes, are affine in the coordinates z of a spline
+// (spline_space.hpp): y = y(0) + R z with rows R. To change one coordinate alone makes separate
+// pieces, not a spline. The effect of the jumps of the position between pieces cancels in any
+// spline. Rows a of R are therefore replaced by their projection onto the splines, for which the
+// equalities E z = 0 hold at the joints:
 //
 //   (1)  a <- a - E' (E E')^-1 E a
 //
 // (With a basis of splines instead, the effect of a jump of the highest derivative at the end would lose all
 // digits.)
 //
-// Many instants may depend on a few numbers: a vibration after the end depends on the state there, of four or
-// five numbers. A narrow ceiling over all instants has almost no interior, and each of its planes contains all
-// coordinates. With R = Q T, Q of r orthonormal columns (pivoted Householder: the rows of T decrease), and
-// unknowns v in the unit u of the figure,
+// Many instants may depend on a few numbers: a vibration after the end depends on the state there,
+// which is four or five numbers. A narrow ceiling over all instants has almost no interior, and
+// each of its planes contains all coordinates. With R = Q T, where Q has r orthonormal columns
+// (Householder with pivots: the rows of T decrease), and with unknowns v in the unit u of the
+// figure,
 //
 //   (2)  u v = T z + Q' y(0),    y = u Q v + (1 - Q Q') y(0)
 //

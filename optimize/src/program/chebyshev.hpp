@@ -6,18 +6,21 @@
 
 namespace jounce::optimizer {
 
-/// Chebyshev's nodes of an interval, and Lagrange's polynomials there (barycentric: Berrut, Trefethen, SIAM
-/// Review 46, 2004), for a function that grows like exp(size |x|) off the real axis.
+/// Chebyshev's nodes of an interval, and Lagrange's polynomials at these nodes (barycentric:
+/// Berrut, Trefethen, SIAM Review 46, 2004). They are for a function that grows like exp(size |x|)
+/// away from the real axis.
 class ChebyshevNodes {
  public:
-  /// Uses enough nodes for an error at rounding, by (e rho / 2 n)^n with rho = size (high - low) / 2.
+  /// Uses enough nodes that the error is rounding, by (e rho / 2 n)^n with rho = size (high - low)
+  /// / 2.
   ChebyshevNodes(double low, double high, double size);
 
+  /// The nodes.
   [[nodiscard]] const std::vector<double>& at() const { return at_; }
-  /// True if that needs more nodes than the maximum.
+  /// True if that requires more nodes than the maximum.
   [[nodiscard]] bool too_few() const;
 
-  /// The polynomials at x within the interval, one a node: f(x) = sum of share * f(node).
+  /// Returns the values of the polynomials at x, one for each node: f(x) = sum of share * f(node).
   [[nodiscard]] std::vector<double> shares(double x) const;
 
  private:

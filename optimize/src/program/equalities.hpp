@@ -3,17 +3,18 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// The equalities of a shape: the joints of its pieces, the fixed ends, the values to keep exactly.
+/// The equalities of a shape: joints of its pieces, fixed ends, values that are kept exactly.
 namespace jounce::optimizer {
 
-/// The greatest residual of an equality at z; NaN if one is.
+/// Returns the greatest residual of an equality at z; NaN if a residual is NaN.
 double worst_equality(const ShapeModel& model, const Coordinates& z);
 
-/// The nearest coordinates to z that meet the equalities to rounding. Fixed values at an end are exact to the
-/// last bit.
+/// Returns the coordinates nearest to z that meet the equalities to rounding. Fixed values at an
+/// end are exact to the last bit.
 ///
-/// A solver of a program leaves residuals of 1e-9 and more. The written cam joins its pieces exactly: an
-/// error e of a position at one end of a piece of length h changes its jerk by 60 e / h^3.
+/// The solver of a program leaves residuals of 1e-9 and more, but the written cam joins its pieces
+/// exactly: an error e of a position at one end of a piece of length h changes its jerk by
+/// 60 e / h^3.
 Coordinates as_fixed(const ShapeModel& model, Coordinates z);
 
 }  // namespace jounce::optimizer

@@ -7,13 +7,13 @@
 
 #include "optimize/src/shapes/shape_report.hpp"
 
-// Let g = f^(n), L the length, and r_j the remainder of Taylor's polynomial of f^(j) from the beginning at the
-// end, j = 0 ... n - 1. Then
+// Let g = f^(n), L the length, d the displacement, and r_j, j = 0 ... n - 1, the difference at the
+// end between f^(j) and its Taylor polynomial from the beginning. Then
 //
 //   (1)  integral of (L - x)^(n-1-j) / (n-1-j)! g(x) dx = r_j,
 //
-// so the moments of g are known. The least integral of g^2 is that of the polynomial of degree n - 1 with
-// these moments; with x = L (1 - s) and Hilbert's matrix H_ik = 1 / (i + k + 1)
+// The moments of g are therefore known. The least integral of g^2 is that of the polynomial of
+// degree n - 1 with these moments. With x = L (1 - s) and Hilbert's matrix H_ik = 1 / (i + k + 1)
 //
 //   (2)  integral of g^2 = L m' H^-1 m,   m_i = i! r_(n-1-i) / L^(i+1).
 //
@@ -22,7 +22,7 @@
 //
 //   (3)  max |g| = 2^(2n-2) (n-1)! |d| / L^n.
 //
-// n = 2 and 3 with any ends: jounce/optimize/bound.hpp.
+// For n = 2 and 3 with any ends see jounce/optimize/bound.hpp.
 
 namespace jounce::optimizer {
 namespace {

@@ -11,14 +11,15 @@
 #include "optimize/src/search/findings.hpp"
 #include "optimize/src/shapes/shape_reach.hpp"
 
-// Let there be a t_p for every figure that is a peak, planes g <= figure (FigureRows), constraints w, and figures
-// that are norms |F_r z|:
+// Let t_p be an unknown for every figure p that is a peak, with planes g <= figure (FigureRows).
+// Let w be the constraints, and let |F_r z| be the figures that are norms:
 //
 //   (1)  minimize  sum weight_p t_p + sum weight_r |F_r z|
 //        subject to  g(z) <= t_p,   w(z) <= 0,   |F_c z| <= most_c,   the equalities.
 //
-// A norm alone without constraints needs one linear system, peaks a linear program, both a quadratic one
-// (norms: shape_norms.hpp). Limited norms are second-order cones. Planes and constraints: shape_rows.hpp.
+// A norm alone without constraints is one linear system, peaks are a linear program, and both
+// together a quadratic program (norms: shape_norms.hpp). Limited norms are second-order cones. For
+// planes and constraints see shape_rows.hpp.
 
 namespace jounce::optimizer {
 namespace {

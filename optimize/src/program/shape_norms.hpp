@@ -9,12 +9,14 @@
 
 namespace jounce::optimizer {
 
-/// The root of a decreasing function of one number, from secants.
+/// Finds the root of a decreasing function by the secant method.
 class Root {
  public:
   explicit Root(double at) : at_(at) {}
+  /// The present estimate.
   [[nodiscard]] double at() const { return at_; }
-  /// Continues from the value of the function here. `slope`: the first estimate.
+  /// Continues from the value of the function at the present estimate. `slope`: the slope of the
+  /// first step.
   void advance(double value, double slope);
 
  private:
@@ -22,28 +24,31 @@ class Root {
   std::optional<std::pair<double, double>> last_;
 };
 
-/// The figures of a model that are norms, rms, as squares in a quadratic program. With c > 0
+/// The figures of a model that are norms (rms), as squares in a quadratic program. With c > 0
 ///
 ///     (1)  |v| = min over c of (|v|^2 / c + c) / 2,   attained at c = |v|,
 ///
-/// jointly convex in v and c, so that the minimum of a sum with weight |F z| is a fixed point:
+/// which is jointly convex in v and c. The minimum of a sum that contains weight |F z| is therefore
+/// a fixed point:
 ///
 ///     (2)  mu = weight / (2 c),   c = |F z|   where z minimizes the sum with mu |F z|^2 instead.
 ///
-/// One number for each norm, found by secants in log c.
+/// There is one number c for each norm. It is found by the secant method in log c.
 class ShapeNorms {
  public:
   ShapeNorms(const ShapeModel& model, const std::vector<Segment>& start);
 
-  /// True if there are any squares.
+  /// True if a figure of the model is a norm.
   [[nodiscard]] bool any() const;
+  /// Returns the squares for the present c.
   [[nodiscard]] std::vector<Form> squares() const;
 
-  /// Moves c towards its value for the present minimum. Returns true if c has converged.
+  /// Changes c towards its value for the present minimum. Returns true if c has converged.
   bool settle(const std::vector<Segment>& shape);
 
-  /// The correction that makes the bound of the quadratic program a bound of the sum. That sum is convex in c
-  /// with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has |F z| > sum / weight:
+  /// Returns the correction that makes a bound of the quadratic program a bound of the sum. The sum
+  /// is convex in c with the slope weight (1 - (|F z| / c)^2) / 2, and no better shape has
+  /// |F z| > sum / weight:
   ///
   ///     (3)  + sum over norms of weight c / 2 - |slope| max(c, sum / weight)
   [[nodiscard]] double to_bound(const std::vector<Segment>& shape, double sum) const;

@@ -50,7 +50,7 @@ RoundConstraint constraint(const RoundCeiling& ceiling) {
   return round;
 }
 
-/// A row minus the level of its term, or minus v.
+/// A row minus the level or the unknown of its term; a row without a term: minus the slack v.
 Form constraint(const ShapeRow& row, const ShapeTask& task, const ShapeProgram& p) {
   Form form = row.form;
   if (!row.term && p.slack) form.terms.push_back({*p.slack, -1});

@@ -8,10 +8,11 @@
 
 #include "optimize/src/solvers/local_solver.hpp"
 
-// Reasons for SLSQP: the peaks of a figure are an epigraph with as many active rows as there are coefficients.
-// Sequential quadratic programming converges quadratically at such a vertex. In whitened variables it needs 0.1
-// s for 50 coefficients and 2000 rows, and 2.2 s for 200 and 4000, and agrees with an interior point method to
-// 6 digits. MMA and CCSAQ end up to 40 times off with a success code. COBYLA needs seconds for 20 coefficients.
+// Why SLSQP: the peaks of a figure are an epigraph with as many active rows as there are
+// coefficients, and sequential quadratic programming converges quadratically at such a vertex. In
+// whitened variables it takes 0.1 s for 50 coefficients and 2000 rows and 2.2 s for 200 and 4000,
+// and agrees with an interior point method to 6 digits. MMA and CCSAQ end at values up to 40 times
+// too high and report success. COBYLA takes seconds for 20 coefficients.
 
 namespace jounce::optimizer {
 namespace {

@@ -12,19 +12,19 @@
 /// The words and numbers of an outcome.
 namespace jounce::optimizer {
 
-/// A number with six digits, for sentences.
+/// Returns a number with six digits, for sentences.
 std::string brief(double value);
 
-/// "geo_velocity is -2.55 at master 273.6, the limit -2.5".
+/// Returns "geo_velocity is -2.55 at master 273.6, the limit -2.5".
 std::string sentence(const Finding& finding);
 
-/// The same for a broken limit: "..., passed by 2e-08 of it".
+/// Returns the same for a broken limit: "..., passed by 2e-08 of it".
 std::string broken_sentence(const Finding& finding);
 
-/// The check of a cam against all limits, with the segments of the curve.
+/// Returns the check of a cam against all limits, with the segments of the curve.
 Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam);
 
-/// Outcome::active for the cam at z; `figures` are the results of `minimize`.
+/// Returns Outcome::active for the cam at z. `figures`: results of `minimize`.
 std::vector<Finding> active_findings(const Space& space, std::span<const DerivativeBound> ceilings,
                                      const Point& z, std::span<const Objective> minimize,
                                      std::span<const FigureResult> figures);

@@ -9,26 +9,27 @@
 
 namespace jounce::optimizer {
 
-/// One joint at the knots of a motion from rest to rest; scalar T is double, or complex for the
-/// derivatives of everything by an interval.
+/// One joint of a motion from rest to rest. T is double, or complex for derivatives with respect to
+/// an interval.
 template <class T>
 struct JointSpline {
   std::vector<T> position, velocity, acceleration;  ///< at each knot
   std::vector<T> jerk;                              ///< jerk of each interval
 };
 
-// The C2 cubic spline with accelerations a_i at knots i = 0 ... n, a_0 = a_n = 0. Knots 1 and n - 1 are
-// virtual: rest at the adjacent end requires p_1 = p_0 + a_1 h_1^2 / 6, and similarly p_(n-1). So each position
-// is p_i = q_i + r_i a_i, with r_i = 0 except at these two. The velocity is continuous where
+// The C2 cubic spline with accelerations a_i at knots i = 0 ... n, a_0 = a_n = 0, intervals h_i.
+// Knots 1 and n - 1 are virtual: rest at the adjacent end requires p_1 = p_0 + a_1 h_1^2 / 6, and
+// similarly p_(n-1). Each position is therefore p_i = q_i + r_i a_i, with r_i = 0 except at these
+// two. The velocity is continuous if
 //
 //   (1)  h_i a_(i-1) + 2 (h_i + h_(i+1)) a_i + h_(i+1) a_(i+1) = 6 (d_(i+1) - d_i),
 //        d_i = (p_i - p_(i-1)) / h_i
 //
-// tridiagonal in a (Lin, Chang and Luh 1983). Then
+// which is tridiagonal in a (Lin, Chang and Luh 1983). Then
 //
 //   (2)  v_i = d_i + h_i (a_(i-1) + 2 a_i) / 6,   jerk_i = (a_i - a_(i-1)) / h_i
 
-/// Through the points, two at least, at the ends of `h`: points + 1 intervals.
+/// Returns the spline through the points (at least two). `h`: intervals, one more than points.
 template <class T>
 JointSpline<T> joint_spline(std::span<const double> points, std::span<const T> h) {
   const std::size_t n = h.size();

@@ -5,10 +5,10 @@
 
 #include "optimize/src/search/search_phases.hpp"
 
-// One variable needs no solver, and the report can state exactly what was examined: equally spaced places, the
-// edges between feasible and infeasible places, by bisection, and the minima, by golden section. The method
-// assumes nothing about the whole range. It assumes that a cell between two places has at most one edge or one
-// minimum.
+// A search with one variable needs no solver, and the report can state exactly what was examined:
+// equally spaced places, the edges between feasible and infeasible places (by bisection), and the
+// minima (by golden section). The method makes no assumption about the whole range. It assumes that
+// a cell between two places has at most one edge or one minimum.
 
 namespace jounce::optimizer {
 namespace {

@@ -8,14 +8,14 @@
 #include "optimize/src/search/solver_values.hpp"
 #include "optimize/src/solvers/interior_point.hpp"
 
-// The last test of a search, after all its solvers. With slopes g of the objective and a_i of the rows at the
-// best z, the step d of
+// The last test of a search, after all its solvers. With gradients g of the objective and a_i of
+// the rows at the best z, the step d of
 //
 //   (1)  minimize  g . d   subject to  r_i(z) + a_i . d <= 0,   |d_k| <= radius,   0 <= z + d <= 1
 //
-// is tried at several radii. If its end breaks a row, because rows are curved, it is corrected once with the
-// values of the rows there (a second-order correction; J. Nocedal and S. Wright, Numerical Optimization, 2006,
-// 18.3):
+// is tried at several radii. If the step exceeds a row because the rows are curved, it is corrected
+// once with the values of the rows at its end (a second-order correction; J. Nocedal and S. Wright,
+// Numerical Optimization, 2006, 18.3):
 //
 //   (2)  r_i(z) in (1) is replaced by  r_i(z + d) - a_i . d
 

@@ -8,12 +8,13 @@
 #include "optimize/src/search/solver_values.hpp"
 #include "optimize/src/solvers/local_solver.hpp"
 
-// The local solvers of a search. Evaluations keeps the best of all evaluated points, by its own evaluation of the
-// constraints. The status of NLopt is ignored: it reports success at infeasible ends.
+// The local solvers of a search. Evaluations keeps the best of all evaluated points, by its own
+// test of the constraints. The status of NLopt is ignored, because it reports success at infeasible
+// points.
 //
-// COBYLA needs neither derivatives nor smoothness, but makes small steps in curved valleys. SLSQP with central
-// differences follows such valleys. Of eleven test problems COBYLA alone failed on Rosenbrock's in a disc (5 of
-// 20 starts). With SLSQP before it, it failed on none.
+// COBYLA needs neither derivatives nor smoothness, but makes small steps in curved valleys. SLSQP
+// with central differences follows such valleys. Of eleven test problems, COBYLA alone failed on
+// one, Rosenbrock's function in a disc (5 of 20 starts). With SLSQP before it, it failed on none.
 
 namespace jounce::optimizer {
 namespace {

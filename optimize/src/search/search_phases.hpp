@@ -3,37 +3,43 @@
 
 #include "optimize/src/search/evaluations.hpp"
 
-/// The phases of a search. All evaluate through Evaluations, which keeps the best, and end with Stop.
+/// The phases of a search. Each evaluates through Evaluations, which keeps the best choice and
+/// throws Stop.
 namespace jounce::optimizer {
 
+/// Result of multi_start().
 struct MultiStartCounts {
   int searches = 0;  ///< number of local searches
-  int agreeing = 0;  ///< number of these that led to the best
+  int agreeing = 0;  ///< number of local searches that ended at the best choice
 };
 
-/// Evaluates points until one is possible, and determines the scales.
+/// Evaluates choices until one is possible, then sets the scales.
 void first_evaluations(Evaluations& evaluations);
 
-/// The global phase: local searches from the best of random places, up to `share` of the budget.
+/// Runs the global phase: local searches from the best of random choices, until `share` of the
+/// budget is used.
 MultiStartCounts multi_start(Evaluations& evaluations, double share);
 
-/// Local searches from the best until none gains. False: the last one still gained.
+/// Runs local searches from the best choice until none gains. Returns false if the last one still
+/// gained.
 bool polish(Evaluations& evaluations);
 
-/// All phases for one variable.
+/// Runs all phases of a search with one variable.
 void search_line(Evaluations& evaluations);
 
-/// COBYLA from z with steps from `radius` down to `smallest`. Returns the best point of the run.
+/// Runs COBYLA from z with steps from `radius` down to `smallest`. Returns the best evaluation of
+/// the run.
 Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, double smallest,
                       int max_evaluations);
 
-/// SLSQP from z, with central differences of the given step.
+/// Runs SLSQP from z, with central differences of this step.
 void run_slsqp(Evaluations& evaluations, const Choice& z, double step, int iterations);
 
-/// Tries the best step of the linearized problem at several lengths. Returns true if one gained.
+/// Tries the best step of the linearized problem, at several lengths. Returns true if one of them
+/// gained.
 bool linearized_step(Evaluations& evaluations);
 
-/// True if a gain justifies a further step.
+/// True if the gain is large enough for a further step.
 bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Evaluation& after);
 
 }  // namespace jounce::optimizer

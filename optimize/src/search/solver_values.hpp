@@ -7,22 +7,24 @@
 
 namespace jounce::optimizer {
 
-/// A choice as rows r_i(z) <= 0 for a solver: the constraints in their usual sizes, tightened by a small h, and
-/// one more row for choices that are not possible:
+/// A choice (a point of the search) as rows r_i(z) <= 0 for a solver: the objective f, the
+/// constraints c_i divided by their usual sizes s_i and tightened by a small h, and one more row
+/// r_0 for choices that cannot be computed:
 ///
 ///     (1)  possible:      f(z), c_i(z) / s_i + h,  r_0 = 0
 ///     (2)  not possible:  f(y), c_i(y) / s_i + h,  r_0 = |z - y|,   y the nearest possible choice known
 ///
-/// so nothing is gained outside the possible choices, and r_0 leads back. No row is NaN.
+/// Nothing is gained outside the possible choices, and r_0 leads back to them. No row is NaN.
 struct SolverValues {
   double objective = 0;  ///< in units of its spread
   std::vector<double> rows;
 };
 
-/// Throws Stop, as Evaluations::at() does.
+/// Returns the values at a choice. `margin`: h of (1). Throws Stop like Evaluations::at().
 SolverValues solver_values(Evaluations& evaluations, const Choice& z, double margin);
 
-/// Slopes of objective and rows in each variable by central differences, shorter at a bound.
+/// Returns the slopes of objective and rows with respect to each variable, by central differences;
+/// the step is shorter at a bound.
 std::vector<SolverValues> slopes(Evaluations& evaluations, const Choice& z, double margin,
                                  double difference);
 

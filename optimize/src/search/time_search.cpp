@@ -12,22 +12,23 @@
 #include "optimize/src/search/joint_spline.hpp"
 #include "optimize/src/solvers/local_solver.hpp"
 
-// If all intervals are multiplied by s, velocity, acceleration and jerk change by 1 / s, 1 / s^2, 1 / s^3. So
-// for any intervals the shortest ones with the same ratios are known:
+// If all intervals are multiplied by s, velocity, acceleration and jerk are multiplied by 1/s,
+// 1/s^2 and 1/s^3. For any intervals, the shortest ones with the same ratios are therefore known:
 //
 //   (1)  s = max over joints and places of  |v| / V,  sqrt(|a| / A),  cbrt(|jerk| / J)
 //
-// and every quantity of (1) is a peak of a piece in closed form: |v| at knots and where a = 0
-// between, |a| at knots, |jerk| constant. The maximum is not smooth; its epigraph is. In the
-// logarithms y of the intervals:
+// Every quantity of (1) is a peak of a piece in closed form: |v| at the knots and between them
+// where a = 0, |a| at the knots, and |jerk|, which is constant. The maximum is not smooth, but its
+// epigraph is. In the logarithms y of the intervals h:
 //
 //   (2)  shortest           minimize log sum h  subject to  +- quantity / limit <= 1, each one
 //   (3)  least_peak_jerk    the same with the jerk alone and limit 1: T^3 max |jerk| is minimized
 //   (4)  least_square_jerk  minimize log(sum of the integrals) + 5 log sum h, without limits
 //
-// SLSQP gets gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): f(h + i e) has the
-// imaginary part e f'(h), without cancellation, so e = 1e-100 makes it exact. The result of the solver need not
-// be feasible: (1) makes it feasible, and the search starts again there until it gains nothing.
+// SLSQP gets gradients by the complex step (W. Squire and G. Trapp, SIAM Review 40, 1998): the
+// imaginary part of f(h + i e) is e f'(h), without cancellation, and with e = 1e-100 it is exact.
+// The result of the solver need not be feasible: (1) makes it feasible. The search starts again there,
+// until that improves nothing.
 
 namespace jounce::optimizer {
 namespace {

@@ -10,12 +10,12 @@ namespace jounce::optimizer {
 
 /// The result of one start.
 struct TimeAttempt {
-  std::vector<double> intervals;  ///< s; for `shortest` the limits just hold
+  std::vector<double> intervals;  ///< intervals, s; for `shortest`, one limit is just reached
   double value = 0;               ///< value of the objective
-  int evaluations = 0;
+  int evaluations = 0;            ///< number of evaluations
 };
 
-/// A local optimum from the given intervals. Only their ratios matter.
+/// Returns a local optimum from these intervals, of which only the ratios matter.
 TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> intervals);
 
 }  // namespace jounce::optimizer

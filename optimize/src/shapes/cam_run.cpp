@@ -60,9 +60,9 @@ Sides sides(const Cam& cam, double master) {
   return s;
 }
 
-/// The jerk on both sides of an end of a run, if it does not step there. Beyond an end of a cam that holds it
-/// is 0. Rounding also makes steps: an error e of a position at one end of a piece of length h changes its jerk
-/// by 60 e / h^3.
+/// Returns the jerk at an end of a run, or no value if the jerk steps there. Beyond the end of a
+/// cam that holds its position the jerk is 0. Steps due to rounding do not count: an error e of a
+/// position at one end of a piece of length h changes its jerk by 60 e / h^3.
 std::optional<double> steady_jerk(const Cam& cam, double master) {
   const Sides beside = sides(cam, master);
   const Range slave = extrema(cam, 0);

@@ -10,43 +10,49 @@
 /// A run of free segments of a cam, converted to one function to optimize, and back.
 namespace jounce::optimize_detail {
 
-/// One knot of a run: its fixed values, and the bounds of its free ones.
+/// One knot of a run, with its fixed values and the bounds of its free ones.
 struct RunKnot {
-  std::size_t knot = 0;  ///< in the spec
-  double master = 0;     ///< master of the spec
-  double ahead = 0;      ///< 0, or the length of the cam beyond its seam
-  double auxiliary = 0;  ///< 0, or how far the slave advances in a period, beyond the seam
+  std::size_t knot = 0;  ///< index in the spec
+  double master = 0;     ///< its master position in the spec
+  /// Length of the cam if the run has passed the end of the period before this knot; otherwise 0.
+  double ahead = 0;
+  double auxiliary = 0;  ///< advance of the slave in a period, in the same case; otherwise 0
   std::optional<double> slave, geo_velocity, geo_acceleration, geo_jerk;
-  FreeKnot free;
+  FreeKnot free;  ///< bounds of its free values
 
+  /// Its master position in the run.
   [[nodiscard]] double x() const { return master + ahead; }
 };
 
-/// Consecutive free segments. Over the seam, segment 0 follows segment n - 1.
+/// A run of free segments. If it extends over the end of the period, segment 0 follows the last
+/// one.
 struct CamRunOf {
-  std::vector<std::size_t> segments;
-  std::vector<RunKnot> knots;  ///< one more than segments
-  bool closed = false;         ///< all of a periodic cam: both ends are one knot
-  double start = 0;            ///< start of the whole cam
-  double length = 0;           ///< length of it
-  double advance = 0;          ///< advance of its slave
+  std::vector<std::size_t> segments;  ///< indices of the segments
+  std::vector<RunKnot> knots;         ///< one more than segments
+  bool closed = false;                ///< true: the whole periodic cam, both ends are one knot
+  double start = 0;                   ///< start of the whole cam
+  double length = 0;                  ///< length of the whole cam
+  double advance = 0;                 ///< advance of its slave in a period
 };
 
+/// Returns the runs of a problem.
 std::vector<CamRunOf> runs_of(const CamShapeProblem& problem);
 
-/// The jerks that are fixed at the ends of the run, as findings "kept/geo_jerk".
+/// Returns the jerks that are fixed at the ends of the run, as findings "kept/geo_jerk".
 std::vector<Finding> kept_jerks(const CamRunOf& run);
 
+/// Returns the options of a free segment.
 const FreeShape& shape_of(const CamShapeProblem& problem, std::size_t segment);
 
-/// True if a corridor of the cam covers some of the run.
+/// True if a corridor of the cam covers a part of the run.
 bool meets(const Corridor& corridor, const CamRunOf& run);
 
-/// The run as a problem of its own. `minimize` is empty. `accuracy` is the relative accuracy of positions: the
-/// limits are tightened by its effect on the cam as written.
+/// Returns the run as a separate problem, with an empty `minimize`. `accuracy` is the relative
+/// accuracy of positions: the limits are tightened by its effect on the cam as written.
 ShapeProblem shape_problem(const CamShapeProblem& problem, const CamRunOf& run, double accuracy);
 
-/// `cam` with the shape in place of the run's laws: laws `hermite`, and slaves of knots that were free.
+/// Returns `cam` with the shape in place of the run's laws: laws `hermite`, and the slave positions
+/// of knots that were free.
 CamSpec with_shape(CamSpec cam, const CamRunOf& run, const ShapeProblem& problem,
                    const std::vector<Segment>& shape);
 

@@ -69,7 +69,7 @@ bool is_free(const CamShapeProblem& problem, std::size_t segment) {
                      [&](const FreeShape& s) { return s.segment == segment; });
 }
 
-/// A knot may change only where every segment beside it is free.
+/// A knot may change only where every adjacent segment is free.
 bool is_reached(const CamShapeProblem& problem, std::size_t knot) {
   const std::size_t last = problem.cam.segments.size();
   const bool wraps = problem.cam.periodic;

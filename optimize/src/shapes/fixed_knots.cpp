@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One round: SLSQP runs on the present rows, with the signs of the velocity fixed. The exact extrema of the
-// result that exceed the level of a row then become rows, and the signs are determined again. The search has
-// converged after eight rounds without a gain and without a change of sign, or after one such round that also
-// adds no row. The exact value of the shape counts, not the value of the rows.
+// One round: SLSQP runs on the present rows, with the signs of the velocity fixed. The exact
+// extrema of the result that exceed the level of a row then become rows, and the signs are
+// determined again. The search has converged after eight rounds without a gain and without a change
+// of sign, or after one such round that also adds no row. The gain is measured by the exact value
+// of the shape and not by the rows.
 
 #include "optimize/src/shapes/fixed_knots.hpp"
 

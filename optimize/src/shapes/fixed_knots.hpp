@@ -15,22 +15,24 @@
 
 namespace jounce::optimizer {
 
-/// A figure that is not convex, with its unit.
+/// A figure that is not convex.
 struct SearchedFigure {
-  Pointwise figure;
-  double unit = 1;
-  double weight = 1;                   ///< weight of the objective
-  std::optional<double> at_most = {};  ///< a ceiling instead
+  Pointwise figure;   ///< the figure
+  double unit = 1;    ///< its unit
+  double weight = 1;  ///< weight in the objective
+  /// If given, the figure is not minimized, but limited to this value.
+  std::optional<double> at_most = {};
 };
 
-/// The rest of the budget, for all starts and refinements.
+/// Budget of a search, for all its starts and refinements, and the part that is used.
 struct SearchBudget {
-  int evaluations = 0;
-  int rounds = 0;
-  int most_evaluations = 0;
-  std::optional<std::chrono::steady_clock::time_point> until = {};
-  bool cancelled = false;
+  int evaluations = 0;       ///< evaluations so far
+  int rounds = 0;            ///< rounds so far
+  int most_evaluations = 0;  ///< greatest number of evaluations
+  std::optional<std::chrono::steady_clock::time_point> until = {};  ///< time limit; nullopt: none
+  bool cancelled = false;  ///< true if the caller has stopped the search
 
+  /// True if the search must end.
   [[nodiscard]] bool spent() const {
     return cancelled || evaluations >= most_evaluations ||
            (until && std::chrono::steady_clock::now() >= *until);
@@ -39,11 +41,12 @@ struct SearchBudget {
 
 /// The shape at the end of a round.
 struct FoundShape {
-  std::vector<Segment> shape = {};
-  double value = 0;
-  double violation = 0;  ///< 0: it meets every limit
-  bool settled = false;
+  std::vector<Segment> shape = {};  ///< the shape
+  double value = 0;                 ///< weighted sum
+  double violation = 0;             ///< greatest violation of a limit; 0: none
+  bool settled = false;             ///< true if the search has converged
 
+  /// True if this shape is better: it has less violation or, without violations, a lower value.
   [[nodiscard]] bool better_than(const FoundShape& other) const {
     if (other.shape.empty()) return true;
     if (violation > 0 || other.violation > 0) return violation < other.violation;
@@ -51,36 +54,42 @@ struct FoundShape {
   }
 };
 
-/// The convex part of the problem.
+/// Returns the convex part of the problem.
 ShapeProblem convex_part(ShapeProblem problem);
 
-/// The search for a shape over fixed knots, with figures that are not convex. The head of fixed_knots.cpp has
-/// the equations and the rounds.
+/// The search for a shape over fixed knots, with figures that are not convex. The head of
+/// fixed_knots.cpp describes the method.
 class FixedKnots {
  public:
   FixedKnots(const ShapeProblem& problem, const std::vector<SearchedFigure>& parts,
              std::vector<double> knots, const std::vector<Segment>& near);
 
+  /// True if the equalities contradict each other.
   [[nodiscard]] bool contradicts() const { return reduced_.contradiction() > 1e-7; }
+  /// False if a value was not finite.
   [[nodiscard]] bool finite() const { return finite_; }
+  /// True if the equalities determine the shape.
   [[nodiscard]] bool has_no_freedom() const { return reduced_.size() == 0; }
-  /// The only shape, where the ends leave nothing free.
+  /// Returns the only shape, if has_no_freedom().
   [[nodiscard]] FoundShape only_shape() const;
 
-  /// Each round starts from the best shape so far: where SLSQP gets lost, its next start is no worse.
+  /// Runs the rounds from `start`. Each round starts from the best shape so far, since SLSQP may
+  /// end at a worse one.
   FoundShape run(const Eigen::VectorXd& start, SearchBudget& budget, const KeepGoing& keep_going);
 
-  /// y of a shape near the nearest one, in direction number `start`; 0: of the nearest one.
+  /// Returns the y of a shape near the given one, in the random direction number `start`; 0: of the
+  /// nearest one.
   [[nodiscard]] Eigen::VectorXd beside(int start) const;
 
-  /// The knots, with those pieces halved on which a peaked figure meets its peak and is farthest below it.
+  /// Returns the knots, with those pieces halved on which a peaked figure reaches its peak and is
+  /// farthest below it.
   [[nodiscard]] std::vector<double> finer(const std::vector<Segment>& shape) const;
-  /// True if a shape is better by more than a share of the tolerance.
+  /// True if a shape is better by more than `share` of the tolerance.
   [[nodiscard]] bool gain(const FoundShape& now, const FoundShape& best, double share = 0.01) const;
   [[nodiscard]] std::size_t pieces() const { return model_.space.pieces(); }
 
  private:
-  /// Adds an estimate of the integral of peak - |g| over each piece on which the peak is met.
+  /// Adds, for each piece on which the peak is reached, an estimate of the integral of peak - |g|.
   void add_lost(const Pointwise& figure, const std::vector<Segment>& shape,
                 std::vector<double>& lost) const;
 
@@ -91,7 +100,7 @@ class FixedKnots {
   [[nodiscard]] PlaceRow place_row(const Pointwise& figure, std::size_t piece, double s,
                                    double sign) const;
 
-  /// Adds a row for a constraint, unless nothing can change it.
+  /// Adds a row for a constraint, unless the constraint cannot change.
   void add_constraint(const Form& form, double scale);
 
   void add_peak(const SearchedFigure& part, std::size_t t, std::size_t piece, double s, double sign,
@@ -99,7 +108,7 @@ class FixedKnots {
 
   void list_rows();
 
-  /// The weights of the epigraphs of the objective, in the order of list_rows().
+  /// Returns the weights of the epigraphs of the objective, in the order of list_rows().
   [[nodiscard]] std::vector<double> weights() const;
 
   [[nodiscard]] Mean mean_of(const SearchedFigure& part) const;
@@ -112,7 +121,7 @@ class FixedKnots {
 
   [[nodiscard]] double sign_at(const SearchedFigure& part, std::size_t piece, double s) const;
 
-  /// Takes the signs of a shape. Returns true if the sign of a row has changed.
+  /// Sets the signs to those of a shape. Returns true if the sign of a row has changed.
   bool hold_signs(const std::vector<Segment>& shape);
 
   // ---- value of a shape ------------------------------------------------------------------------
@@ -123,7 +132,7 @@ class FixedKnots {
 
   static double beyond(double value, double limit, double scale);
 
-  /// Adds the places where the shape breaks a row. Returns their number.
+  /// Adds the places where the shape exceeds a row. Returns their number.
   int exchange(const std::vector<Segment>& shape, const Eigen::VectorXd& t);
 
   [[nodiscard]] double precision() const {
@@ -133,7 +142,8 @@ class FixedKnots {
   int add_peaks(const SearchedFigure& part, std::size_t t, const std::vector<Segment>& shape,
                 double level);
 
-  /// Two rows at almost the same place are almost one row, which costs SLSQP its digits.
+  /// Removes rows at almost the same place: they are almost dependent, and SLSQP would lose
+  /// accuracy.
   void drop_near(const SearchedFigure& part, std::size_t piece, double x, double direction);
 
   const ShapeProblem& problem_;

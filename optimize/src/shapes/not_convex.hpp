@@ -8,37 +8,38 @@
 
 namespace jounce::optimizer {
 
-/// The end of a search for a shape with figures that are not convex.
+/// Result of a search for a shape with figures that are not convex.
 struct NotConvexResult {
   enum class End {
-    converged,  ///< a local result: no place breaks its row any more, and the last rounds gained nothing
-    infeasible,  ///< no start met the limits, which is no proof
+    converged,   ///< a local result: no place exceeds its row, and the last rounds gained nothing
+    infeasible,  ///< no start met the limits; this is no proof that none can
     stalled,     ///< evaluations, time or rounds ran out, or a figure was not finite
     cancelled,
   };
-  End end = End::stalled;
-  std::string why = {};             ///< infeasible, stalled: one sentence
-  std::vector<Segment> shape = {};  ///< the best that met every limit, or else the least violated
-  int rounds = 0;
-  int evaluations = 0;
+  End end = End::stalled;  ///< status at the end
+  std::string why = {};    ///< reason, one sentence, for `infeasible` and `stalled`
+  /// The best shape that meets every limit; if none does, the one that violates them least.
+  std::vector<Segment> shape = {};
+  int rounds = 0;       ///< number of rounds
+  int evaluations = 0;  ///< number of evaluations
 };
 
-/// True if a figure of the problem needs this search rather than a convex program.
+/// True if the problem has a figure that is not convex, and thus needs this search.
 bool needs_search(const ShapeProblem& problem);
 
-/// Minimizes the weighted sum from `given` and from a few shapes beside it, drawn from the seed. Constraints,
-/// ceilings and peaks hold at every place (an exchange method), as in the convex solver. With
-/// ShapeProblem::refine, the pieces on which a peaked figure leaves or meets its level are halved, and the
-/// search continues.
+/// Minimizes the weighted sum from `given` and from a few shapes near it, which are drawn at random
+/// from the seed. Constraints, ceilings and peaks hold at every place (an exchange method), as in
+/// the convex solver. If ShapeProblem::refine is set, the pieces on which a peaked figure leaves or
+/// meets its level are halved, and the search continues.
 NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segment>& given,
                              const KeepGoing& keep_going);
 
-/// The given shape. If it has sines, whose products do not fit a segment: the spline with the same derivatives
-/// at the knots.
+/// Returns the given shape. If it has sines, whose products do not fit into a segment, returns the
+/// spline with the same derivatives at the knots.
 std::vector<Segment> given_as_spline(const ShapeProblem& problem);
 
-/// The same as an outcome of optimize_shape(): figures, limits and active constraints of the finished shape,
-/// with a bound where one is known.
+/// Returns the result of search_shape() as an outcome of optimize_shape(): figures, limits and
+/// active constraints of the finished shape, with a bound if one is known.
 ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going);
 
 }  // namespace jounce::optimizer

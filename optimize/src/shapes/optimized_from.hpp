@@ -7,14 +7,15 @@
 
 namespace jounce::optimizer {
 
-/// optimize_shape() from a shape that is near the result. The figures of that shape are the units, so the
-/// numbers of the program are of about size one; the figures of the given shape may differ by a factor of
-/// hundreds. Without such a shape it starts from the given one. Problems that are not convex always start from
-/// the given shape.
+/// optimize_shape() that starts from a shape near the result. The figures of that shape are the
+/// units of the program, so that its numbers are of about size one. (The figures of the given shape
+/// may be hundreds of times as large.) If `start` is empty, the search starts from the given shape.
+/// Problems that are not convex always start from the given shape.
 ShapeOutcome optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
                             const KeepGoing& keep_going);
 
-/// Progress of a method whose number of rounds is unknown: 10 rounds count as half of the work.
+/// Returns the progress of a method whose number of rounds is unknown: 10 rounds count as half of
+/// the work.
 inline OptimizeProgress round_progress(int round, int evaluations, double reached) {
   return {.done = round / (round + 10.0),
           .round = round,

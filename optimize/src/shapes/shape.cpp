@@ -11,19 +11,19 @@
 #include "optimize/src/shapes/optimized_from.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
-// If the figure is the peak of the highest derivative, the optimum is +-peak on every piece, except where it
-// should switch within a piece: there it is the mean. A piece with the mean b between neighbors with a and c
-// switches where the mean is preserved, at the share
+// If the figure is the peak of the highest derivative, the optimum is +-peak on every piece, except
+// on a piece within which it should switch: there it is the mean. A piece with the mean b, between
+// neighbors with the values a and c, is divided so that the mean is preserved, at the share
 //
 //   (1)  s = (b - c) / (a - c)
 //
-// of its length. With a knot there, the next optimum averages less. A piece with a mean b beyond both
-// neighbors, or at an end, contains a shorter interval at a limit l of that derivative (its peak, or an edge of
-// a corridor), and beside it the value a of a neighbor:
+// of its length. With a knot there, the next optimum is closer to a switch. If the mean b is beyond
+// both neighbors, or the piece is at an end, the piece contains a shorter interval at a limit l of
+// that derivative (its peak, or an edge of a corridor), and outside it the value a of a neighbor:
 //
 //   (2)  share of the interval = (b - a) / (l - a)
 //
-// next to the neighbor whose value is like b, otherwise in the middle.
+// The interval is next to the neighbor whose value is like b, otherwise in the middle.
 
 namespace jounce {
 namespace {

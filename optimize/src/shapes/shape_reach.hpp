@@ -6,18 +6,19 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// Reasons why the limits of a shape cannot be kept.
+/// Why the limits of a shape cannot be kept.
 namespace jounce::optimizer {
 
-/// True if no shape at all has the fixed values at the ends and on the exact corridors; the search starts at
-/// `z`.
+/// True if no shape has the fixed values at the ends and on the corridors without width. The test
+/// starts at `z`.
 bool contradictory(const ShapeModel& model, const Coordinates& z);
 
-/// A sentence on a constraint that is broken and that no free coordinate changes. None where all such
-/// constraints hold, and where the fixed values contradict each other.
+/// Returns a sentence on a constraint that is broken and that no free coordinate changes; nullopt
+/// if all such constraints hold, or if the fixed values contradict each other.
 std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coordinates& z);
 
-/// The constraints that conflict where `shape` has the least common violation, `slack`.
+/// Returns the constraints that conflict at z, the shape with the least common violation `slack`,
+/// in words.
 std::string worst_constraints(const ShapeModel& model, const Coordinates& z, double slack);
 
 }  // namespace jounce::optimizer

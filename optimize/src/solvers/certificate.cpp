@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Let y >= 0 be the multipliers of the constraints, v those of the equalities, and w those of the forms of a
-// round constraint. For every feasible x
+// Let y >= 0 be the multipliers of the constraints, v those of the equalities, and w those of the
+// forms of a round constraint (|forms| <= most). For every feasible x
 //
 //   (1)  objective(x) >= L(x) = slope . x + sum squares(x)^2 + sum y constraints(x) + sum v equalities(x)
 //                               + w . forms(x) - |w| most
@@ -14,8 +14,9 @@
 //
 //   (2)  L(x) >= L(x0) + r . (x - x0) >= L(x0) - sum |r_j| range_j.
 //
-// r is zero except for rounding. The range is not a real restriction: the objective is convex too, so if it
-// were lower by e at a point k times outside the range, it would be lower by e / k inside it.
+// r is zero except for rounding. The range does not restrict the result: because the objective is
+// convex, a point k times outside the range that were lower by e would imply a point inside it that
+// is lower by e / k.
 
 namespace jounce::optimizer {
 

@@ -9,7 +9,7 @@
 
 namespace jounce::optimizer {
 
-/// The constant of each form.
+/// Returns the constant of each form.
 inline Eigen::VectorXd constants_of(const std::vector<Form>& forms) {
   Eigen::VectorXd c(static_cast<Eigen::Index>(forms.size()));
   for (std::size_t k = 0; k < forms.size(); ++k)

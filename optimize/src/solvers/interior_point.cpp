@@ -8,21 +8,21 @@
 #include "optimize/src/solvers/cone_scaling.hpp"
 #include "optimize/src/solvers/kkt.hpp"
 
-// Let Q x + q be the gradient of the objective, G x + s = h the constraints with multipliers y, and A x = b the
-// equalities with multipliers v. The equations
+// Let Q x + q be the gradient of the objective, G x + s = h the constraints with multipliers y, and
+// A x = b the equalities with multipliers v. The equations
 //
 //   (1)  Q x + q + G' y + A' v = 0,   G x + s - h = 0,   A x - b = 0,   s o y = mu e,   s, y inside their cones
 //
-// are solved by Newton's method while mu decreases to zero. o is Jordan's product and e its unit: for
-// constraints, numbers and 1 (cone_scaling.hpp). With W y = W^-1 s = l, and u the vector whose product with l
-// is r, a step is
+// are solved by Newton's method while mu decreases to zero. o is Jordan's product and e its unit;
+// for linear constraints they are the product of numbers and 1 (cone_scaling.hpp).
+// With W y = W^-1 s = l, and u the vector whose product with l is r, a step is
 //
 //   (2)  (Q + G' W^-2 G) dx + A' dv = -r_dual - G' (W^-2 r_primal - W^-1 u),
 //        A dx = -r_equal,   ds = -r_primal - G dx,   dy = -W^-2 ds - W^-1 u
 //
-// One factorization serves two steps. The first, with r = l o l, determines how far mu may be lowered and the
-// second-order term (W^-1 ds) o (W dy). The second includes both (Mehrotra 1992; for cones: L. Vandenberghe,
-// The CVXOPT linear and quadratic cone program solvers, 2010).
+// One factorization serves two steps. The first, with r = l o l, determines how far mu may be
+// lowered, and the second-order term (W^-1 ds) o (W dy). The second step includes both (Mehrotra
+// 1992; for cones: L. Vandenberghe, The CVXOPT linear and quadratic cone program solvers, 2010).
 
 namespace jounce::optimizer {
 namespace {

@@ -8,9 +8,10 @@
 
 #include "optimize/src/solvers/forms.hpp"
 
-// K is indefinite if there are equalities. A small number on its diagonal, plus for x and minus for the
-// multipliers, makes it quasidefinite, so L D L' exists in any order (Vanderbei 1995), and the order can be
-// chosen for sparsity alone. Iterative refinement removes the effect of the small number.
+// The matrix K (kkt.hpp) is indefinite if there are equalities. A small number on its diagonal,
+// plus for x and minus for the multipliers, makes it quasidefinite. L D L' then exists in any order
+// (Vanderbei 1995), and the order can be chosen for sparsity alone. Iterative refinement removes
+// the effect of the small number.
 
 namespace jounce::optimizer {
 namespace {

@@ -11,32 +11,35 @@
 
 namespace jounce::optimizer {
 
-/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints, the round ones last,
-/// A the equalities of a program and Q the second derivative of its squares. The pattern is found and ordered
-/// once. For each W the matrix is factorized again. The rank-one part of a cone would fill the matrix: the
-/// formula of Sherman, Morrison and Woodbury treats it separately.
+/// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints (the round
+/// ones last), A the equalities of a program, and Q the second derivative of its squares. The
+/// pattern is analyzed and ordered once; the matrix is factorized again for each W. The rank-one
+/// part of a cone would fill the matrix, and is treated separately by the formula of Sherman,
+/// Morrison and Woodbury.
 class Kkt {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
   using Vector = Eigen::VectorXd;
 
-  /// `regular`: number that may be added to the diagonal if there are equalities; 0: none, and rows are
-  /// exchanged for stability instead, which takes about five times as long.
+  /// `regular`: number that may be added to the diagonal if there are equalities. 0: none; rows are
+  /// then exchanged for stability, which takes about five times as long.
   Kkt(const ConvexProgram& program, double regular);
 
+  /// G and A.
   [[nodiscard]] const Matrix& g() const { return g_; }
   [[nodiscard]] const Matrix& a() const { return a_; }
-  /// Q x.
+  /// Returns Q x.
   [[nodiscard]] Vector curved(const Vector& x) const;
-  /// The slope at x = 0 and -constant of constraints and equalities.
+  /// q: the slope at x = 0. h and b: -constant of the constraints and of the equalities.
   [[nodiscard]] const Vector& q() const { return q_; }
   [[nodiscard]] const Vector& h() const { return h_; }
   [[nodiscard]] const Vector& b() const { return b_; }
 
   [[nodiscard]] const ConeShape& cones() const { return cones_; }
 
+  /// Factorizes K for this W. Returns false if K is singular.
   bool factorize(const ConeScaling& w);
-  /// The solution (x, then multipliers of the equalities) of K v = r.
+  /// Returns the solution of K v = r: x, then the multipliers of the equalities.
   [[nodiscard]] Vector solve(const Vector& r) const;
 
  private:
@@ -55,7 +58,7 @@ class Kkt {
   std::vector<double> fixed_;        ///< k_ without G' D G, regularized
   Vector regular_;                   ///< numbers added to the diagonal
   std::vector<Vector> u_;            ///< K = (factorized part) + sum u u'
-  Eigen::MatrixXd solved_u_;         ///< (factorized part)^-1 u, side by side
+  Eigen::MatrixXd solved_u_;         ///< (factorized part)^-1 u, as columns
   Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
   SparseFactor factor_;
 };

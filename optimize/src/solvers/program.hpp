@@ -13,34 +13,38 @@
 namespace jounce::optimizer {
 
 struct Rms {};  ///< the rms acceleration of the whole cam
+/// The length of a segment.
 struct Spacing {
-  std::size_t segment = 0;  ///< its length
+  std::size_t segment = 0;  ///< index of the segment
 };
 
+/// One constraint.
 struct Row {
-  std::variant<Sample, Rms, Spacing> f;
+  std::variant<Sample, Rms, Spacing> f;  ///< the function f
   double factor = 1;
   double offset = 0;
-  bool relaxed = false;  ///< an epigraph row
+  bool relaxed = false;  ///< true: an epigraph row, which contains t
 };
 
+/// The problem for a solver.
 struct Program {
   const Space& space;
   const std::vector<Row>& rows;
-  double least_t = 0;
-  bool hold_masters = false;  ///< the rest of the problem is convex
+  double least_t = 0;         ///< lower bound of t
+  bool hold_masters = false;  ///< true: masters are fixed, and the problem is convex
 };
 
-/// factor * f - offset; adds its gradient by z.
+/// Returns factor * f - offset; adds its gradient with respect to z to `gradient`.
 double evaluate(const Space& space, const Row& row, std::span<const Knot> knots,
                 std::span<double> gradient);
 
-/// The same at knots that belong to `program`, whose held quantities have no slope: the steps of the solver are
-/// combinations of gradients.
+/// The same for `program`. Quantities that it holds have the gradient 0: the steps of the solver
+/// are combinations of gradients.
 double evaluate(const Program& program, const Row& row, std::span<const Knot> knots,
                 std::span<double> gradient);
 
-/// The knots at z, kept apart: a line search may step to a point where two knots meet.
+/// Returns the knots at z, at a distance from each other: a line search may try a point where two
+/// knots meet.
 std::vector<Knot> separated_knots(const Space& space, std::span<const double> z);
 
 }  // namespace jounce::optimizer

@@ -8,21 +8,23 @@
 
 namespace jounce::optimizer {
 
+/// Result of solve().
 struct Solved {
   Point z;
   double t = 0;
   int evaluations = 0;
-  bool finite = true;  ///< no constraint became NaN or infinite on the way
+  bool finite = true;  ///< false if a constraint became NaN or infinite
 };
 
-/// A local solution by SLSQP, or the best point on the way to one (see run_local_solver()). Exceptions of
-/// the evaluation pass through. `go_on` is called at each evaluation; false ends the run.
+/// Returns a local solution by SLSQP, or the best point that it has reached (see
+/// run_local_solver()). Exceptions of the evaluation are passed on. `go_on` is called at each
+/// evaluation; if it returns false, the run ends.
 Solved solve(const Program& program, const Point& z, double t, int max_evaluations,
              const std::function<bool()>& go_on);
 
-/// The same for the program linearized at (z, t), within a box of the given radius in whitened coordinates (1:
-/// about the distance at which the rows change by their own size). Its t is the predicted value. The evaluation
-/// counts as one.
+/// Solves the program linearized at (z, t), within a box of the given radius in whitened
+/// coordinates (1: about the distance at which the rows change by their own size). The t of the
+/// result is the predicted value. The evaluation counts as one.
 Solved linear_step(const Program& program, const Point& z, double t, double radius);
 
 }  // namespace jounce::optimizer

@@ -7,8 +7,8 @@
 
 namespace jounce::optimizer {
 
-/// Factors of a symmetric sparse matrix K, of which only the lower half is read. A file of its own instantiates
-/// Eigen's templates, which take seconds to compile.
+/// Factors of a symmetric sparse matrix K, of which only the lower half is read. One source file
+/// instantiates Eigen's templates, which take seconds to compile.
 class SparseFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -23,10 +23,11 @@ class SparseFactor {
   SparseFactor(const SparseFactor&) = delete;
   SparseFactor& operator=(const SparseFactor&) = delete;
 
-  /// Orders the pattern of K, once for all K of that pattern.
+  /// Orders the pattern of K. Call it once for all K with the same pattern.
   void find_pattern(const Matrix& lower);
-  /// False where K is singular.
+  /// Factorizes K. Returns false if K is singular.
   bool factorize(const Matrix& lower);
+  /// Returns K^-1 times the right side.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 

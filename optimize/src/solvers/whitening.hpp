@@ -12,16 +12,17 @@ namespace jounce::optimizer {
 ///
 ///     (1)  H = mean over the rows of g g^T + diag(1 / width^2)
 ///
-/// becomes the unit matrix: the gradients g of the rows at z0 then have no preferred direction, and no unit
-/// step goes far beyond the bounds. Without this, SLSQP stops early and reports success.
+/// becomes the unit matrix. The gradients g of the rows at z0 then have no preferred direction, and
+/// no step of length one goes far beyond the bounds. Without this, SLSQP stops early and reports
+/// success.
 class Whitening {
  public:
   Whitening(const Program& program, const Point& z0);
 
-  /// z0 + W y, where W = L^-T and H = L L^T.
+  /// Returns z0 + W y, where W = L^-T and H = L L^T.
   [[nodiscard]] Point z(std::span<const double> y) const;
 
-  /// Converts a gradient by z to one by y, in place: W^T g = L^-1 g.
+  /// Converts a gradient with respect to z to one with respect to y, in place: W^T g = L^-1 g.
   void turn(std::span<double> g) const;
 
  private:

@@ -126,7 +126,7 @@ struct Layout {
   Ticks x_ticks;
   std::vector<Entry> legend;
   std::vector<const std::vector<Shade>*> strips;
-  bool shade_names = false;  ///< true if shades have a row of their own
+  bool shade_names = false;  ///< true if shades have a separate row
 };
 
 Layout lay_out(const Figure& figure, const SvgOptions& options) {

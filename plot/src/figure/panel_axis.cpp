@@ -63,7 +63,7 @@ PanelAxis panel_axis(const Panel& panel, double height) {
   const double room = padding * extent.span() / std::max(height - 2 * padding, 1.0);
   axis.extent = {extent.lo - room, extent.hi + room};
   const double middle = extent.lo + extent.span() / 2;
-  // A constant has no scale of its own: its value is the only tick.
+  // A constant does not determine a scale: its value is the only tick.
   if (flat && !axis.upper && !axis.lower) {
     axis.ticks = {{middle}, {short_number(middle)}, 0};
   } else {

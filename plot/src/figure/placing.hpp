@@ -9,6 +9,7 @@
 
 namespace jounce {
 
+/// A rectangle, px, y downwards.
 struct Box {
   double left = 0;
   double top = 0;
@@ -22,12 +23,12 @@ bool crosses(const Box& box, Pixel from, Pixel to);
 /// Parts that a label must not cover.
 struct Surroundings {
   Box frame;                              ///< labels stay inside
-  std::vector<Box> taken;                 ///< and off these,
-  std::vector<std::vector<Pixel>> lines;  ///< and, if they can, off these
+  std::vector<Box> taken;                 ///< areas that labels must not cover
+  std::vector<std::vector<Pixel>> lines;  ///< lines that labels should not cover
 };
 
-/// The first of the candidate boxes that crosses the fewest lines; nothing if every one leaves the
-/// frame or covers what is taken.
+/// Returns the index of the candidate box that crosses the fewest lines, the first of them; nullopt
+/// if every candidate leaves the frame or covers a taken area.
 std::optional<std::size_t> place(const Surroundings& around, std::span<const Box> candidates);
 
 }  // namespace jounce

@@ -8,13 +8,13 @@ namespace jounce {
 /// Number of line styles (color and dashes together); further series begin again.
 constexpr int line_styles = 4;
 
-/// The rules for an SVG file of its own: light, or dark where the viewer prefers it.
+/// Returns the CSS rules for a separate SVG file: light, or dark if the viewer prefers it.
 std::string figure_style();
 
-/// The same rules for figures in a page, in the page's colours (see colour_variables).
+/// Returns the same rules for figures in a page, with the colors of the page (colour_variables).
 std::string inlined_figure_style();
 
-/// The CSS variables of the light and the dark palette: "--ink:#1c1e21;...".
+/// Returns the CSS variables of the light or the dark palette: "--ink:#1c1e21;...".
 std::string colour_variables(bool dark);
 
 }  // namespace jounce

@@ -6,14 +6,14 @@
 
 namespace jounce {
 
-/// Text made safe for XML and HTML, in elements and in quoted attributes alike: & < > " ' become
-/// entities; control characters and broken UTF-8, which XML 1.0 cannot hold, become U+FFFD.
+/// Returns a text that is safe in elements and quoted attributes of XML and HTML: & < > " ' become
+/// entities. Control characters and invalid UTF-8, which XML 1.0 does not permit, become U+FFFD.
 std::string escaped(std::string_view text);
 
-/// Greatest width of the text in px, in any common sans-serif font of this size.
+/// Returns an upper bound of the width of a text in any common sans-serif font of this size, px.
 double text_width(std::string_view text, double font_size);
 
-/// The text, cut with an ellipsis if it would be wider than `width` px.
+/// Returns the text; if it is wider than `width` px, it is cut and ends with an ellipsis.
 std::string fitted(std::string_view text, double font_size, double width);
 
 }  // namespace jounce

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// An interval of the numbers that a plot shows; empty until something finite is added.
+/// An interval of numbers that a plot shows. It is empty until a finite number is added.
 struct PlotRange {
   double lo = 1;
   double hi = -1;
@@ -16,30 +16,30 @@ struct PlotRange {
   void add(double value);
 };
 
-/// True if a plot can show the value: finite, and far enough from the largest double that
-/// differences stay finite.
+/// True if a plot can show the value: it is finite, and so far below the largest double that
+/// differences are finite.
 bool drawable(double value);
 
-/// An interval that an axis can show: around `data`, never empty or a single point. A variation of
-/// no more than `noise`, or than rounding, is taken for a constant.
+/// Returns an interval that an axis can show: around `data`, never empty or a single point. A
+/// variation of at most `noise`, or within rounding, counts as a constant.
 PlotRange axis_extent(PlotRange data, double noise = 0);
 
 /// Positions and labels of the marks of an axis.
 struct Ticks {
   std::vector<double> at;           ///< ascending, within the axis
-  std::vector<std::string> labels;  ///< one each, without the factor
-  int exponent = 0;                 ///< labels are to be multiplied by 10^exponent
+  std::vector<std::string> labels;  ///< one for each mark, without the factor
+  int exponent = 0;                 ///< the labels must be multiplied by 10^exponent
 };
 
-/// Ticks at steps of 1, 2 or 5 times a power of ten, at most `most` >= 1 intervals.
+/// Returns ticks at steps of 1, 2 or 5 times a power of ten, with at most `most` >= 1 intervals.
 Ticks ticks(PlotRange axis, int most);
 
 /// The same for an angle in degrees: from 60 deg on, steps are 5, 10, 15, 30, 45, 60, 90, 180 or
 /// multiples of 360.
 Ticks angle_ticks(PlotRange axis, int most);
 
-/// The same for an axis of decimal logarithms, labelled with the numbers themselves: at 1, 2, 5 times each power of
-/// ten, at each power, or at every n-th.
+/// The same for an axis of decimal logarithms. The labels are the numbers themselves: 1, 2 and 5
+/// times each power of ten, each power, or every n-th power.
 Ticks decade_ticks(PlotRange axis, int most);
 
 }  // namespace jounce

@@ -14,7 +14,8 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   const std::size_t intervals = breaks.size() - 1;
   const std::size_t cells = per_interval * intervals;
   const double scale = static_cast<double>(cells) / (breaks.back() - breaks.front());
-  // Few breaks need no index. Lengths whose reciprocal over- or underflows have none.
+  // For few breaks an index does not pay. If the reciprocal of the length over- or underflows,
+  // there is no index.
   if (intervals <= few || !std::isnormal(scale)) return;
   start_ = breaks.front();
   cells_per_unit_ = scale;

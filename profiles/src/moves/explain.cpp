@@ -38,7 +38,8 @@ std::string numbers_of(const Bounds& b) {
   return text;
 }
 
-/// The velocity at which the acceleration of the target builds up from 0 with the greatest jerk.
+/// The velocity from which the acceleration increases from 0 to that of the target with the
+/// greatest jerk.
 std::string velocity_before(const MotionState& to, const Bounds& b) {
   const double jerk = to.acceleration > 0 ? b.jerk_max : b.jerk_min;
   const double before = to.velocity - to.acceleration * to.acceleration / (2 * jerk);

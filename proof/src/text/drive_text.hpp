@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// The result of a drive as lines of `jounce validate`, and as JSON; `u`: unit of the position.
+/// Returns the result of a drive as lines of `jounce validate`, and as JSON. `u`: unit of the
+/// position.
 std::string drive_text(const DriveResult& result, const DriveSpec& spec, const std::string& u);
 nlohmann::ordered_json drive_json(const DriveResult& result, const DriveSpec& spec);
 

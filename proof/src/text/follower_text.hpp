@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// The result of a cam follower as lines of `jounce validate`, and as JSON; `unit`: unit of the lift.
+/// Returns the result of a cam follower as lines of `jounce validate`, and as JSON. `unit`: unit of
+/// the lift.
 std::string follower_text(const FollowerResult& run, const std::string& unit);
 nlohmann::ordered_json follower_json(const FollowerResult& run);
 

@@ -14,7 +14,8 @@ std::string point(std::size_t i) {
   return "point " + std::to_string(i + 1);
 }
 
-/// The pair of events with the greatest ratio of the axis's velocity between them to the permitted one.
+/// The finding for the pair of events whose velocity in between is the highest share of the
+/// permitted one.
 Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion, double frequency) {
   Finding worst;
   worst.margin = 2;
@@ -40,7 +41,7 @@ Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion,
   return worst;
 }
 
-/// `next`: the place of the point that does not fire.
+/// `next`: number of the point that does not fire.
 Finding missed(std::size_t fired, std::size_t points, const std::string& next,
                const Trajectory& motion) {
   const bool broken = fired < points;

@@ -8,8 +8,8 @@
 #include "jounce/pvt/warnings.hpp"
 
 // In a chain of normal segments b = 2 P/T - a: an error e of a rate becomes -e at the end of the
-// segment, +e at the end of the next, and so on without end. The rate then goes up and down from point to
-// point; four such segments in a row count as one oscillation.
+// segment, +e at the end of the next, and so on. So the rate goes up and down from point to point.
+// Four such segments in a row count as an oscillation.
 
 namespace jounce {
 namespace {
@@ -20,14 +20,15 @@ bool is_chained(PtType type) {
   return type == PtType::normal || type == PtType::continued;
 }
 
-/// Segments first to last, each of which changes the rate against the one before.
+/// Segments first to last, each of which changes the rate in the opposite direction to the previous
+/// one.
 struct Swing {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t worst = 0;
 };
 
-/// All runs of at least `least_swings` segments.
+/// All such runs of at least `least_swings` segments.
 std::vector<Swing> swings(std::span<const PtPoint> points, const std::vector<PtRate>& rates,
                           double least) {
   const auto change = [&](std::size_t i) { return rates[i].end - rates[i].start; };

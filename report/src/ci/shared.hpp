@@ -11,7 +11,7 @@
 /// Parts that several CI formats share.
 namespace jounce::report_detail {
 
-/// The statements that a CI system shows: the worst level first, with `quiet` without warnings.
+/// Returns the statements that a CI system shows, the worst level first. `quiet`: omits warnings.
 inline std::vector<const Diagnostic*> shown(const RunResult& run, bool quiet) {
   std::vector<const Diagnostic*> all;
   for (const Level level : {Level::error, Level::broken, Level::warning}) {
@@ -23,7 +23,8 @@ inline std::vector<const Diagnostic*> shown(const RunResult& run, bool quiet) {
   return all;
 }
 
-/// Stable names of statements, in the order of the calls: equal statements of one file are numbered.
+/// Makes stable identifiers of statements. Statements of one file that are equal are numbered in
+/// the order of the calls.
 class Fingerprints {
  public:
   std::string of(const Diagnostic& each) {
@@ -37,7 +38,7 @@ class Fingerprints {
   std::map<std::string, std::size_t> seen_;
 };
 
-/// The message with its advice: "A. Advice: b".
+/// Returns the message with its advice: "A -> B".
 inline std::string with_advice(const Diagnostic& each) {
   return each.advice.empty() ? each.message : each.message + " -> " + each.advice;
 }

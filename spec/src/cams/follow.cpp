@@ -14,7 +14,7 @@ namespace {
 const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
 const std::array<std::string, 2> forms{"smooth", "table"};
 
-/// The segments of a file, from the origin of the table.
+/// The segments of a file, counted from the origin of the table.
 std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool increments,
                                  bool googol) {
   std::vector<PtPoint> points =
@@ -33,7 +33,8 @@ std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool in
   return points;
 }
 
-/// [[segment]] with `repeat`: cumulative, or `increments` that are summed.
+/// Reads [[segment]] with `repeat`. Positions are cumulative, or increments (`increments`), which
+/// are added up.
 void read_segments(TomlReader& owner, const Units& units, bool increments, bool googol,
                    std::vector<PtPoint>& points) {
   constexpr std::size_t most = 1'000'000;
@@ -68,7 +69,7 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
   }
 }
 
-/// loops, end, increments and the segments.
+/// Reads loops, end, increments, and the segments.
 FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& units, bool googol) {
   FollowTable table;
   table.loops = keys.optional_whole("loops").value_or(1);

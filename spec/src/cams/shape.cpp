@@ -56,7 +56,7 @@ std::optional<Edge> read_edge(TomlReader& each, const char* key, const std::stri
   return Edge{ends->first, ends->second};
 }
 
-/// `value` within `tolerance`; default: exactly.
+/// Reads `value` and `tolerance`; without a tolerance the value is exact.
 void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
   const auto value = read_edge(each, "value", unit);
   const double tolerance = each.optional_number("tolerance", unit).value_or(0);
@@ -107,7 +107,7 @@ bool is_list_of_tables(TomlReader& table) {
   return table.has("minimize") && table.holds_tables("minimize");
 }
 
-/// { jerk = "free" } or { jerk = 0 }.
+/// Reads { jerk = "free" } or { jerk = 0 }.
 EndJerk read_end_jerk(TomlReader& ends) {
   EndJerk jerk = EndJerk::as_given;
   if (ends.is_text("jerk")) {

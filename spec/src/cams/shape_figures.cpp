@@ -94,7 +94,7 @@ std::optional<std::size_t> index_of(const std::array<std::string, 5>& names,
   return std::nullopt;
 }
 
-/// The quantity `name`, which is a part of the text `said` of the spec.
+/// The quantity called `name`, which is a part of the spec's text `said`.
 std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const std::string& name,
                                    const std::string& said, const ShapeWords& words) {
   const auto rate = [&](const std::string& x, std::size_t k) {
@@ -158,7 +158,7 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
   return figure;
 }
 
-/// A figure that needs a drive, which is not given yet.
+/// A figure of a drive; the drive is not known yet.
 ShapeFigureSpec driven(TomlReader& reader, const char* key, DriveFigure figure,
                        const ShapeWords& words) {
   speed_for(reader, key, name(figure), words);

@@ -8,7 +8,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-/// Slave units that are one master unit, where both are lengths.
+/// Slave units in one master unit, if both are lengths.
 double ratio_of(TomlReader& shear, const Units& units) {
   if (const auto ratio = shear.optional_number("ratio", rate_unit(units.position, units.x, 1)))
     return *ratio;

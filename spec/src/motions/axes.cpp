@@ -10,7 +10,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-// In the order of Sync.
+// In the order of the enum Sync.
 const std::vector<std::string> syncs{"none", "time", "phase", "time_if_moving", "phase_or_time"};
 static_assert(static_cast<int>(Sync::phase) == 2 && static_cast<int>(Sync::phase_or_time) == 4);
 
@@ -51,7 +51,7 @@ std::vector<double> optional_rates(TomlReader& table, const char* key,
   return table.has(key) ? table.numbers(key, rate_units(axes, order)) : std::vector<double>{};
 }
 
-/// The bounds of the axes; the limits of a stretch replace them.
+/// Reads the bounds of the axes in a stretch; they replace those of the axes.
 std::vector<Bounds> read_stretch(TomlReader limits, const std::vector<AxisPart>& parts,
                                  const std::vector<AxisMove>& axes) {
   const auto velocity = optional_rates(limits, "velocity", parts, 1);
@@ -89,7 +89,7 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
   return norm;
 }
 
-/// [[point]] of a spline whose times are computed: positions only.
+/// Reads [[point]] of a spline whose times are computed: positions only.
 std::vector<std::vector<double>> read_positions(TomlReader& top,
                                                 const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
@@ -102,8 +102,8 @@ std::vector<std::vector<double>> read_positions(TomlReader& top,
   return points;
 }
 
-/// [[point]]: a position for each axis. The first and the last may have rates. From the second on, a point may have
-/// limits for the stretch before it.
+/// Reads [[point]]: a position for each axis. The first and the last point may have rates. From the
+/// second on, a point may have limits for the stretch before it.
 void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& axes) {
   std::vector<TomlReader> points = top.tables("point");
   std::vector<Bounds> own;

@@ -19,7 +19,8 @@ const std::vector<std::string> fillings{"natural",      "clamped",      "periodi
                                         "minimum_jerk", "within_limits"};
 const std::vector<std::string> objectives{"shortest"};
 
-/// A derivative of a knot. It may be left out only if `velocities` names the rule that fills it in.
+/// Reads a derivative of a knot. It may be omitted only if `velocities` names the rule that
+/// computes it.
 std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
                                     bool may_be_missing) {
   if (!knot.has(key)) knot.refuse_misspelt(key);
@@ -136,7 +137,7 @@ Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
   return points ? placed_in(*points, table) : table();
 }
 
-/// The table with the knots of a cubic spline. It is exact, also as a quintic table.
+/// The cubic spline as a table with its knots. It is exact, also as a quintic table.
 Table table_of(const Trajectory& spline, Interpolation rule) {
   Columns columns;
   for (const double x : spline.breaks()) {

@@ -20,8 +20,9 @@ MoveSpec read_trapezoid(MotionFields& f) {
   return t;
 }
 
-/// The jerk, or the parameter of controllers in its place: the time in which the acceleration builds up. In each half
-/// jerk = acceleration / smoothing (Googol smoothTime, HMPL SetSmoothTime).
+/// Reads the jerk, or the parameter that some controllers use instead: the time in which the
+/// acceleration increases from 0. In each half, jerk = acceleration / smoothing (Googol smoothTime,
+/// HMPL SetSmoothTime).
 void read_jerk(MotionFields& f, SCurveSpec& s) {
   const auto jerk = f.optional("jerk", 3);
   const auto smoothing = f.optional_time("smoothing");

@@ -21,7 +21,8 @@ const std::vector<std::string> point_types{"normal", "even", "stop", "continue"}
 const std::vector<std::string> quantities{"position", "velocity", "acceleration"};
 const std::vector<std::string> position_rules{"cubic", "linear"};
 
-/// Points count from the origin of the table, increments from the point before.
+/// Reads points, which count from the origin of the table, or increments, which count from the
+/// previous point.
 std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool increments,
                                  std::span<const std::string> permitted) {
   std::vector<PtPoint> points;

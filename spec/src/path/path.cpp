@@ -12,12 +12,12 @@ namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> corners{"stop"};
-// In the order of Junction.
+// In the order of the enum Junction.
 const std::vector<std::string> junctions{"buffered",      "blending_low",  "blending_previous",
                                          "blending_next", "blending_high", "look_ahead"};
 static_assert(static_cast<int>(Junction::look_ahead) == 5);
 
-/// True for a follower.
+/// Reads an axis; returns true if it is a follower.
 bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::string>& taken) {
   const AxisPart& part = spec.axes.emplace_back(read_axis_part(axis, spec.units, taken));
   const bool follower = axis.optional_flag("follower").value_or(false);
@@ -71,7 +71,7 @@ PathLimits read_path_limits(TomlReader limits, const PathAxes& axes) {
   return read;
 }
 
-/// corner = "stop", or a table with the one key that limits the corner.
+/// Reads corner = "stop", or a table with the one key that limits the corner.
 void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
   if (owner.is_text("corner")) {
     (void)owner.choice("corner", corners);
@@ -101,7 +101,7 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
                "average");
 }
 
-/// overlap of [path], instead of corners.
+/// Reads overlap of [path], which replaces the corners.
 std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axes) {
   auto overlap = path.optional_table("overlap");
   if (!overlap) return std::nullopt;
@@ -118,7 +118,7 @@ std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axe
   return read;
 }
 
-/// [[override]]: the ranges are those of played().
+/// Reads [[override]]; the ranges are those of played().
 std::vector<FactorRequest> read_override(TomlReader& top, const PathAxes& axes) {
   std::vector<FactorRequest> steps;
   for (TomlReader& step : top.tables("override")) {

@@ -49,8 +49,8 @@ std::vector<Point> positions_of(const Points& points, const PathAxes& axes) {
   return all;
 }
 
-/// Lines through the points of a file; the first point is the start. A column "velocity" has the feed of the line
-/// to its point.
+/// Lines through the points of a file; the first point is the start. A column "velocity" contains
+/// the feed of the line that ends at the point.
 Program program_of(const Points& points, const PathAxes& axes, PathSettings settings) {
   const std::vector<Point> positions = positions_of(points, axes);
   std::vector<double> feeds;
@@ -71,13 +71,13 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
   return program;
 }
 
-/// G54 = [x, y, ...], or a table as [frame].
+/// Reads G54 = [x, y, ...], or a table with the keys of [frame].
 Frame read_frame_of(TomlReader& gcode, const char* key, const PathAxes& axes) {
   if (!gcode.is_table(key)) return {.offset = read_position(gcode, key, axes, {})};
   return read_frame(*gcode.optional_table(key), axes);
 }
 
-/// Records of MoveSequence; RoundDiameter is the least diameter of a corner.
+/// Reads records of MoveSequence; RoundDiameter is the least diameter of a corner.
 void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
   const std::string file = records.text("file", "FILE.csv");
   if (const auto diameter = read_magnitude(records, "round_diameter", axes.unit(0))) {
@@ -91,7 +91,7 @@ void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
   path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
 }
 
-/// [gcode]; returns the name of the program's file, "" without one.
+/// Reads [gcode]; returns the name of the program file, or "".
 std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine& machine) {
   auto gcode = top.optional_table("gcode");
   if (!gcode) return "";

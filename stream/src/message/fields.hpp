@@ -109,19 +109,19 @@ inline bool get_bank(std::int8_t number, std::uint8_t& bank) {
   return number == 0 || number == 1;
 }
 
-/// True for +0 only: a message has one encoding.
+/// True for +0 only. Each message thus has only one encoding.
 inline bool is_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) == 0;
 }
 
-/// A count of 31 bits; throws InputError for a greater one.
+/// Returns a count for the wire, which has 31 bits. Throws InputError for a greater one.
 std::int32_t put_count(const char* key, std::uint32_t count);
 
-/// Writes text that fits `size` bytes with a final zero, as zero-padded bytes.
+/// Writes text as bytes, filled up with zeros. It must fit into `size` bytes with a final zero.
 void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size);
 
-/// The reverse; returns false if a byte other than zero follows the first zero, or for a control
-/// character.
+/// The reverse of put_text(). Returns false for a byte other than zero after the first zero, and
+/// for a control character.
 bool get_text(const std::uint8_t* bytes, std::size_t size, std::string& text);
 
 /// Throws InputError for a unit that does not fit, or has control characters.

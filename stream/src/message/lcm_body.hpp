@@ -24,8 +24,8 @@
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
 
-/// The fields of each message, to and from the generated type; wire.cpp handles the envelope and
-/// the checksum.
+/// Converts the fields of each message to and from the generated type. wire.cpp handles the
+/// envelope and the checksum.
 namespace jounce::wire {
 
 // Throws InputError for a value that does not fit the wire.

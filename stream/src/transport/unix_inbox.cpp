@@ -18,7 +18,8 @@
 namespace jounce::stream_detail {
 namespace {
 
-/// Binds the socket beside its name and renames it: senders see it only when it can receive.
+/// Binds the socket under a temporary name, then renames it: senders see it only when it can
+/// receive.
 void bind_at(int socket, const std::filesystem::path& path) {
   const std::string unfinished = path.string() + ".new";
   const sockaddr_un address = address_of(unfinished);

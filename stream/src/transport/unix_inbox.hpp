@@ -24,8 +24,11 @@ class UnixInbox {
   UnixInbox(const UnixInbox&) = delete;
   UnixInbox& operator=(const UnixInbox&) = delete;
 
+  /// Path of the socket.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// See Transport::subscribe().
   void subscribe(const std::string& channel, int capacity);
+  /// See Transport::receive().
   std::optional<Packet> receive(Nanos timeout);
 
  private:

@@ -9,11 +9,11 @@
 
 namespace jounce::stream_detail {
 
-/// Maximum number of programs that can use one socket folder at a time.
+/// Greatest number of programs that can use one socket folder at a time.
 inline constexpr std::size_t most_peers = 64;
 
-/// The sockets of all programs that use a socket folder, one connection each: a program that
-/// receives nothing fills only its own connection.
+/// The sockets of all programs that use a socket folder. There is a separate connection to each: a
+/// program that receives nothing fills only the queue of its own connection.
 class UnixPeers {
  public:
   explicit UnixPeers(std::filesystem::path folder);
@@ -21,15 +21,16 @@ class UnixPeers {
   UnixPeers(const UnixPeers&) = delete;
   UnixPeers& operator=(const UnixPeers&) = delete;
 
-  /// Connects to new sockets and drops removed ones; deletes sockets left over by ended programs.
-  /// Throws TransportError if the folder cannot be read.
+  /// Connects to new sockets, drops removed ones, and deletes the sockets of ended programs. Throws
+  /// TransportError if the folder cannot be read.
   void refresh();
 
+  /// Number of connections.
   [[nodiscard]] std::size_t size() const { return peers_.size(); }
 
-  /// Sends a datagram to all of them. Waits a moment for a peer whose queue is full, then
-  /// continues: this datagram is lost for that peer, and so are the next ones until it receives
-  /// again.
+  /// Sends a datagram to all peers. Waits a moment for a peer whose queue is full. If it remains
+  /// full, the datagram is lost for that peer, and later ones are sent to it without waiting until
+  /// it receives again. Removes a peer whose other end is closed.
   void send(std::span<const std::byte> datagram);
 
  private:

@@ -8,18 +8,18 @@
 
 namespace jounce::stream_detail {
 
-/// The longest name of a socket folder, in bytes: with a socket's name, and .new during its
-/// creation, it fits Linux's address.
+/// Greatest length of the path of a socket folder, bytes. With the name of a socket, and .new
+/// during its creation, it fits into an address of Linux.
 inline constexpr std::size_t longest_folder = 75;
 
-/// A socket name that no other program has had or will have: removing the socket of an ended
-/// program can therefore remove no other.
+/// Returns a socket name that no other program has or will have. Removing the socket of an ended
+/// program can therefore not remove another one.
 std::string unique_socket_name();
 
-/// True if unique_socket_name() makes such names.
+/// True if the name has the form of unique_socket_name().
 bool is_socket_name(const std::string& name);
 
-/// The address of a path of at most 107 bytes.
+/// Returns the address of a path of at most 107 bytes.
 sockaddr_un address_of(const std::string& path);
 
 /// Opens a datagram socket. Throws TransportError if none is available.

@@ -9,11 +9,14 @@
 
 namespace jounce::study_detail {
 
+/// Parts of optimum_of() for the knots of a cam, for segments of free shape, and for
+/// [[optimize.parameter]].
 SpecOptimum optimum_of_knots(const Spec& spec, const OptimumProgress& keep_going);
 SpecOptimum optimum_of_shapes(const Spec& spec, const OptimumProgress& keep_going);
 SpecOptimum optimum_of_numbers(const Spec& spec, const OptimumProgress& keep_going);
 
-/// The callback of an optimizer that reports to `keep_going`. `step(progress)` is the current step in words.
+/// Returns the callback of an optimizer that reports to `keep_going`. `step(progress)` returns the
+/// present step in words.
 template <class Step>
 KeepGoing reported_to(const OptimumProgress& keep_going, Step step) {
   if (!keep_going) return {};

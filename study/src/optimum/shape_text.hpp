@@ -7,7 +7,7 @@
 
 #include "study/src/optimum/shape_words.hpp"
 
-/// Result of free shapes, as text and as JSON.
+/// The result of an optimization of free shapes, as text and as JSON.
 namespace jounce::study_detail {
 
 std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words);

@@ -12,7 +12,7 @@
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/spec.hpp"
 
-/// The outcome of free shapes in the words and units of its spec.
+/// The outcome of an optimization of free shapes, in the words and units of its spec.
 namespace jounce::study_detail {
 
 /// Names of the numbers of an outcome.
@@ -28,34 +28,38 @@ class ShapeWords {
     return spec_.optimize.shape.figures;
   }
 
-  /// The figure that is minimized now.
+  /// Name of the figure that is minimized at present.
   [[nodiscard]] std::string stage(const OptimizeProgress& progress) const {
     return figures()[std::min(progress.stage, figures().size() - 1)].name;
   }
 
-  /// Figures that are minimized; the others are ceilings.
+  /// Number of figures that are minimized; the others are ceilings.
   [[nodiscard]] std::size_t minimized() const {
     return figures().size() - spec_.optimize.shape.ceilings.size();
   }
 
+  /// Returns number and name of a segment: "2 sync".
   [[nodiscard]] std::string segment(std::size_t i) const {
     const std::string& name = cam_.segments[i].name;
     return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
   }
 
+  /// Returns the segments of a run, separated by commas.
   [[nodiscard]] std::string segments(const CamRunOutcome& run) const {
     std::string list;
     for (const std::size_t i : run.segments) list += (list.empty() ? "" : ", ") + segment(i);
     return list;
   }
 
-  /// A run may go beyond the seam: its places are those of the cam.
+  /// Returns a place as a master position of the cam: a run may extend beyond the end of the
+  /// period.
   [[nodiscard]] double place(double where) const {
     const double start = cam_.start.master;
     const double end = cam_.segments.back().end.master;
     return where > end ? where - (end - start) : where;
   }
 
+  /// Returns a place in words: "120 deg (segment 2 sync)".
   [[nodiscard]] std::string at(double where, const CamRunOutcome& run) const {
     const double here = place(where);
     std::size_t i = run.segments.front();
@@ -64,6 +68,7 @@ class ShapeWords {
     return fmt::format("{} {} (segment {})", rounded(here), spec_.units.x, segment(i));
   }
 
+  /// Returns the length of a run, master units.
   [[nodiscard]] double length(const CamRunOutcome& run) const {
     double length = 0;
     for (const std::size_t i : run.segments) length += cam_.segments[i].end.master - begin(i);
@@ -80,19 +85,20 @@ class ShapeWords {
   Labels labels_;
 };
 
-/// A figure of a run in the numbers that are printed.
+/// A figure of a run, with the numbers that are printed.
 struct PrintedFigure {
   const ShapeFigureSpec& spec;
   double given;
   double reached;
   std::optional<double> bound;
-  std::optional<double> could_save;  ///< share of `reached`
+  std::optional<double> could_save;  ///< greatest possible improvement, as a share of `reached`
 };
 
-/// A figure that is alone has the bound of its splines where no better one is known.
+/// Returns the figures of a run. For a figure that is minimized alone, `could_save` uses its bound
+/// or that of its splines, whichever is greater.
 std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words);
 
-/// The limit that would stop a run next: the least margin of those not reached already; nullptr: none.
+/// Returns the limit with the least margin among those that are not reached yet; null: none.
 const Finding* next_limit(const CamRunOutcome& run);
 
 }  // namespace jounce::study_detail

@@ -5,17 +5,18 @@
 
 namespace jounce::study_detail {
 
-/// The MPI functions that Jounce uses, exported by the module jounce_mpi.so. The module is loaded only where
-/// mpirun has started the program, so other runs do not need MPI.
+/// The MPI functions that Jounce uses, exported by the module jounce_mpi.so. The module is loaded
+/// only if mpirun has started the program. Other runs do not need MPI.
 struct MpiCalls {
+  /// Starts MPI; sets the number of this process and of all processes.
   void (*start)(int& rank, int& size);
-  void (*send)(int to, const std::string& bytes);
+  void (*send)(int to, const std::string& bytes);  ///< sends a message to a process
   int (*receive)(std::string& bytes);  ///< waits for a message of any process; returns its sender
-  void (*end)();
-  void (*abort)(int status);  ///< number of all processes
+  void (*end)();                       ///< ends MPI
+  void (*abort)(int status);           ///< ends all processes with this exit status
 };
 
-/// The name under which the module exports its `const MpiCalls*()`.
+/// Name under which the module exports its function `const MpiCalls*()`.
 constexpr const char* mpi_entry = "jounce_mpi_calls";
 
 }  // namespace jounce::study_detail

@@ -17,9 +17,10 @@ bool dominates(const Objectives& a, const Objectives& b) {
   return a != b;
 }
 
-/// In lexicographic order a point is dominated only by points before it. With two objectives those
-/// have no larger first one, so that the least second one so far decides: H. T. Kung, F. Luccio and
-/// F. P. Preparata, "On finding the maxima of a set of vectors", J. ACM 22 (1975).
+/// The front of points with two objectives, from their lexicographic order, in which a point is
+/// dominated only by points before it. Their first objective is not larger, and the least second
+/// one so far decides (H. T. Kung, F. Luccio and F. P. Preparata, "On finding the maxima of a set
+/// of vectors", J. ACM 22, 1975).
 std::vector<std::size_t> front_of_two(std::span<const Objectives> points,
                                       const std::vector<std::size_t>& order) {
   std::vector<std::size_t> front;

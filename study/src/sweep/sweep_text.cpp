@@ -48,7 +48,7 @@ std::string heading(const SweepSpec& spec, const SweepSummary& s) {
   return text + "\n";
 }
 
-/// Each combination of listed values has a yield of its own.
+/// The yield of each combination of listed values, one line each.
 std::string yield_lines(const SweepSpec& spec, const SweepResult& result, const SweepSummary& s) {
   const std::size_t combinations = s.cases / spec.samples;
   if (!s.yield || combinations < 2 || combinations > most_designs) return "";

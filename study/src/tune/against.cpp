@@ -11,29 +11,29 @@
 
 #include "study/src/tune/driven_cam.hpp"
 
-// Let z be the shape and y(z) the response of a drive at its instants. For a linear drive y_l is affine in z,
-// and the problem is convex (ResponseOf). For another drive
+// Let z be the shape and y(z) the response of a drive at its instants. For a linear drive, y_l is
+// affine in z, and the problem is convex (ResponseOf). For a drive with nonlinear parts
 //
 //   (1)  y(z) ~ y_l(z) + d,    d = y(z_k) - y_l(z_k)
 //
-// where y_l is the same drive without its nonlinear parts. (1) is exact at z_k, with the slopes of y_l. The
-// weight G sin(a(r)) of an arm grows with the reference r. Its slope along z_k, as if the load were at r, is
-// added to the torque of y_l:
+// where y_l is the same drive without its nonlinear parts and z_k the shape of the present round.
+// (1) is exact at z_k, with the slopes of y_l. The weight G sin(a(r)) of an arm changes with the
+// reference r. Its slope along z_k, with the load taken to be at r, is added to the torque of y_l:
 //
 //   (3)  T_l(z) <- T_l(z) + G cos(a(r_k)) a' r(z)
 //
-// This is nearly exact, because the load lags by far less than the arm must turn for its weight to change.
-// After a solution, the drive itself is run along the result. If it is better, z_k moves there. If not, d is
-// changed only partly:
+// This is nearly exact: the load lags by far less than the angle over which the weight of the arm
+// changes. After a solution, the drive itself is run along the result. If it is better, z_k moves
+// there. If not, d is changed only partly:
 //
 //   (2)  d <- (d_old + d_new) / 2
 //
-// For a linear drive, the peaks between the instants count as well. A peak of the response on a grid 64 times
-// as fine that exceeds the value in the program becomes an instant, and the program is solved again, until
-// there is no such peak.
+// For a linear drive, the peaks between the instants are included. If a peak of the response on a
+// grid 64 times as fine exceeds the value in the program, it becomes an instant, and the program is
+// solved again, until there is no such peak.
 //
-// Every figure is finally determined by integration. A ceiling C that the integrated figure F exceeds is
-// lowered to C C / F, and the problem is solved again.
+// Every figure is finally determined by integration. If the integrated figure F exceeds its ceiling
+// C, the ceiling is lowered to C C / F, and the problem is solved again.
 
 namespace jounce {
 namespace {
@@ -252,9 +252,9 @@ class Search {
         });
   }
 
-  /// Takes a result. Returns true if it is better than the best so far, at first the given cam. A cam that
-  /// keeps the ceilings is better than one that does not; then the first weighted sum decides. The first result
-  /// is kept in any case, for the outcome.
+  /// Compares a result with the best so far, at first the given cam, and returns true if it is
+  /// better. A cam that satisfies the ceilings is better than one that does not. Otherwise the
+  /// first weighted sum decides. The first result is kept in any case, for the outcome.
   bool take(CamShapeOutcome found, DriveResult run, bool excess) {
     const Standing now{weighted(found, run), excess};
     const bool better = now.better_than(best_);

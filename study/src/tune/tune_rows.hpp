@@ -9,16 +9,17 @@
 
 namespace jounce::study_detail {
 
-/// The limits of a spec as constraints of a search, in the same order for every design. A limit of a curve has
-/// one for each of its bounds and segments: the smallest margin of all has kinks, where a solver that uses
-/// slopes would stop before the optimum.
+/// The limits of a spec as constraints of a search, in the same order for every design. A limit of
+/// a curve becomes one constraint for each of its bounds and segments. A single one, the smallest
+/// margin of all, would have kinks, at which a solver that uses slopes stops before the optimum.
 class TuneRows {
  public:
-  /// Each is <= 0 where `check` reports its limit as kept. The first design determines the list. The last
-  /// constraint represents rules that only later designs have.
+  /// Returns the constraints of a design; each is <= 0 if `check` reports that the limit holds. The
+  /// first design determines the list. The last constraint represents rules that only later designs
+  /// have.
   std::vector<double> of(const Assessment& at);
 
-  /// The rule of each constraint; "" for the last.
+  /// The rule of each constraint; "" for the last one.
   [[nodiscard]] const std::vector<std::string>& rules() const { return rules_; }
 
  private:

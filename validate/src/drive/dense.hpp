@@ -3,25 +3,28 @@
 
 #include <Eigen/Core>
 
-/// Decompositions of dense matrices. One file instantiates Eigen's templates, which take seconds to compile.
+/// Decompositions of dense matrices. One source file instantiates Eigen's templates, which take
+/// seconds to compile.
 namespace jounce::validate_detail {
 
+/// Eigenvalues and eigenvectors of a matrix.
 struct Eigenpairs {
   Eigen::VectorXcd values;
-  Eigen::MatrixXcd vectors;  ///< columns
+  Eigen::MatrixXcd vectors;  ///< one column for each value
 };
 Eigenpairs eigenpairs(const Eigen::MatrixXd& a);
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
 
-/// The x of A x = b, with rows exchanged.
+/// Returns the x of A x = b, with row pivoting.
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
-/// The x of A x = b where A may be nearly singular: rows and columns exchanged.
+/// Returns the x of A x = b for an A that may be nearly singular, with row and column pivoting.
 Eigen::VectorXd solve_full(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// A solution, and the condition of its matrix.
 struct FullSolution {
   Eigen::VectorXcd x;
-  double rcond = 0;  ///< estimate of 1 / (|A| |A^-1|): 0 where A is singular
+  double rcond = 0;  ///< estimate of 1 / (|A| |A^-1|); 0: A is singular
 };
 FullSolution solve_full(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A servo axis: the motor (body 0) and the bodies behind it on elastic joints, the reference (r);
-// angles in rad at the motor's shaft, torques in N m. B and C are the sums of viscous and Coulomb
-// friction, J of inertia.
+// A servo axis: the motor (body 0) and the bodies behind it on elastic joints, along the reference
+// (index r). Angles in rad at the motor's shaft, torques in N m. B, C and J are the sums of viscous
+// friction, Coulomb friction and inertia.
 //
 //     (1)  e    = K_p (th_r - th_0) + k_v w_r - w_0            position loop, velocity feed-forward
 //     (2)  T_c  = K_v e + z + k_a J a_r + k_f (B w_r + C sgn w_r)   velocity loop, feed-forwards
@@ -21,19 +21,19 @@
 //                 joint drives (s S_i > 0), (1 / eta - 1) |S_i| where it is driven
 //     (11) a body at rest stays so (w_i = 0) while -(F(0) + L(-1)) <= N_i <= F(0) + L(1)
 //
-// Within the limit (5) is the usual z' = K_v e / T_i. At the limit the term T_l - T_d reduces z with the time
-// constant T_i, so that z does not wind up. T_l is continuous where the limit is met.
+// Within the limit, (5) is the usual z' = K_v e / T_i. At the limit, the term T_l - T_d reduces z
+// with the time constant T_i, which prevents windup. T_l is continuous at the limit.
 //
-// With dry friction as a plain sign(w) a solver would step back and forth over w = 0 without end, and with
-// tanh(w / eps) an axis that should stand would creep. So sticking is a mode (11) of its own, in which a body
-// stands exactly.
+// With dry friction as a plain sign(w), a solver would step back and forth over w = 0 without end.
+// With tanh(w / eps), an axis at rest would creep. Sticking is therefore a separate mode (11), in
+// which a body is exactly at rest.
 //
-// The integrated variables are deviations from the reference,
+// The integrated variables are the deviations from the reference
 //
 //     (12)  x_i = th_i - th_r,  x_i'' = w_i' - a_r
 //
-// so that errors are relative to the following error and not to the distance that the axis has traveled, and in
-// addition
+// Errors are then relative to the following error and not to the distance that the axis has
+// traveled. In addition, these integrals are computed:
 //
 //     (13) W' = T^2,  E' = T w_0                               rms torque, work
 
@@ -132,8 +132,7 @@ void DriveModel::controller_rhs(const Jet& r, const double* y, double* dy) const
   if (sampled()) return;
   const double e = velocity_error(r, y[0], y[1]);
   if (c.integral_time > 0)
-    dy[integral()] =
-        (c.velocity_gain * e + given - commanded(r, y)) / c.integral_time;  // (5)
+    dy[integral()] = (c.velocity_gain * e + given - commanded(r, y)) / c.integral_time;  // (5)
   if (!delayed_) return;
   dy[delay_] = y[delay_ + 1] / c.delay;  // (3)
   dy[delay_ + 1] = (asked(r, y) - 6 * y[delay_ + 1] - 12 * y[delay_]) / c.delay;

@@ -5,11 +5,11 @@
 
 namespace jounce::validate_detail {
 
-/// The report of a run against its limits; `end`: of the reference.
+/// Returns the report of a run against its limits. `end`: end of the reference, s.
 Report drive_report(const DriveResult& result, const Drive& drive, const DriveOptions& options,
                     double end);
 
-/// Throws InputError for a sync interval that is not within the motion.
+/// Throws InputError for a sync interval that is not within the reference.
 void require_within(const DriveOptions& options, double start, double end);
 
 }  // namespace jounce::validate_detail

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run of a drive with forward sensitivities. The equations are those of DriveModel, and their derivatives
-// by the state are its Jacobian. Derivatives by the logarithm of a number p are central differences of the
-// right-hand side alone,
+// The run of a drive with forward sensitivities. The equations are those of DriveModel, and their
+// derivatives by the state are its Jacobian. Derivatives by the logarithm of a parameter p are
+// central differences of the right-hand side alone,
 //
 //     (1)  df/d(log p) = (f(p e^h) - f(p e^-h)) / 2h,    h = 6e-6
 //
-// with errors of order h^2 and of rounding / h, both about 1e-11. The integrator is not differenced: the errors
-// of its steps would be larger than the differences.
+// with errors of order h^2 and of rounding / h, both about 1e-11. Runs of the integrator are not
+// differenced: the errors of its steps would be larger than the differences.
 //
-// A mode changes where an event function g(t, y; p) goes through zero, at an instant that moves with
-// p. With f- and f+ before and after, the sensitivities step (Rozenvasser, Avtomatika i Telemekhanika
-// 1967; Galan, Feehery, Barton, Appl. Numer. Math. 31, 1999):
+// A mode changes when an event function g(t, y; p) crosses zero, at an instant that depends on p.
+// With f- and f+ the right-hand sides before and after it, the sensitivities step (Rozenvasser,
+// Avtomatika i Telemekhanika 1967; Galan, Feehery, Barton, Appl. Numer. Math. 31, 1999):
 //
 //     (2)  dt*/dp = -(dg/dy s + dg/dp) / (dg/dt along f-),      s+ = s- + (f- - f+) dt*/dp
 //
-// Where the right-hand side is continuous (a torque limit, a flank that meets), the jump is zero. Where dry
-// friction stops a body, it removes the dependence of the speed on p. At a step of the reference, the
-// deviations step by an amount that does not depend on p.
+// If the right-hand side is continuous (at a torque limit, or when a flank touches), the step is
+// zero. If dry friction stops a body, its speed no longer depends on p. At a step of the reference,
+// the deviations step by an amount that does not depend on p.
 
 #include "validate/src/drive/drive_response.hpp"
 
@@ -131,7 +131,7 @@ class ResponseRun {
     return y;
   }
 
-  /// The models beside this one, and the sensitivities of the equilibrium that the run begins in.
+  /// The models with changed numbers, and the sensitivities of the equilibrium at the start.
   void move_numbers() {
     std::vector<double> y(n_), other(n_);
     const auto moved = [&](std::size_t j, double by) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run of a drive along a reference. CVODES needs these rules, each because of a measured failure without
-// it:
+// The run of a drive along a reference. These rules apply to CVODES. Each is the result of a
+// measured failure without it:
 //
 // - the reference is locked to the interval between two breaks, and every break is a stop;
 // - at a step of position, velocity or acceleration the solver restarts; at higher knots it continues

@@ -7,13 +7,14 @@
 
 namespace jounce::validate_detail {
 
+/// Result of run().
 struct DriveRun {
-  DriveResult result;         ///< without the report
-  std::vector<double> state;  ///< state of DriveModel, where it ended
+  DriveResult result;         ///< the result without its report
+  std::vector<double> state;  ///< states of DriveModel at the end
 };
 
-/// The run of drive_through, for drive and options that have been checked: from rest, or, where `start` is not
-/// empty, from these states of DriveModel with the reference moving as its first piece does.
+/// Runs drive_through() for a drive and options that are valid. The run begins at rest; if `start`
+/// is not empty, it begins with these states of DriveModel and with the motion of the first piece.
 DriveRun run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
              const std::vector<double>& start = {});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drive without nonlinear parts: bodies 0 (the motor) to n in a chain, joined by shafts. Masses joined
-// rigidly to the one before are one body with it. A pendulum is a body of its own on the last body. With angles
-// x_i = th_i - th_r relative to the reference,
+// A drive without nonlinear parts: bodies 0 (the motor) to n in a chain, joined by shafts. A mass
+// that is joined rigidly to the one before it is one body with it. A pendulum is one more body, on
+// the last mass. With angles x_i = th_i - th_r relative to the reference,
 //
 //     (1)  e     = -K_p x_0 + (k_v - 1) w_r - x_0'                   both loops' error
 //     (2)  T_c   = K_v e + z + k_a J a_r + k_f b w_r                  J, b: of all bodies together

@@ -7,14 +7,15 @@
 
 namespace jounce::validate_detail {
 
-/// The share of the winding's thermal limit, from cold: h' = (T^2 / rated^2 - h) / tau.
+/// The thermal load h of the winding as a share of its limit, from the cold state: h' = (T^2 /
+/// rated^2 - h) / tau.
 class Heat {
  public:
   explicit Heat(const Motor& motor)
       : rated_(motor.rated_torque * motor.rated_torque), time_(motor.thermal_time) {}
 
-  /// The value after another dt, over which T^2 integrates to `squared`, as if T^2 were constant at its mean. 0
-  /// if it is not modeled.
+  /// Returns the load after another `dt` s. `squared`: integral of T^2 over this time; T^2 counts
+  /// as constant. 0 if the motor has no thermal model.
   double after(double dt, double squared) {
     if (time_ == 0) return 0;
     share_ += (squared / (dt * rated_) - share_) * -std::expm1(-dt / time_);
@@ -27,8 +28,8 @@ class Heat {
   double share_ = 0;
 };
 
-/// The figures that follow from the torque if the motor's torque constant is given; `squared`: integral of T^2
-/// over reference and standstill. The rms current needs rms_torque.
+/// Adds the figures that follow from the torque, if the motor has a torque constant. `squared`:
+/// integral of T^2 over reference and standstill. rms_torque must be set before.
 inline void add_current(DriveResult& found, const Motor& motor, double squared) {
   const double constant = motor.torque_constant;
   if (constant == 0) return;

@@ -17,34 +17,38 @@
 
 namespace jounce::validate_detail {
 
-/// Watches a run step by step and keeps what the result reports: peaks, swings, energy, samples.
+/// Watches a run step by step and collects what its result contains: peaks, swings, energy,
+/// samples.
 class Observer {
  public:
-  /// Samples are spaced equally over the duration; origin is the signal's time at the solver's
-  /// zero.
+  /// `origin`: time of the signal at time 0 of the solver. `duration`: the samples are equally
+  /// spaced over it, s.
   Observer(const DriveModel& model, const DriveOptions& options, double origin, double duration);
 
-  /// Called after each step, with the reference of that step. Reads the solver's dense output.
+  /// Call it after each step, with the reference of that step. It reads the dense output of the
+  /// solver.
   void step(const OdeSolver& solver, const SignalPiece& reference);
 
-  /// Called at the end of the reference: from here on, residual and swings are watched.
+  /// Call it at the end of the reference: from then on, residual and swings are watched.
   void settle(double end) { settling_ = true, end_ = end; }
 
-  /// Swings slower than `least_speed` (rad/s) or than 1 % of the fastest do not count.
+  /// Sets the figures of the result. Swings slower than `least_speed` (rad/s), or than 1 % of the
+  /// fastest, do not count.
   void finish(double least_speed, DriveResult& result);
 
  private:
+  /// The state at one instant, in rad, rad/s and N m.
   struct Point {
     double time;
     double torque;
-    double motor;  ///< rad, relative to the reference; so is the load
-    double load;
+    double motor;  ///< angle of the motor relative to the reference
+    double load;   ///< angle of the load relative to the reference
     double load_speed;
-    double velocity;  ///< rad/s, of the motor
-    double swing;     ///< rad
+    double velocity;  ///< speed of the motor
+    double swing;     ///< angle of the pendulum relative to the load
     double reference;
   };
-  using Points = std::array<Point, 3>;  ///< beginning, middle and end of a step
+  using Points = std::array<Point, 3>;  ///< start, middle and end of a step
 
   [[nodiscard]] Point point(const double* y, const SignalPiece& reference, double t) const;
   [[nodiscard]] Point between(const OdeSolver& solver, const SignalPiece& reference, double t);
@@ -68,10 +72,12 @@ class Observer {
   DriveResult found_;
   double torque_squared_ = 0;  ///< integrals up to the last step
   double work_ = 0;
-  std::optional<Point> last_ = {};    ///< state at the end of the last step,
-  long restarts_ = -1;                ///< unless the solver restarted there
-  bool beyond_ = false;               ///< the limit of the following error, at the last point
-  std::optional<double> inside_ = 0;  ///< time since when; none: outside of the band
+  /// State at the end of the last step; nullopt: none, or the solver restarted there.
+  std::optional<Point> last_ = {};
+  long restarts_ = -1;   ///< restarts of the solver up to then
+  bool beyond_ = false;  ///< true if the last point exceeds the limit of the following error
+  /// Time since which the load is in the settling band; nullopt: it is outside.
+  std::optional<double> inside_ = 0;
   Swings swings_;
 };
 

@@ -8,12 +8,13 @@
 
 namespace jounce::validate_detail {
 
+/// Raises a peak to a value whose magnitude is greater.
 inline void raise(Peak& peak, double value, double where) {
   if (std::abs(value) > std::abs(peak.value)) peak = {value, where};
 }
 
-/// Calls `see(value, where)` with the three values at t, t + h, t + 2 h, and with the vertex of the
-/// parabola through them if it lies between.
+/// Calls see(value, where) with the three values at t, t + h, t + 2 h. If the vertex of the
+/// parabola through them is between them, also calls it with the vertex.
 template <class See>
 void see_parabola(const std::array<double, 3>& f, double t, double h, See see) {
   for (std::size_t i = 0; i < f.size(); ++i) see(f[i], t + static_cast<double>(i) * h);

@@ -8,7 +8,8 @@
 
 namespace jounce::validate_detail {
 
-/// The finding of a peak against the limit of its magnitude, > 0; `advice` is for a peak beyond it.
+/// Returns the finding of a peak against the limit of its magnitude, > 0. `advice`: remedy if the
+/// peak exceeds the limit.
 inline Finding peak_finding(const char* rule, const char* quantity, const Peak& peak, double limit,
                             const char* advice) {
   Finding finding;

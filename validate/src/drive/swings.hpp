@@ -11,21 +11,22 @@ namespace jounce::validate_detail {
 /// Counts the zeros of a decaying speed as long as the swings between them are large enough.
 class Swings {
  public:
-  /// The next value of the speed, in the order of time.
+  /// Adds the next value of the speed, in the order of time.
   void see(double speed) { speed_ = std::max(speed_, std::abs(speed)); }
-  /// The speed crosses zero.
+  /// Adds a zero of the speed.
   void zero(double time) {
     zeros_.push_back({time, speed_});
     if (zeros_.size() > 1) fastest_ = std::max(fastest_, speed_);
     speed_ = 0;
   }
 
-  /// The greatest speed between two zeros so far.
+  /// Greatest speed between two zeros so far.
   [[nodiscard]] double fastest() const { return fastest_; }
 
-  /// Frequency from the pairs of zeros over the time from the first to the last, up to the first swing slower
-  /// than `least` or than 1 % of the fastest; 0 if there are fewer than two. The swing before the first zero
-  /// began before the watch, so only swings between zeros count.
+  /// Frequency of the swings in Hz, each swing (half a period) from one zero to the next. It uses
+  /// the swings from the first zero on, up to the first one that is slower than `least_speed` or
+  /// than 1 % of the fastest. Returns 0 if there are fewer than two. The swing before the first
+  /// zero is not used: it began before the watch.
   [[nodiscard]] double frequency(double least_speed) const {
     const double least = std::max(least_speed, 0.01 * fastest_);
     std::size_t swings = 0;
@@ -37,7 +38,7 @@ class Swings {
  private:
   struct Zero {
     double time;
-    double speed;  ///< the greatest since the zero before
+    double speed;  ///< the greatest since the previous zero
   };
   std::vector<Zero> zeros_;
   double speed_ = 0;

@@ -8,25 +8,29 @@
 
 namespace jounce::validate_detail {
 
-/// Changes the modes of a model: the event functions for root finding, and the new mode where one of them
-/// crosses zero. A band of one tolerance around every threshold prevents rounding from switching back and
-/// forth. The state itself determines cases that an event cannot detect (two crossings in one step, a start on
-/// a threshold), outside of two tolerances.
+/// Changes the modes of a model. It contains the event functions for root finding, and sets the new
+/// mode when one of them crosses zero. A band of one tolerance around every threshold prevents
+/// rounding from switching back and forth. Cases that an event cannot detect (two crossings in one
+/// step, a start on a threshold) are determined from the state itself, outside of two tolerances.
 class Switches {
  public:
-  /// Torques and speeds of the run, in N m and rad/s: the tolerance is a share of them.
+  /// `torque`, `speed`: usual torque and speed of the run, N m and rad/s. `tolerance`: relative to
+  /// them.
   Switches(DriveModel& model, double tolerance, double torque, double speed);
 
+  /// Number of event functions.
   [[nodiscard]] int events() const { return events_; }
+  /// Writes their values to g.
   void evaluate(const Jet& r, const double* y, double* g) const;
 
-  /// Sets the modes of the state, with `crossed` the direction of every event (empty: none). A body that comes
-  /// to rest gets the speed of rest. Returns true if a mode changed.
+  /// Sets the modes of the state. `crossed`: direction of each event; empty: no event. A body that
+  /// comes to rest gets the speed 0. Returns true if a mode has changed.
   bool update(const Jet& r, double* y, std::span<const int> crossed = {});
-  /// The sign of the friction feed-forward at the beginning of an interval.
+  /// Sets the sign of the friction feed-forward at the beginning of an interval. `fastest`: peak
+  /// velocity of the reference.
   void begin(const Jet& r, double fastest);
 
-  /// The number of times that a flank of a joint has met.
+  /// Number of times that a flank of a joint has touched.
   [[nodiscard]] long impacts() const { return impacts_; }
 
  private:

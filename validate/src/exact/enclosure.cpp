@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// An output y = q z of z' = M z (equations (1) to (6) of ladder.cpp) differs from the chord between its values
-// at the ends of an interval of length H by
+// How peaks and zeros are enclosed. An output y = q z of z' = M z (equations (1) to (6) of
+// ladder.cpp) differs from the chord between its values at the ends of an interval of length H by
 //
 //     (1)  |y(u) - chord(u)| <= H^2 / 8 max |y''|
 //
-// and y''(u) = q exp(M u) (M^2 z) is a sum over the components of M^2 z:
+// y''(u) = q exp(M u) (M^2 z) is a sum over the components of M^2 z:
 //
 //     (2)  max |y''| <= sum of G_j |(M^2 z)_j|,   G_j >= |q exp(M u)|_j for all u in [0, H]
 //
-// M^2 z is used rather than z. It vanishes where the drive is in balance with a constant acceleration, however
-// large z is, so the bound is as tight as the motion is smooth. With H = m h and |M| entry by entry,
+// M^2 z is used rather than z: it vanishes when the drive is in balance with a constant
+// acceleration, however large z is. The bound is therefore close if the motion is smooth.
+// With H = m h and |M| entry by entry,
 //
 //     (3)  G = max over i < m of |q exp(M h)^i| exp(|M| h)
 //
-// since |exp(M v)| <= exp(|M| v) <= exp(|M| h) entry by entry. An interval for which (1) does not decide is
-// divided. An interval no longer than h, where the norm of M h is at most 1/2, is the polynomial
+// because |exp(M v)| <= exp(|M| v) <= exp(|M| h) entry by entry. If (1) does not decide for an
+// interval, the interval is divided. On an interval no longer than h, where the norm of M h is at
+// most 1/2, y is the polynomial
 //
 //     (4)  y(u) = sum of q (M H)^k z / k! (u / H)^k,  k = 0 ... 11,  but for 0.5^12 / 12! = 5e-13
 //
-// whose extrema and zeros are isolated like those of any segment. Nothing is sampled.
+// The extrema and zeros of this polynomial are isolated like those of any segment. Nothing is
+// sampled.
 
 #include "validate/src/exact/enclosure.hpp"
 

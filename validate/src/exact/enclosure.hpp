@@ -12,13 +12,14 @@
 
 namespace jounce::validate_detail {
 
-/// The bounds of the magnitude of an output.
+/// Bounds of the magnitude of an output over an interval.
 struct Bounds {
-  double least = 0;  ///< 0 if it may cross zero
-  double most = 0;
+  double least = 0;  ///< lower bound; 0 if the output may cross zero
+  double most = 0;   ///< upper bound
 };
 
-/// For an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
+/// Returns the bounds for an output from its values at both ends and a bound `bend` of its second
+/// derivative: (1) of enclosure.cpp.
 inline Bounds bounds_of(double begin, double end, double length, double bend) {
   const double slack = length * length / 8 * bend;
   const double near = std::min(std::abs(begin), std::abs(end));
@@ -26,37 +27,39 @@ inline Bounds bounds_of(double begin, double end, double length, double bend) {
           std::max(std::abs(begin), std::abs(end)) + slack};
 }
 
-/// An interval of the trajectory of a linear system: its state at the beginning, its outputs at both ends, and
-/// a bound of each output's second derivative in between.
+/// An interval of the trajectory of a linear system.
 struct TrajectorySpan {
-  double time = 0;  ///< time of its beginning
-  double length = 0;
-  Eigen::VectorXd z;
-  Eigen::VectorXd begin;  ///< outputs
-  Eigen::VectorXd end;
-  Eigen::VectorXd bend;
+  double time = 0;        ///< time of its start, s
+  double length = 0;      ///< length, s
+  Eigen::VectorXd z;      ///< state at its start
+  Eigen::VectorXd begin;  ///< outputs at its start
+  Eigen::VectorXd end;    ///< outputs at its end
+  Eigen::VectorXd bend;   ///< bound of the second derivative of each output in between
 
+  /// Returns the bounds of an output.
   [[nodiscard]] Bounds bounds(Eigen::Index row) const {
     return bounds_of(begin(row), end(row), length, bend(row));
   }
 };
 
-/// Certified bounds of the outputs of a ladder's system between two instants: by the second derivative, and
-/// over a short time by a polynomial that is exact to rounding. Derivation: enclosure.cpp.
+/// Proven bounds of the outputs of a ladder's system between two instants: by the second derivative
+/// and, over a short time, by a polynomial that is exact to rounding. Derivation: enclosure.cpp.
 class Enclosure {
  public:
-  /// For intervals up to `longest()`. The ladder must outlive it.
+  /// The ladder must outlive the object.
   explicit Enclosure(Ladder& ladder);
 
+  /// Greatest length of an interval, s.
   [[nodiscard]] double longest() const { return longest_; }
-  /// The index of the rung of that length.
+  /// Index of the rung of that length.
   [[nodiscard]] std::size_t level() const { return level_; }
 
-  /// Bounds of the second derivatives over `longest()` from z on, one for each output.
+  /// Writes bounds of the second derivatives over `longest()` from z on to `found`, one for each
+  /// output.
   void bend(const Eigen::VectorXd& z, double* found);
 
-  /// Divides an interval in the order of time. A part for which `open(part)` is false is passed to
-  /// `done(part)`. A part that is short enough to be a polynomial is passed to `leaf(part)`.
+  /// Divides an interval in the order of time. A part for which open(part) is false is passed to
+  /// done(part). A part that is short enough for a polynomial is passed to leaf(part).
   template <class Open, class Done, class Leaf>
   void search(const TrajectorySpan& s, const Open& open, const Done& done, const Leaf& leaf) {
     if (!open(s)) return done(s);
@@ -66,7 +69,8 @@ class Enclosure {
     search(second, open, done, leaf);
   }
 
-  /// An output over an interval that search() passes to `leaf`, exact within 1e-12 of its terms.
+  /// Returns an output over an interval that search() passes to `leaf`, exact within 1e-12 of its
+  /// terms.
   [[nodiscard]] Segment polynomial(const TrajectorySpan& s, Eigen::Index row) {
     return ladder_->polynomial(s.z, row, s.length);
   }

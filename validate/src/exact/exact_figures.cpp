@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of a run from its exact solution. Peaks, zeros and excursions are enclosed (enclosure.cpp). Work
-// and squared torque are integrals in closed form (ladder.cpp, (7) to (9)). Where the power changes its sign,
-// torque and speed are polynomials over an interval between two of their zeros, and so is their product:
+// The figures of a run from its exact solution. Peaks, zeros and excursions are enclosed
+// (enclosure.cpp). Work and squared torque are integrals in closed form (ladder.cpp, (7) to (9)).
+// For work with a changing sign of the power, torque and speed are polynomials over an interval
+// between two zeros of the power, and so is their product:
 //
 //     (1)  integral of (sum a_i s^i) (sum b_k s^k) over [p, q] = sum of a_i b_k (q^(i+k+1) - p^(i+k+1)) / (i+k+1)
 

@@ -7,8 +7,8 @@
 
 namespace jounce::validate_detail {
 
-/// The certified figures of a linear drive with a continuous controller along a reference; none where the
-/// demanded torque may exceed its limit. Without samples and report.
+/// Returns the proven figures of a linear drive with a continuous controller along a reference,
+/// without samples and report; nullopt if the required torque may exceed its limit.
 std::optional<DriveResult> exact_figures(const Trajectory& reference, const Drive& drive,
                                          const DriveOptions& options);
 

@@ -14,49 +14,52 @@
 
 namespace jounce::validate_detail {
 
-/// The start of a path: the state before the reference's first step, to its own position and from this
-/// velocity.
+/// The start of a path, before the first step of the reference. The reference steps from this
+/// velocity to its own, and to its own position.
 struct PathStart {
-  Eigen::VectorXd state;
-  double velocity = 0;
+  Eigen::VectorXd state;  ///< state of the system
+  double velocity = 0;    ///< velocity of the reference before the step
 };
 
-/// The trajectory of a linear system along a curve that holds after its end. The system and the curve must
-/// outlive it.
+/// The trajectory of a linear system along a curve, which holds after its end. Both must outlive
+/// the object.
 class ExactPath {
  public:
-  /// `step` > 0: the most frequent spacing of the outputs.
+  /// `step` > 0: the most frequent time between two outputs, s.
   ExactPath(const LinearSystem& system, const Trajectory& reference, double step, PathStart start);
 
-  /// The reference as a whole.
+  /// Result for the whole reference.
   struct Whole {
-    double square = 0;       ///< integral of the first output, squared
-    Eigen::VectorXd output;  ///< at the end of the reference
-    Eigen::VectorXd state;   ///< there, at the beginning of the standstill that follows
+    double square = 0;       ///< integral of the square of the first output
+    Eigen::VectorXd output;  ///< outputs at the end of the reference
+    Eigen::VectorXd state;   ///< state at the start of the standstill that follows
   };
+  /// Computes the whole reference.
   Whole whole();
-  /// The same, and the outputs at ascending times, none before the reference's start, one column for each time;
-  /// below them the position of the reference.
+  /// Computes the same, and the outputs at ascending times, none before the start of the reference.
+  /// `found` gets one column for each time: the outputs, then the position of the reference.
   Whole along(std::span<const double> times, Eigen::MatrixXd& found);
 
-  // Step by step: begin(). Then for each segment enter(i), move state() with ladder(), and leave(); enter()
-  // with the number of segments for the standstill after the last.
+  // Step by step: call begin(). Then, for each segment i, call enter(i), move state() with
+  // ladder(), and call leave(). enter() with the number of segments enters the standstill after the
+  // last one.
 
   void begin();
-  /// Takes the system into segment i, with the steps of the reference.
+  /// Enters segment i, with the steps of the reference.
   const Segment& enter(std::size_t i);
-  /// The values of the reference at the end of the segment, from which the next one steps.
+  /// Stores the values of the reference at the end of the segment, from which the next one steps.
   void leave();
   /// True if the standstill was entered last.
   [[nodiscard]] bool rests() const { return segment_ == &standstill_; }
   [[nodiscard]] Ladder& ladder() { return *ladder_; }
-  /// The system's state where the last segment ended, before any step that follows; after along() or whole().
+  /// State of the system at the end of the last segment, before the step after it. Only after
+  /// along() or whole().
   [[nodiscard]] const Eigen::VectorXd& reached() const { return reached_; }
   [[nodiscard]] Eigen::VectorXd& state() { return z_; }  ///< includes the part of the reference
 
  private:
-  /// The columns of `found` for equally spaced times, from z_ on, the first at u of the segment that begins
-  /// there.
+  /// Writes the columns of `found` for equally spaced times, from z_ on. The first one is at u of
+  /// the segment.
   void read(std::span<const double> times, double begin, double u, double* found);
   Ladder& ladder_for(const Segment& f);
   [[nodiscard]] const Segment& segment(std::size_t i) const;

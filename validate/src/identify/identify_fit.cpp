@@ -1,13 +1,14 @@
-// SPDX-License-Identifier: Apache-2.0
-// Weighted least squares over all recorded outputs. With x_j = log p_j, q_k(t_i; x) the quantity k of the model
-// at sample i and d_ki the recorded value,
+// SPDX-License-Identifier: Apache-2.0 Identification by weighted least squares over all recorded
+// outputs. With x_j = log p_j, q_k(t_i; x) quantity k of the model at sample i and d_ki the
+// recorded value,
 //
 //     (1)  r_ki = (q_k(t_i; x) - d_ki) / sigma_k,        J = dr/dx from forward sensitivities
 //     (2)  minimize |r|^2                                Levenberg and Marquardt
 //     (3)  sigma_k^2 = sum_i (q_k - d_k)^2 / (m_k - n m_k / m)
 //
-// (2) and (3) alternate until no sigma_k changes by 1 %: together they are the maximum likelihood for Gaussian
-// noise of unknown size on each quantity. Then (J^T J)^-1 is the covariance of x, and
+// (2) and (3) alternate until no sigma_k changes by 1 %: together they are the maximum likelihood
+// for Gaussian noise of unknown size on each quantity. Then (J^T J)^-1 is the covariance of x, and
+// the parameters are within
 //
 //     (4)  log p_j in x_j +- t_95(m - n) sqrt((J^T J)^-1_jj)
 //

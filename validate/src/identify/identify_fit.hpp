@@ -13,21 +13,22 @@
 
 namespace jounce::validate_detail {
 
-/// The end of a fit. Residuals are model minus recording, one quantity after the other.
+/// Result of fitted(). Residuals are model minus recording, one quantity after another.
 struct Fitted {
-  LeastSquares found;             ///< weighted with 1 / sigma; x: logarithms of value / start
-  std::vector<double> values;     ///< values of the numbers
-  std::vector<std::size_t> used;  ///< the recorded outputs
-  Eigen::VectorXd before;         ///< residuals of the start, not weighted
-  Eigen::VectorXd sigma;          ///< one for each output
+  LeastSquares found;  ///< the search, weighted with 1 / sigma; x: logarithms of value / start
+  std::vector<double> values;     ///< the fitted numbers
+  std::vector<std::size_t> used;  ///< indices of the recorded outputs
+  Eigen::VectorXd before;         ///< residuals at the start, not weighted
+  Eigen::VectorXd sigma;          ///< standard deviation of each output
   int iterations = 0;
   bool cancelled = false;
-  std::string failure;  ///< failure of the last integration without a result
+  std::string failure;  ///< reason of the last integration that failed
 
+  /// Number of samples.
   [[nodiscard]] Eigen::Index samples() const {
     return before.size() / static_cast<Eigen::Index>(used.size());
   }
-  /// Those of output used[b].
+  /// Returns the residuals of output used[b].
   [[nodiscard]] Eigen::VectorXd block(const Eigen::VectorXd& residuals, Eigen::Index b) const {
     return residuals.segment(b * samples(), samples());
   }
@@ -35,10 +36,11 @@ struct Fitted {
 
 double rms(const Eigen::VectorXd& r);
 
+/// Fits the numbers.
 Fitted fitted(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
               const IdentifyProgress& keep_going);
 
-/// The report of a fit: intervals, notes, status and reason.
+/// Returns the result of identify(): intervals, notes, status and reason.
 Identification told(const Recording& recording, const IdentifySpec& spec, const Fitted& fit);
 
 }  // namespace jounce::validate_detail

@@ -15,13 +15,13 @@ namespace jounce::validate_detail {
 inline constexpr std::array<const char*, outputs> quantities{"position", "velocity", "torque",
                                                              "load"};
 
-/// The recorded values of an output; empty: none.
+/// Returns the recorded values of an output; empty: not recorded.
 const std::vector<double>& recorded(const Recording& recording, std::size_t output);
 
-/// A number to fit, as the start has it. Throws InputError with all there are.
+/// Returns the number with this key. Throws InputError that lists all keys if there is none.
 DriveNumber numbered(Drive& drive, const std::string& key);
 
-/// Throw InputError as identify() and commanded_motion() describe.
+/// Throw InputError as described for identify() and commanded_motion().
 void require_times(const Recording& recording);
 void require_valid(const Recording& recording);
 void require_valid(const IdentifySpec& spec);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levenberg and Marquardt's method. About x the residual is r + J dx; the step solves
+// The method of Levenberg and Marquardt. The residual near x is r + J dx; the step solves
 //
 //     (1)  min |r + J dx|^2 + mu D^2 |dx|^2,     D = the norm of the greatest column of J so far
 //
-// as one linear least-squares problem by QR: J^T J would square a condition number that is large where two
-// numbers can hardly be separated. mu begins small, is divided by ten with each gain and multiplied by ten with
-// each loss (D. W. Marquardt, J. SIAM 11, 1963), also as long as the step is longer than the limit. All
-// variables have the same D because they are of one kind.
+// as one linear least-squares problem by QR. (J^T J would square the condition number, which is
+// large if two parameters can hardly be separated.) mu starts small. It is divided by ten at each
+// step that reduces the residual. It is multiplied by ten at each step that does not (D. W.
+// Marquardt, J. SIAM 11, 1963), and as long as the step is longer than the limit. All variables
+// have the same D because they are of one kind.
 
 #include "validate/src/identify/least_squares.hpp"
 

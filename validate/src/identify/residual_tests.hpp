@@ -7,19 +7,22 @@
 
 namespace jounce::validate_detail {
 
-/// True if residuals are white: Ljung and Box's Q over the first 10 autocorrelations (a fifth of the samples, if
-/// those are fewer), against the chi-square quantile. Not tested below 20 samples.
+/// Tests whether residuals are white: Q of Ljung and Box over the first 10 autocorrelations (at
+/// most a fifth of the samples), against the chi-square quantile. Fewer than 20 samples are not
+/// tested.
 ResidualTest whiteness(std::span<const double> residuals);
 
-/// True if residuals grow along the recording: Goldfeld and Quandt's F, the squares of the last third over those of
-/// the first, against the F quantile. Not tested below 20 samples.
+/// Tests whether residuals grow along the recording: F of Goldfeld and Quandt, the squares of the
+/// last third over those of the first, against the F quantile. Fewer than 20 samples are not
+/// tested.
 ResidualTest growth(std::span<const double> residuals);
 
-/// The same F of residuals after a fit over those before it.
+/// Tests whether residuals are larger after a fit than before: the same F, of those after it over
+/// those before it.
 ResidualTest worsening(std::span<const double> before, std::span<const double> after);
 
-/// The least step between two recorded values: counts of an encoder, or the last written digit. 0 for a
-/// constant.
+/// Returns the least step between two recorded values: a count of an encoder, or the last digit. 0:
+/// the values are constant.
 double resolution(std::span<const double> recorded);
 
 }  // namespace jounce::validate_detail

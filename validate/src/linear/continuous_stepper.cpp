@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drive in deviations from its reference, with T_d the torque that its controller demands and T_l the
-// torque of the motor (equations (1) to (8) of drive_system.cpp, (4) and (5) of drive_model.cpp):
+// A drive at its torque limits, in deviations from its reference. T_d is the torque that its
+// controller demands and T_l the torque of the motor (equations (1) to (8) of drive_system.cpp, (4)
+// and (5) of drive_model.cpp):
 //
 //     (1)  x' = A x + B w + g (T_l - T_d),   w = (1, r', r''),   T_d = c x + d w
 //     (2)  T_l = T_d within the limits, else the limit that it is beyond: L, or where the speed w_0 leaves
 //          less of it, L_0 - k w_0 with k = T_max / (w_max - w_rated), L_0 = k w_max
 //
-// g has 1 / J_0 in the motor's row, or 1 / tau in that of the current loop's lag, and 1 / T_i in that of
-// the integral part: the back-calculation. So there are three linear systems, the free one and
+// g is 1 / J_0 in the row of the motor, or 1 / tau in that of the lag of the current loop, and
+// 1 / T_i in that of the integral part (the back-calculation). There are therefore three linear
+// systems: (1) with T_l = T_d, and at the two limits
 //
 //     (3)  x' = (A - g c) x + (B - g d) w + g L
 //     (4)  x' = (A - g (c + k c_w)) x + (B - g (d + k d_w)) w + g L_0,   w_0 = c_w x + d_w w
 //
-// and T_l is continuous at the changes between them: the state alone determines which of them holds. With the
-// quintic between two setpoints, whose derivatives w_5 = (1, r', ..., r^(5)) obey w_5' = N w_5, each has its
-// exponential over a length of time h,
+// T_l is continuous at the changes between them: the state alone determines which of them applies.
+// With the quintic between two setpoints, whose derivatives w_5 = (1, r', ..., r^(5)) obey
+// w_5' = N w_5, each system has an exponential over a time h,
 //
 //     (5)  x(t + h) = P_h x(t) + Q_h (w_5(t), L)
 //
-// exact except for rounding, as long as one system holds. A period consists of `first` steps. A step with
-// different systems at its ends is halved, at most `levels` times. The remaining error is in the instant of the
-// change: period / (first 2^levels), during which the two systems differ by the change of T_d.
+// which is exact except for rounding, as long as one system applies. A period consists of `first`
+// steps. A step with different systems at its ends is halved, at most `levels` times. The remaining
+// error is in the instant of the change: period / (first 2^levels), during which the two systems
+// differ by the change of T_d.
 
 #include "validate/src/linear/continuous_stepper.hpp"
 

@@ -12,15 +12,20 @@
 
 namespace jounce::validate_detail {
 
-/// A linear drive under a continuous controller, its torque within the motor's limit, over periods of one
-/// length. The equations are at the head of continuous_stepper.cpp. Only the constructor allocates.
+/// A linear drive under a continuous controller, with the torque limit of the motor, over periods
+/// of equal length. The equations are at the head of continuous_stepper.cpp. Only the constructor
+/// allocates.
 class ContinuousStepper {
  public:
+  /// `period`: length of a period, s.
   ContinuousStepper(const Drive& drive, double period);
 
+  /// Sets the drive to rest.
   void rest();
+  /// Steps the drive along the reference, over this number of periods.
   void step(const SteppedReference& reference, int periods);
-  /// Motor and load relative to the reference at the end of the last step, N m, rad/s.
+  /// Returns the state at the end of the last step, with motor and load relative to the reference.
+  /// `unit`: u for one radian of the motor.
   [[nodiscard]] DriveSample sample(double unit) const;
 
  private:

@@ -12,10 +12,10 @@ namespace jounce::validate_detail {
 
 // Functions that every run along a reference shares.
 
-/// Places in an interval; no law has its zeros at these multiples.
+/// Greatest step of a solver, as a share of an interval. No law has zeros at multiples of it.
 inline constexpr double longest_step = 0.3;
 
-/// A reference after its end.
+/// A reference after its end, as a signal.
 struct Standstill {
   double position;
   std::array<double, 2> interval;
@@ -26,14 +26,14 @@ struct Standstill {
   [[nodiscard]] Jet jet(double, Side) const { return {position, 0, 0, 0}; }
 };
 
-/// The scale, or 1 where there is none.
+/// Returns the scale; 1 if it is not positive and finite.
 double usable(double scale);
 
-/// The rounding of times on an axis from `from` to `to`.
+/// Returns the rounding of times on an axis from `from` to `to`.
 double shortest_time(double from, double to);
 
-/// True if position, velocity or acceleration step from one piece to the next by more than rounding, or an
-/// acceleration by more than error control handles. The solver then restarts.
+/// True if position, velocity or acceleration steps from one piece to the next by more than
+/// rounding (acceleration: by more than error control handles). The solver then restarts.
 bool steps(const Jet& before, const Jet& after, const Scales& size);
 
 }  // namespace jounce::validate_detail

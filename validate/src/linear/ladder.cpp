@@ -8,14 +8,14 @@
 //     (2)  w' = N w:   1' = 0,  (r_0^(j))' = r_0^(j+1),  s_i' = o_i k_i,  k_i' = -o_i s_i
 //     (3)  (1, r', r'') = G w:   r' = r_0' + sum o_i k_i,  r'' = r_0'' - sum o_i^2 s_i
 //
-// so that with x' = A x + B (1, r', r'') the whole is autonomous (Van Loan 1978, IEEE TAC 23(3)):
+// With x' = A x + B (1, r', r'') the whole system is autonomous (Van Loan 1978, IEEE TAC 23(3)):
 //
 //     (4)  z = (x, w),  z' = M z,  M = [A, B G; 0, N],  y = [C, D G] z
 //     (5)  z(t) = exp(M t) z(0)
 //
-// N is nilpotent or rotates, and A may be any matrix. Nothing is inverted or diagonalized, so repeated
-// eigenvalues and resonance are no special cases. If A and every o_i times h are below 1/2 in norm, the Taylor
-// series of exp(M h) is exact to rounding in 16 terms, and
+// N is nilpotent or a rotation, and A may be any matrix. Nothing is inverted or diagonalized:
+// repeated eigenvalues and resonance are no special cases. If the norms of A h and of every o_i h
+// are below 1/2, the Taylor series of exp(M h) is exact to rounding in 16 terms, and
 //
 //     (6)  exp(M 2 h) = exp(M h)^2
 //
@@ -27,7 +27,8 @@
 //     (9)  q exp(M u) z = sum of v_k (u / h)^k,  v_k = q (M h)^k z / k!,
 //          whose product with another integrates to  u sum of v_i w_j (u / h)^(i+j) / (i + j + 1)
 //
-// Outputs at equal steps s = h 2^j are one product for a whole block, which doubles as well:
+// The outputs at m equal steps s = h 2^j are one product with a matrix O_m, which is doubled in the
+// same way:
 //
 //     (10) O_1 = [C, D G],  O_2m = (O_m; O_m exp(M m s)),  (y(t), y(t + s), ..., y(t + (m - 1) s)) = O_m z(t)
 

@@ -9,9 +9,9 @@ namespace jounce::validate_detail {
 ///
 ///     x' = A x + B w,   y = C x + D w,   w = (1, r', r'')
 ///
-/// The units are those of the maker, with time in seconds. Where the reference steps by p in position and v in
-/// velocity, x does not move in space, so the deviation becomes x - p * follows_position - v *
-/// follows_velocity.
+/// The units are those of the function that made the system, with time in seconds. At a step of the
+/// reference by p in position and v in velocity, the axis itself does not move, and its deviation
+/// becomes x - p * follows_position - v * follows_velocity.
 struct LinearSystem {
   enum Input { one, velocity, acceleration, inputs };
 
@@ -21,18 +21,20 @@ struct LinearSystem {
   Eigen::MatrixXd d;  ///< inputs columns
   Eigen::VectorXd follows_position;
   Eigen::VectorXd follows_velocity;
-  Eigen::VectorXd scale;  ///< x in the maker's units is scale times x, entry by entry
+  /// x in the units of the function that made the system is scale times x, entry by entry.
+  Eigen::VectorXd scale;
 
   [[nodiscard]] Eigen::Index states() const { return a.rows(); }
   [[nodiscard]] Eigen::Index outputs() const { return c.rows(); }
 };
 
-/// The same system with its states scaled by powers of two so that rows and columns of A are of one
-/// size (Parlett & Reinsch 1969): radians beside rad/s and N m would otherwise cost the exponential
-/// many squarings. The outputs are unchanged, to the last bit.
+/// Returns the same system with its states scaled by powers of two. The rows and columns of A are
+/// then of about the same size (Parlett & Reinsch 1969). Without that, states in rad next to states
+/// in rad/s and N m would cost the exponential many squarings. The outputs are unchanged, to the
+/// last bit.
 LinearSystem balanced(LinearSystem system);
 
-/// max row sum of |A|: a bound of every rate.
+/// Returns the greatest row sum of |A|, a bound of every rate of change.
 double rate(const LinearSystem& system);
 
 }  // namespace jounce::validate_detail

@@ -10,25 +10,28 @@
 
 namespace jounce::validate_detail {
 
-/// The reference for a solver whose zero is the reference's start, locked to one piece at a time.
+/// The reference for a solver whose time 0 is the start of the reference. It is locked to one piece
+/// at a time.
 class LockedReference {
  public:
-  /// `before`: the motion of the axis until the first piece.
+  /// `before`: the motion of the axis before the first piece.
   LockedReference(double origin, const SignalPiece& first, const Jet& before)
       : origin_(origin), piece_(first), before_(before) {}
 
-  /// Keeps the last result, because right-hand side, Jacobian and events use the same instants.
+  /// Returns the reference at t. Keeps the last result, because right-hand side, Jacobian and
+  /// events use the same instants.
   const Jet& at(double t) {
     if (t != asked_) jet_ = piece_.at(origin_ + (asked_ = t));
     return jet_;
   }
 
-  /// Locks it to the piece, and notifies solver and switches. Returns true where the solver must restart: at
-  /// the start, at a step of the reference, where its own step has become too long, and where the friction
-  /// feed-forward changes its sign. The deviations have then stepped with the reference, because the axis moves
-  /// on.
+  /// Locks the reference to the piece, and notifies solver and switches. Returns true if the solver
+  /// must restart: at the start, at a step of the reference, when the solver's own step has become
+  /// too long, and when the friction feed-forward changes its sign. At a step of the reference the
+  /// deviations step with it: the axis itself continues without a step.
   bool enter(const SignalPiece& piece, const Scales& size, DriveModel& model, Switches& switches,
              OdeSolver& solver);
+  /// Stores the values at the end of the piece, from which the next one steps.
   void leave() { before_ = piece_.at(piece_.end); }
 
  private:

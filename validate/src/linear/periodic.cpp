@@ -1,16 +1,17 @@
-// SPDX-License-Identifier: Apache-2.0
-// An endless reference of period T. Over a period the state of x' = A x + B w becomes
+// SPDX-License-Identifier: Apache-2.0 Periodic motion along an endless reference of period T. Over
+// a period, the state of x' = A x + B w becomes
 //
 //     (1)  x(T) = P x(0) + c,   P = exp(A T)
 //
-// where c is the end of a run from x(0) = 0. At the wrap the reference may step in velocity by v = r'(0) -
-// r'(T), and the deviation with it. (A step of position is the advance of a rotary slave: it only renames the
-// position.) So
+// where c is the end of a run from x(0) = 0. At the wrap, the reference may step in velocity by
+// v = r'(0) - r'(T), and the deviation with it. (A step of position is the advance of a rotary
+// slave, which changes only the name of the position.) Therefore
 //
 //     (2)  x(0) = (I - P)^-1 (c - v follows_velocity)
 //
-// the unique solution if every mode of A decays: then no eigenvalue of P is 1. Its error is the rounding of P.
-// A second round of (2), with the remaining difference after a period instead of c, removes it.
+// which is the unique solution if every mode of A decays: no eigenvalue of P is then 1. Its error
+// is the rounding of P. It is removed by solving (2) again with the remaining difference after a
+// period instead of c.
 
 #include "validate/src/linear/periodic.hpp"
 

@@ -12,25 +12,25 @@
 
 namespace jounce::validate_detail {
 
-/// The state of a linear drive, as that balanced system, at the beginning of each period of an endless
-/// reference: right after the step from the period's end to its start. Throws InputError for loops that do not
-/// decay.
+/// Returns the state of a linear drive (scaled as the given system) at the beginning of each period
+/// of an endless reference: right after the step from the end of a period to its start. Throws
+/// InputError if the loops do not decay.
 Eigen::VectorXd periodic_start(const LinearSystem& system, const Trajectory& period,
                                const Drive& drive);
 
-/// The state at the start of a run: at rest, or that of periodic_start().
+/// Returns the state at the start of a run: at rest, or that of periodic_start().
 PathStart path_start(const LinearSystem& system, const Trajectory& reference, const Drive& drive,
                      bool periodic);
 
-/// Throws InputError with the reason for a drive without a known steady state: one that is not linear, or whose
-/// controller has a cycle.
+/// Throws InputError with the reason for a drive whose steady state is not computed: one that is
+/// not linear, or whose controller has a cycle.
 void require_steady(const Drive& drive);
 
-/// A result without a run where the loop is unstable: it has no steady state. Its report has the finding
-/// "drive/stability" alone.
+/// Returns a result without a run if the loop is unstable, so that there is no steady state. Its
+/// report has only the finding "drive/stability". Returns nullopt if the loop is stable.
 std::optional<DriveResult> without_steady_state(const Drive& drive, double start);
 
-/// The same start as the states of DriveModel.
+/// Returns the state of periodic_start() as the states of DriveModel.
 std::vector<double> periodic_model_start(const Trajectory& period, const Drive& drive);
 
 }  // namespace jounce::validate_detail

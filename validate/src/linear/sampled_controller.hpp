@@ -8,34 +8,34 @@
 
 namespace jounce::validate_detail {
 
-/// The controller at its sample instants, as struct Controller describes: it reads, computes, and sets its
-/// torque later.
+/// The controller at its sample instants, as described for struct Controller: it reads, computes,
+/// and sets its torque later.
 class SampledController {
  public:
   explicit SampledController(DriveModel& model);
 
-  /// The next instant at which it reads or its torque changes, in s from the start of the run.
+  /// Returns the next instant at which it reads or its torque changes, s from the start of the run.
   [[nodiscard]] double next() const;
-  /// Performs the actions that are due at `t`: sets the state's integral part and the torque that the model
-  /// holds.
-  /// `slack`: instants no farther apart are one.
+  /// Performs the actions that are due at `t`: reads, and sets the integral part of the state and
+  /// the torque that the model holds. Instants that differ by at most `slack` (s) count as the same
+  /// instant.
   void act(double t, double slack, const Jet& r, std::span<double> y);
 
  private:
   struct Output {
-    double time;
-    double torque;
-    int limited;  ///< side on which the limit was met, or 0
+    double time;    ///< s
+    double torque;  ///< N m
+    int limited;    ///< side on which the limit was reached; 0: none
   };
 
   void read(const Jet& r, std::span<double> y);
 
   DriveModel& model_;
   double cycle_, delay_;
-  double count_;             ///< rad; 0: exact
-  double samples_ = 0;       ///< read so far
-  double angle_ = 0;         ///< absolute, as read last
-  std::vector<Output> due_;  ///< in order
+  double count_;             ///< angle of one encoder count, rad; 0: exact
+  double samples_ = 0;       ///< number of readings so far
+  double angle_ = 0;         ///< last reading, absolute
+  std::vector<Output> due_;  ///< outputs that are due, in order
 };
 
 }  // namespace jounce::validate_detail

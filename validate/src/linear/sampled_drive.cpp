@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A linear drive under a sampled controller: between two instants at which the torque changes the
-// drive is autonomous, x' = A x with the commanded torque T_c as a constant state, and solved by an
-// exponential. At t_k = start + k cycle the controller reads and computes
+// A linear drive under a sampled controller. Between two instants at which the torque changes, the
+// drive is autonomous, x' = A x with the commanded torque T_c as a constant state, and is solved by
+// an exponential. At t_k = start + k cycle the controller reads the angle and computes
 //
 //     (1)  w_k = (th_k - th_(k-1)) / cycle                                    0 at the first
 //     (2)  e_k = K_p (th_r - th_k) + k_v w_r - w_k
-//     (3)  T_k = K_v e_k + z_k + k_a J a_r + k_f b w_r                        given out at t_k + delay
+//     (3)  T_k = K_v e_k + z_k + k_a J a_r + k_f b w_r                        output at t_k + delay
 //     (4)  z_(k+1) = z_k + K_v e_k cycle / T_i
 //
-// What falls on one instant, to rounding, happens in this order: reading, torque, output. At a break
-// the reference is its right limit; from its end on it stands still.
+// At one instant (to rounding) the order is: reading, torque, output. At a break the reference is
+// its right limit. After its end it stands still.
 
 #include "validate/src/linear/sampled_drive.hpp"
 
@@ -150,7 +150,7 @@ class SampledRun {
   double gone_ = 0;
   ProductIntegral square_{torque_row, torque_row};
   double readings_ = 0;  // made so far
-  double given_ = 0;     // commands given out so far
+  double given_ = 0;     // commands output so far
   double angle_ = 0;
   double integral_ = 0;
   std::deque<double> commands_;

@@ -5,7 +5,7 @@
 
 namespace jounce::validate_detail {
 
-/// exact_run() for a linear drive, checked, whose controller has a cycle.
+/// exact_run() for a valid linear drive whose controller has a cycle.
 ExactRun sampled_run(const Trajectory& reference, const Drive& drive,
                      std::span<const double> times);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations are those at the head of sampled_drive.cpp, with the encoder, the limit and the back-calculation of
-// sampled_controller.cpp:
+// The equations at the head of sampled_drive.cpp, with the encoder, the limit and the
+// back-calculation of sampled_controller.cpp:
 //
 //     (1)  th_k = round(th / count) count,  w_k = (th_k - th_(k-1)) / cycle     0 at the first
 //     (2)  e_k  = K_p (th_r - th_k) + k_v w_r - w_k
 //     (3)  T_k  = K_v e_k + z_k + k_a J a_r + k_f b w_r,  T_l = T_k within the limits at w
 //     (4)  z_(k+1) = z_k + (K_v e_k + T_l - T_k) cycle / T_i
-//     (5)  T_l is given out `delay` later: whole cycles, and the rest of one
+//     (5)  T_l takes effect `delay` later: whole cycles and a part of one
 
 #include "validate/src/linear/sampled_stepper.hpp"
 

@@ -11,20 +11,23 @@
 
 namespace jounce::validate_detail {
 
-/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of its cycles.
-/// Between the instants at which the torque changes, the step is an exponential. At each reading the controller
-/// acts with its encoder, its limit and its delay. Only the constructor allocates.
+/// A linear drive under a sampled controller (struct Controller), over periods of a whole number of
+/// its cycles. Between the instants at which the torque changes, a step is an exponential. At each
+/// reading the controller acts with its encoder, its limit and its delay. Only the constructor
+/// allocates.
 class SampledStepper {
  public:
-  /// Throws InputError where the period is no whole number of cycles.
+  /// Throws InputError if the period is not a whole number of cycles.
   SampledStepper(const Drive& drive, double period);
 
-  /// `position` in u is measured from the encoder's own zero.
+  /// Sets the drive to rest. `position`: u, measured from the zero of the encoder.
   void rest(double position);
+  /// Steps the drive along the reference, over this number of periods.
   void step(const SteppedReference& reference, int periods);
-  /// Motor and load relative to the place of rest, N m, rad/s.
+  /// Returns the state at the end of the last step, with motor and load relative to the place of
+  /// rest. `unit`: u for one radian of the motor.
   [[nodiscard]] DriveSample sample(double unit) const;
-  /// The motion of the reference since rest(), u.
+  /// Distance that the reference has moved since rest(), u.
   [[nodiscard]] double moved() const { return moved_; }
 
  private:

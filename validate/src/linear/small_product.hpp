@@ -7,9 +7,10 @@
 
 namespace jounce::validate_detail {
 
-// Plain loops: at a drive's ten or twenty states a general product costs more in preparation than in work.
+// Plain loops: for the ten or twenty states of a drive, the preparation of a general product takes
+// longer than the product.
 
-/// The first `rows` of y = p z.
+/// Writes the first `rows` numbers of y = p z.
 inline void multiply(const Eigen::MatrixXd& p, const double* z, Eigen::Index rows, double* y) {
   std::fill_n(y, rows, 0.0);
   for (Eigen::Index k = 0; k < p.cols(); ++k) {
@@ -19,6 +20,7 @@ inline void multiply(const Eigen::MatrixXd& p, const double* z, Eigen::Index row
   }
 }
 
+/// Returns a b.
 inline Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd c(a.rows(), b.cols());
   for (Eigen::Index j = 0; j < b.cols(); ++j)
@@ -26,7 +28,7 @@ inline Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& 
   return c;
 }
 
-/// z' w z.
+/// Returns z' w z.
 inline double form(const Eigen::MatrixXd& w, const Eigen::VectorXd& z) {
   double sum = 0;
   for (Eigen::Index j = 0; j < w.cols(); ++j) {

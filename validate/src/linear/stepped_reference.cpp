@@ -1,16 +1,18 @@
-// SPDX-License-Identifier: Apache-2.0
-// With d = p_1 - p_0 - v_0 T - a_0 T^2 / 2, e = v_1 - v_0 - a_0 T and f = a_1 - a_0
+// SPDX-License-Identifier: Apache-2.0 The quintic between two setpoints p_0, v_0, a_0 and p_1, v_1,
+// a_1, T apart. With d = p_1 - p_0 - v_0 T - a_0 T^2 / 2, e = v_1 - v_0 - a_0 T and f = a_1 - a_0
 //
 //     (1)  r(t) = p_0 + v_0 t + a_0 t^2 / 2 + c_3 t^3 + c_4 t^4 + c_5 t^5
 //     (2)  c_3 T^3 = 10 d - 4 e T + f T^2 / 2
 //     (3)  c_4 T^4 = -15 d + 7 e T - f T^2
 //     (4)  c_5 T^5 = 6 d - 3 e T + f T^2 / 2
 //
-// For a smooth motion the trapezoidal rule with end correction (Euler, Maclaurin) leaves
+// How a corner is detected. For a smooth motion the error of the trapezoidal rule with end
+// correction (Euler, Maclaurin) is
 //
-//     (5)  p_1 - p_0 - (v_0 + v_1) T / 2 + (a_1 - a_0) T^2 / 12 = O(T^5),
+//     (5)  p_1 - p_0 - (v_0 + v_1) T / 2 + (a_1 - a_0) T^2 / 12 = O(T^5)
 //
-// at a step of the acceleration at most 1/12 of |v_1 - v_0| T; at a corner it is half of that.
+// At a step of the acceleration it is at most 1/12 of |v_1 - v_0| T; at a corner it is 1/2 of
+// |v_1 - v_0| T. The limit between them is 0.2.
 
 #include "validate/src/linear/stepped_reference.hpp"
 

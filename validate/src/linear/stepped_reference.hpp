@@ -7,19 +7,20 @@
 
 namespace jounce::validate_detail {
 
-/// The curve that a drive derives from two setpoints, T apart: the quintic that meets position, velocity and
-/// acceleration of both. If their velocities do not match their positions (a corner, or a frozen setpoint), the
-/// straight line.
+/// The curve that a drive derives from two setpoints, T apart: the quintic through position,
+/// velocity and acceleration of both. If their velocities do not match their positions (at a
+/// corner, or with a frozen setpoint), the straight line.
 class SteppedReference {
  public:
   static constexpr std::size_t derivatives = 5;
 
   SteppedReference() = default;
+  /// The curve from one setpoint to the next, T s later.
   SteppedReference(const Jet& from, const Jet& to, double T);
 
-  /// Position relative to `from`, velocity, acceleration and jerk at 0 <= t <= T.
+  /// Returns position (relative to `from`), velocity, acceleration and jerk at t, 0 <= t <= T.
   [[nodiscard]] Jet at(double t) const;
-  /// r', r'', ..., r^(5) at t.
+  /// Returns r', r'', ..., r^(5) at t.
   [[nodiscard]] std::array<double, derivatives> rates(double t) const;
 
  private:

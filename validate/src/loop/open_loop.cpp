@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop of a drive, cut where the torque T enters the motor. P(s) is the motor's angle for a torque; the
-// angle comes back through both controllers as the torque -C(s) th. With a continuous controller
+// The loop of a drive, cut where the torque T enters the motor. P(s) is the motor's angle for a
+// torque. The angle returns through the position and velocity controllers as the torque -C(s) th.
+// With a continuous controller
 //
 //     (1)  L(s) = C(s) D(s) P(s) / (tau s + 1),   C(s) = K_v (s + K_p) (1 + 1 / (T_i s))
-//     (2)  D(s) = (12 - 6 s D + (s D)^2) / (12 + 6 s D + (s D)^2)      Pade's approximant, as drive_system.cpp has it
+//     (2)  D(s) = (12 - 6 s D + (s D)^2) / (12 + 6 s D + (s D)^2)      Pade's approximant, as in drive_system.cpp
 //
-// (the current loop, tau, is in the plant here). A controller with the cycle h sees the plant at its instants. The
-// delay is n cycles and d, 0 <= d < h. x' = A x + b T over a cycle, with the torque T_(k-n-1) until d and
-// T_(k-n) after it, is
+// In the code, the plant includes the current loop (tau). A controller with the cycle h reads the
+// plant once per cycle. Its delay is n cycles and d, 0 <= d < h. With the torque T_(k-n-1) until d
+// and T_(k-n) after it, x' = A x + b T over a cycle is
 //
 //     (3)  z = exp(s h)
 //     (4)  x_(k+1) = Phi x_k + G_0 T_(k-n) + G_1 T_(k-n-1)
@@ -15,8 +16,8 @@
 //     (5)  L(z) = C(z) e_0 (z I - Phi)^-1 (G_0 z^-n + G_1 z^-(n+1))
 //          C(z) = K_v (K_p + (1 - z^-1) / h) (1 + (h / T_i) / (z - 1))
 //
-// as sampled_drive.cpp reads, differentiates and integrates. Source: K. J. Astrom, B. Wittenmark, Computer-Controlled
-// Systems, 3rd ed. 1997, 2.3 (sampling with a delay).
+// as sampled_drive.cpp reads, differentiates and integrates. Source: K. J. Astrom, B. Wittenmark,
+// Computer-Controlled Systems, 3rd ed. 1997, 2.3 (sampling with a delay).
 
 #include "validate/src/loop/open_loop.hpp"
 
@@ -153,7 +154,7 @@ std::vector<Complex> OpenLoop::closed_poles(double gain) const {
   }
   std::vector<Complex> poles;
   constexpr double gone =
-      1e-9;  // within a cycle: no pole of its own, but a step of the chain of delays
+      1e-9;  // within a cycle: not a real pole, but a step of the chain of delays
   for (const Complex z : poles_of(sampled_matrix(gain)))
     if (std::abs(z) > gone) poles.push_back(std::log(z) / drive_.controller.cycle);  // (3)
   return poles;

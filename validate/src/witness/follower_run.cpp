@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A follower's mass m at x behind a linkage whose massless tip is at s; the cam at y, up is away from
-// the cam's centre. Lengths in m.
+// A follower of mass m at x, behind a linkage whose massless tip is at s. The cam surface is at y.
+// Positive is away from the center of the cam. Lengths in m.
 //
 //     (1)  N = k_l (s - x) + c_l (s' - x')                        force of the linkage
 //     (2)  m x'' = N - k_s x - c_s x' - F_0                       mass
@@ -8,13 +8,13 @@
 //     (4)  in the air:   N = 0, so that the tip creeps: d' = -(k_l / c_l) d,  d = s - x
 //          (c_l = 0: d = 0), while s > y
 //
-// The tip has no mass, so only N jumps when it lands, by c_l (y' - s'). The integrated variable is the
-// compression e = y - x, which is small while the follower follows:
+// The tip has no mass: when it lands, only N steps, by c_l (y' - s'). The integrated variable is
+// the compression e = y - x, which is small while the follower follows the cam:
 //
 //     (5)  e'' = y'' + (k_s (y - e) + c_s (y' - e') + F_0 - N) / m
 //     (6)  gap = s - y = d - e
 //
-// On the cam the event is N = 0, in the air gap = 0. At rest in equilibrium on the cam
+// The event is N = 0 on the cam and gap = 0 in the air. At rest in equilibrium on the cam
 //
 //     (7)  e = (k_s y + F_0) / (k_l + k_s)
 

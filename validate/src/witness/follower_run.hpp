@@ -5,7 +5,7 @@
 
 namespace jounce::validate_detail {
 
-/// The run of follow(), for a follower and options that have been checked, without the report.
+/// Runs follow() for a follower and options that are valid, without the report.
 FollowerResult run(const SignalView& lift, const SpringFollower& follower,
                    const FollowerOptions& options);
 

@@ -11,7 +11,7 @@
 
 namespace jounce::validate_detail {
 
-/// The handles of SUNDIALS, each freed by its own function.
+/// Handles of SUNDIALS. Each type is freed by its own function.
 struct Destroy {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }

@@ -21,36 +21,38 @@
 
 namespace jounce::validate_detail {
 
-/// y' = rhs(t, y) as plain functions of arrays. None of them may allocate.
+/// A differential equation y' = rhs(t, y), as functions of arrays. None of them may allocate.
 struct Ode {
-  /// dy = f(t, y)
+  /// Writes f(t, y) to dy.
   std::function<void(double t, const double* y, double* dy)> rhs;
-  /// df/dy, column by column: jacobian[column * size + row], handed over filled with zeros
+  /// Writes df/dy column by column, to jacobian[column * size + row], which is zeros before.
   std::function<void(double t, const double* y, double* jacobian)> jacobian;
-  /// the values of `events` functions; a step ends where one of them changes its sign
+  /// Writes the values of the event functions to g. A step ends where one of them changes its sign.
   std::function<void(double t, const double* y, double* g)> event;
-  int events = 0;
-  /// df/dp, one parameter after another: dfdp[j * size + row], handed over filled with zeros
+  int events = 0;  ///< number of event functions
+  /// Writes df/dp, one parameter after another, to dfdp[j * size + row], which is zeros before.
   std::function<void(double t, const double* y, double* dfdp)> by_parameter = {};
-  /// One for each parameter, > 0: the change of the parameter that changes the state by its own size. None: no
-  /// sensitivities are integrated.
+  /// One entry for each parameter, > 0: the change of the parameter that changes the state by its
+  /// own size. Empty: no sensitivities are integrated.
   std::vector<double> parameters = {};
 };
 
 enum class Method { adams, bdf };
 
+/// Options of OdeSolver.
 struct SolverOptions {
-  Method method = Method::bdf;
-  double relative = 1e-8;
-  std::vector<double> absolute;  ///< one a state, > 0
-  double closest = 0;            ///< a stop no farther away than this counts as reached
-  long max_steps = 0;
+  Method method = Method::bdf;   ///< family of methods
+  double relative = 1e-8;        ///< relative tolerance
+  std::vector<double> absolute;  ///< absolute tolerance of each state, > 0
+  double closest = 0;            ///< a stop time that is at most this far away counts as reached
+  long max_steps = 0;            ///< greatest number of steps
 };
 
+/// End of a step: within the interval, at the stop time, at an event, or failed.
 enum class Step { inside, stop, event, failed };
 
-/// CVODES with a dense Newton solver, one step at a time, with the following rules, which CVODES leaves to its
-/// caller (all measured on version 6.4.1):
+/// CVODES with a dense Newton solver, one step at a time. The following rules, which CVODES leaves
+/// to its caller, were found by measurement with version 6.4.1:
 ///
 /// - every step has a stop time, and none stays pending: step() sets it again each time, never within
 ///   rounding of the present time (which CVODES rejects with -22);
@@ -58,8 +60,8 @@ enum class Step { inside, stop, event, failed };
 /// - exceptions of the functions of the Ode are carried across the C code and rethrown;
 /// - a right-hand side that is not finite ends the integration as `not_finite`.
 ///
-/// If the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated with the state, to the same
-/// tolerance (forward, staggered corrector, under error control):
+/// If the Ode has parameters, the sensitivities s_j = dy/dp_j are integrated with the state, to the
+/// same tolerance (forward, staggered corrector, with error control):
 ///
 ///     s_j' = (df/dy) s_j + df/dp_j,    s_j(t0) = 0
 ///
@@ -76,39 +78,39 @@ class OdeSolver {
     return {N_VGetArrayPointer(y_.get()), size_};
   }
 
-  /// dy/dp_j now.
+  /// dy/dp_j at the present time.
   [[nodiscard]] std::span<double> sensitivity(std::size_t j) {
     return {N_VGetArrayPointer(sensitivities_.at[j]), size_};
   }
 
-  /// Sets other tolerances; call it before a restart.
+  /// Sets other tolerances. Call it before a restart.
   void tolerate(double relative, std::span<const double> absolute);
-  /// Restarts at t from state(), which may have been changed: after every jump and event.
+  /// Restarts at t from state(), which may have been changed. Call it after every jump and event.
   void restart(double t);
 
-  /// Greatest length of a step, from the next but one on.
+  /// Sets the greatest length of a step, which applies from the step after the next one.
   void limit_step(double longest);
-  /// The length of the next step of the solver; 0 after a restart, when it searches for one.
+  /// Length of the next step of the solver; 0 after a restart, when the solver searches for one.
   [[nodiscard]] double next_step() const;
 
-  /// One step, not beyond `stop`.
+  /// Makes one step, not beyond `stop`.
   Step step(double stop);
-  /// The direction in which the event function crossed zero: -1, 0 (no crossing) or 1.
+  /// Direction in which the event function has crossed zero: -1 or 1; 0: it has not.
   [[nodiscard]] int crossing(std::size_t event) const { return crossings_[event]; }
   [[nodiscard]] std::span<const int> crossings() const { return crossings_; }
 
-  /// The start of the last step.
+  /// Start of the last step.
   [[nodiscard]] double before() const { return before_; }
-  /// Writes the state at t between before() and time() to `state`, which has as many numbers as state().
+  /// Writes the state at t, between before() and time(), to `state`, which has the size of state().
   void interpolate(double t, std::span<double> state) const;
-  /// The same of the sensitivities, one parameter after another.
+  /// Writes the sensitivities at t, one parameter after another.
   void interpolate_sensitivities(double t, std::span<double> sensitivities) const;
 
-  /// Counts and result so far.
+  /// Statistics so far.
   [[nodiscard]] const Integration& integration() const { return integration_; }
 
  private:
-  /// The vectors of all parameters, as CVODES takes them.
+  /// The vectors of all parameters, in the form of CVODES.
   struct Vectors {
     std::vector<N_Vector> at;
     explicit Vectors(std::size_t count, N_Vector like);

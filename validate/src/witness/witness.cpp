@@ -1,24 +1,25 @@
-// SPDX-License-Identifier: Apache-2.0
-// The mathematics of the witness. For an interval of length L that begins at b, with s = (x - b) / L and J the
-// size of the jerk j there, q is the difference that the jerk adds to the parabola of the carried state (p, v,
-// a):
+// SPDX-License-Identifier: Apache-2.0 The mathematics of the witness. Consider an interval of
+// length L that begins at b, with s = (x - b) / L, and J the size of the jerk j there. The state
+// (p, v, a) at b continues as a parabola; q is the difference that the jerk adds to it:
 //
 //     (1)  q1' = q2,   q2' = q3,   q3' = j(b + L s) / J,      q(0) = 0
 //     (2)  p(x) = p + v u + a u^2 / 2 + J L^3 q1(s)           u = L s
 //          v(x) = v + a u             + J L^2 q2(s)
 //          a(x) = a                   + J L   q3(s)
 //
-// This is y = (p, v, a), y' = (v, a, j) in other variables. The solver's tolerance then applies to the
-// difference that the interval adds, not to the size of the position, and no unit enters the solver.
+// This is y = (p, v, a), y' = (v, a, j) in other variables. The tolerance of the solver then
+// applies to the difference that the interval adds and not to the size of the position, and the
+// solver works without units.
 //
-// The signal rounds its values by eps, and its breaks, of size X, by eps X. The growth of such errors since the
-// start is carried along with the state:
+// The values of the signal have the relative rounding error eps, and its breaks, of size X, the
+// error eps X. The growth of these errors since the start is computed together with the state:
 //
 //     (3)  at a break       d_p += eps (|p| + X |v|),  d_v += eps (|v| + X |a|),
 //                           d_a += eps (|a| + X |j|)
 //     (4)  over an interval d_p += L d_v + L^2 d_a / 2,  d_v += L d_a
 //
-// For the same reason s is accurate to eps X / L only, and the solver gets no smaller tolerance.
+// For the same reason s is accurate only to eps X / L, and the solver is given no smaller
+// tolerance.
 
 #include "jounce/validate/witness.hpp"
 

@@ -8,20 +8,23 @@
 
 namespace jounce {
 
-/// The armed movement of an axis, and its start: empty, armed, or waiting for its start.
+/// The slot for the armed movement of an axis, with the condition of its start. The slot is empty,
+/// armed, or waiting: its start was accepted and has not begun.
 ///
 ///     ArmedMotion armed;
 ///     armed.arm(&movement, group);
 ///     armed.accept(StartAt::tick, 1600, 0, now);
 ///     if (armed.tick_or(-1) == 1600) play(*std::exchange(armed, {}).movement());
 ///
-/// It does not own the movement.
+/// The slot does not own the movement. Unit m: the unit of the axis's master.
 class ArmedMotion {
  public:
-  /// Replaces an armed movement. `group`: 0: none.
+  /// Arms a movement in place of the previous one. `group`: number of its group (command::Arm); 0:
+  /// no group.
   void arm(Movement* movement, std::int64_t group) noexcept { *this = {movement, group}; }
-  /// Accepts the start of the armed movement in the tick `now`. `tick`: for StartAt::tick, `now` or
-  /// later. `position`: m, for StartAt::master_position.
+  /// Accepts the start of the armed movement. `now`: the present tick. `tick`: for StartAt::tick,
+  /// the tick of the start, `now` or later. `position`: for StartAt::master_position, the position
+  /// of the master, m.
   void accept(StartAt when, std::int64_t tick, double position, std::int64_t now) noexcept {
     waiting_ = true;
     when_ = when;
@@ -32,19 +35,26 @@ class ArmedMotion {
 
   ArmedMotion() = default;
 
+  /// True if a movement is armed.
   [[nodiscard]] explicit operator bool() const noexcept { return movement_ != nullptr; }
+  /// The armed movement; null if the slot is empty.
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }
   [[nodiscard]] Movement* operator->() const noexcept { return movement_; }
   [[nodiscard]] Movement& operator*() const noexcept { return *movement_; }
+  /// Number of the group of the movement; 0: no group.
   [[nodiscard]] std::int64_t group() const noexcept { return group_; }
 
   /// True if its start was accepted and has not begun.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
+  /// True if the start was accepted in this tick.
   [[nodiscard]] bool accepted_in(std::int64_t tick) const noexcept { return accepted_ == tick; }
+  /// Condition of the start.
   [[nodiscard]] StartAt when() const noexcept { return when_; }
+  /// Position of the master at which the movement starts, m; for StartAt::master_position.
   [[nodiscard]] double position() const noexcept { return position_; }
+  /// True if the armed movement follows a live master. Only for a slot that is not empty.
   [[nodiscard]] bool is_live() const noexcept { return movement_->course() == Course::live; }
-  /// Tick of its start, of a start that begins then; `otherwise` for another event.
+  /// Tick of the start, for StartAt::tick; otherwise returns `otherwise`.
   [[nodiscard]] std::int64_t tick_or(std::int64_t otherwise) const noexcept {
     return when_ == StartAt::tick ? tick_ : otherwise;
   }

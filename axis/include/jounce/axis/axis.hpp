@@ -24,64 +24,73 @@
 
 namespace jounce {
 
-/// An armed member of a group.
+/// The group of an axis's armed movement, and its start. A group is a set of motions of several
+/// axes that start and stop together.
 struct GroupStart {
-  std::int64_t group = 0;  ///< 0: no group
-  bool accepted = false;   ///< its start was accepted
-  std::int64_t tick = -1;  ///< tick of its start; -1: another event starts it
+  std::int64_t group = 0;  ///< number of the group; 0: no group
+  bool accepted = false;   ///< true if its start was accepted
+  std::int64_t tick = -1;  ///< tick of its start; -1: not started by a tick
 };
 
-/// The outputs of an axis in one tick.
+/// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
 struct Tick {
-  std::int64_t tick = 0;
-  double time = 0;  ///< tick * period, s
-  State state = State::disabled;
-  double master = 0;                   ///< m
-  double master_velocity = 0;          ///< m/s
-  double position = 0;                 ///< commanded, u
-  double velocity = 0;                 ///< u/s
-  double acceleration = 0;             ///< u/s^2
-  std::uint64_t job = 0;               ///< id of the played motion, 0: none
-  std::uint64_t armed = 0;             ///< id of the armed motion, 0: none
-  bool waiting = false;                ///< a start was accepted and has not begun
+  std::int64_t tick = 0;               ///< number of the tick
+  double time = 0;                     ///< tick * period, s
+  State state = State::disabled;       ///< state of the axis
+  double master = 0;                   ///< position of the master, m
+  double master_velocity = 0;          ///< velocity of the master, m/s
+  double position = 0;                 ///< commanded position (setpoint), u
+  double velocity = 0;                 ///< commanded velocity, u/s
+  double acceleration = 0;             ///< commanded acceleration, u/s^2
+  std::uint64_t job = 0;               ///< id of the motion that is played; 0: none
+  std::uint64_t armed = 0;             ///< id of the armed motion; 0: none
+  bool waiting = false;                ///< true if a start was accepted and has not begun
   Progress progress = Progress::done;  ///< progress of the motion
-  Cause fault = Cause::none;           ///< latched
-  std::int64_t skipped = 0;            ///< ticks skipped since the tick before
-  std::uint64_t finished = 0;          ///< motions so far that reached their end
-  std::uint64_t stopped = 0;           ///< motions so far that a stop brought to rest
-  Cause reason =
-      Cause::none;       ///< reason for the end of the last motion: its fault, stopped, halted, ...
-  double override_ = 1;  ///< effective override factor
-  double rate = 1;       ///< present rate of path time
-  bool held = false;     ///< the motion is held until the command resume
-  bool homed = false;    ///< the position refers to the home position
-  bool power = false;    ///< request: the drive follows setpoints
-  std::int64_t group = 0;  ///< group of the motion; 0: none
-  GroupStart next{};       ///< start of the armed movement
-  /// The groups of its motion and of its armed movement at their last end by a stop, a halt, a
-  /// fault or a refused start. They stay until the axis arms a movement of that group.
+  Cause fault = Cause::none;           ///< the latched fault; none: no fault
+  std::int64_t skipped = 0;            ///< ticks skipped between the previous step and this one
+  std::uint64_t finished = 0;          ///< number of motions that reached their end, so far
+  std::uint64_t stopped = 0;           ///< number of motions that a stop brought to rest, so far
+  /// Why the last motion ended: its fault, stopped, halted, ...; none: at its end.
+  Cause reason = Cause::none;
+  double override_ = 1;    ///< override factor in effect, 0 to 2
+  double rate = 1;         ///< present rate of path time: 1 is the original speed of the path
+  bool held = false;       ///< true if the motion is held until the command resume
+  bool homed = false;      ///< true after homing: the position refers to the home position
+  bool power = false;      ///< request to the drive: follow the setpoints
+  std::int64_t group = 0;  ///< number of the group of the motion; 0: no group
+  GroupStart next{};       ///< group and start of the armed movement
+  /// Groups that this axis has broken; 0: none. A stop, a halt, a fault or a rejected start has
+  /// ended its motion early ([0]: the group of that motion), or its armed movement ([1]). A number
+  /// stays until the axis arms a movement of that group.
   std::array<std::int64_t, 2> broken{};
-  bool frozen = false;  ///< the velocity fell to 0 in this tick; see fault
-  double offset = 0;    ///< u; set_position so far: the drive's position = position - offset
-  double actual_position = std::numeric_limits<double>::quiet_NaN();  ///< u; NaN: unknown
-  double following_error = std::numeric_limits<double>::quiet_NaN();  ///< u: set - actual
-  double torque = std::numeric_limits<double>::quiet_NaN();  ///< relative to the rated torque
-  bool in_position = false;  ///< at rest, with the drive within the window for its time
-  SwitchStep switches{};     ///< outputs of the cam switches, with edges since the previous tick
-  CompareStep compare{};     ///< the output of the position compare, likewise
+  bool frozen = false;  ///< the velocity fell to 0 at once in this tick, without braking; see fault
+  /// Sum of the set_position changes so far, u; position of the drive = position - offset.
+  double offset = 0;
+  /// Position that the drive reports, in the coordinate of the axis, u; NaN: unknown.
+  double actual_position = std::numeric_limits<double>::quiet_NaN();
+  /// Setpoint minus actual position, u; NaN: unknown.
+  double following_error = std::numeric_limits<double>::quiet_NaN();
+  /// Share of the rated torque; NaN: unknown.
+  double torque = std::numeric_limits<double>::quiet_NaN();
+  /// At rest, and the following error is within the window AxisConfig::in_position.
+  bool in_position = false;
+  SwitchStep switches{};  ///< outputs of the cam switches, with their edges since the previous tick
+  /// Output of the position compare, with its edges since the previous tick.
+  CompareStep compare{};
 
   std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
-  std::optional<Refusal> dropped{};  ///< reason why the waiting motion did not begin
-  std::array<const Movement*, 3> handed_back{};  ///< released by the axis
+  std::optional<Refusal> dropped{};  ///< reason why the waiting motion was dropped
+  /// Movements that the axis no longer reads: the caller may destroy or reuse them.
+  std::array<const Movement*, 3> handed_back{};
 };
 
-/// True if the axis moves now or later without a further command: by a movement, by its own move,
-/// or by braking in a fault. A held motion counts; a motion that an underrun has brought to rest
-/// does not.
+/// True if the axis moves now, or will move later without a further command. It moves by a
+/// movement, by a move that it plans itself, or by braking in a fault. A held motion counts; a
+/// motion at rest after an underrun does not.
 bool in_motion(const Tick& tick);
 
-/// An axis as a pure state machine, stepped by ticks. It has no clock, and step() does not
-/// allocate, free, lock, log or throw.
+/// An axis as a pure state machine: each call of step() computes one tick. It has no clock. step()
+/// does not allocate, free, lock, log or throw.
 ///
 ///     MotionAxis axis({.limits = {.velocity = 1000, .acceleration = 1e4}});
 ///     axis.step(0, {command::Enable{}});
@@ -89,42 +98,46 @@ bool in_motion(const Tick& tick);
 ///     axis.step(2, {command::Start{}});                  // local time 0: the table's first point
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
-/// **Time** is the tick's number times the period: nothing accumulates. Ticks ascend. The motion
-/// follows time: a skipped tick is skipped in the motion too.
+/// **Time** is the number of the tick times the period, so rounding errors do not accumulate. The
+/// numbers of the ticks ascend. The motion follows time: if ticks are skipped, the motion skips the
+/// same time.
 ///
-/// **Motion.** The axis plays a movement (a path whose time may run slower, or a coupling to a live
-/// master) or a move that it plans itself from its last output setpoint. A superimposed move adds
-/// to either. Rules: command_table.hpp and docs/executor/axis.md.
+/// **Motion.** The axis plays either a movement, or a move that it plans itself from its last
+/// setpoint. A movement is a path, whose time may run slower, or a coupling to a live master. A
+/// superimposed move adds to either. Rules: command_table.hpp and docs/executor/axis.md.
 ///
-/// **Slots.** One movement is played, one is armed. An axis owns neither. It hands each back once,
-/// in the last tick in which it reads it.
+/// **Slots.** The axis holds one movement that it plays and one that is armed, and owns neither. It
+/// returns each of them once (Tick::handed_back), in the last tick in which it reads it.
 ///
-/// **Outputs** (cam switches, position compare) are evaluated at the state of each tick. A new
-/// position, or a new master at the start of a job, may change outputs but passes no edge. Outputs
-/// work in every state, even in disabled and in a fault.
+/// **Outputs** (cam switches, position compare) are computed from the state of each tick. A new
+/// position (set_position), or a new master at the start of a motion, may switch outputs, but does
+/// not count as an edge. Outputs work in every state, even if the axis is disabled or in a fault.
 ///
-/// **Drives.** Feedback is in the drive's own coordinate; set_position shifts the axis's coordinate
-/// by `offset` and does not move the drive. A disabled axis takes the drive's position, if
-/// available, so that enabling causes no motion.
+/// **Drives.** Feedback is in the coordinate of the drive. set_position changes the coordinate of
+/// the axis by `offset`, and does not move the drive. A disabled axis takes the position of the
+/// drive, if the drive reports one, so that enabling causes no motion.
 ///
-/// **Homing** (homing.hpp) finds the machine's home position from the switches and the index that
-/// the drive reports. Until the axis is at rest again, the position range does not apply, and the
-/// axis may stand on a limit switch.
+/// **Homing** (homing.hpp) finds the home position of the machine from the switches and the index
+/// that the drive reports. During homing, the position range does not apply, and the axis may stand
+/// on a limit switch.
 ///
-/// **Safety.** Arming checks a movement against the limits, independent of its sender. In motion,
-/// the axis compares every setpoint with the one before and with the limits before it outputs it. A
-/// fault stays until a reset; reaction_to() is the reaction of the axis.
+/// **Safety.** Arming checks a movement against the limits of the axis, no matter who sent it.
+/// Before the axis outputs a setpoint in motion, it compares the setpoint with the previous one and
+/// with the limits. A fault stays until a reset. reaction_to() gives the reaction of the axis to
+/// each fault.
 class MotionAxis {
  public:
-  /// Throws InputError for a bad configuration, bad switches, or a bad list of a compare.
+  /// Throws InputError for an invalid configuration, invalid switches, or an invalid compare list.
   explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
                       const AxisCompare& compare = {});
 
-  /// Returns the outputs of this tick, after its command. `tick` must be greater than in the
+  /// Executes the command and returns the outputs of this tick. `tick` must be greater than in the
   /// previous step.
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
+  /// The configuration with its defaults filled in.
   [[nodiscard]] const AxisConfig& config() const { return config_; }
+  /// State after the last step.
   [[nodiscard]] State state() const { return state_; }
 
  private:
@@ -204,7 +217,7 @@ class MotionAxis {
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
-  /// The limits in effect: without the position range until homing is at rest.
+  /// The limits in effect; during homing, without the position range.
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: its slots

@@ -7,40 +7,51 @@
 
 namespace jounce {
 
-/// Homing of an axis, after CiA 402. A value of 0 means the default, which resolved() fills in.
+/// Homing of an axis, with the objects of CiA 402. Zeros stand for defaults, which resolved() fills
+/// in. Unit u: the unit of the axis.
 struct HomingSpec {
-  int method = 37;             ///< 6098h; 35, 37: the present position
-  double search_velocity = 0;  ///< u/s, 6099h:1; 0: a tenth of the axis's limit
-  double index_velocity = 0;   ///< u/s, 6099h:2, of edge and index; 0: a quarter of search_velocity
-  double acceleration = 0;     ///< u/s^2, 609Ah; 0: the limit of the axis
-  double offset = 0;           ///< u, 607Ch: the new position of the home position
-  double timeout = 60;         ///< s, of the whole homing, > 0
-  double distance = 0;         ///< u, limit of each search; 0: not limited
+  int method = 37;  ///< homing method, object 6098h; default 37: home is the present position
+  /// Velocity of the search for a switch, u/s (6099h:1); 0: a tenth of the limit.
+  double search_velocity = 0;
+  /// Velocity for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
+  double index_velocity = 0;
+  double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
+  double offset = 0;        ///< position that homing assigns to the home position, u (607Ch)
+  double timeout = 60;      ///< time limit of the whole homing, s, > 0
+  double distance = 0;      ///< greatest length of each search, u; 0: not limited
 };
 
-/// Configuration of an axis, fixed when the executor starts. A value of 0 means off, unless noted
-/// otherwise.
+/// Configuration of an axis, fixed when the executor starts. A value of 0 switches a function off,
+/// unless its comment gives another meaning. Unit u: the unit of the axis.
 struct AxisConfig {
-  std::int64_t period = 1'000'000;  ///< period of the tick, ns, > 0
-  Limits limits = {};               ///< velocity and acceleration are required
-  double stop_acceleration = 0;     ///< u/s^2, > limits.acceleration; 0: twice that
-  double stop_jerk = 0;             ///< u/s^3, > limits.jerk; 0: twice that; unused without one
-  double position = 0;              ///< u; initial position of the axis
-  std::int64_t longest_gap = 100;   ///< ticks; a fault if a cycle in motion is later than this
+  std::int64_t period = 1'000'000;  ///< duration of a tick, ns, > 0
+  Limits limits = {};               ///< limits of the axis; velocity and acceleration are required
+  /// Deceleration of a stop, u/s^2, > limits.acceleration; 0: twice the limit.
+  double stop_acceleration = 0;
+  /// Jerk of a stop, u/s^3, > limits.jerk; 0: twice the limit; unused if there is no jerk limit.
+  double stop_jerk = 0;
+  double position = 0;  ///< initial position of the axis, u
+  /// Greatest number of ticks by which a cycle may be late in motion; more: a fault.
+  std::int64_t longest_gap = 100;
 
-  double abort_acceleration = 0;  ///< u/s^2 of an abort; 0: the setpoint freezes at once
-  double limit_acceleration = 0;  ///< u/s^2 before a soft limit; 0: stop_acceleration
-  double modulo = 0;              ///< u of a turn; 0: a linear axis
-  double following_error = 0;     ///< u; more than this for following_time: a fault
-  double following_time = 0;      ///< s
-  double in_position = 0;         ///< u; within this for in_position_time: in position
-  double in_position_time = 0;    ///< s
+  /// Deceleration of an abort, u/s^2; 0: the setpoint freezes at once.
+  double abort_acceleration = 0;
+  double limit_acceleration = 0;  ///< deceleration before a soft limit, u/s^2; 0: stop_acceleration
+  double modulo = 0;              ///< length of one turn of a modulo axis, u; 0: a linear axis
+  /// Limit of the following error, u: if it is exceeded for following_time, the axis has a fault.
+  double following_error = 0;
+  double following_time = 0;  ///< s; see following_error
+  /// Window of the following error, u: the axis is in position if the error stays inside for
+  /// in_position_time.
+  double in_position = 0;
+  double in_position_time = 0;  ///< s; see in_position
 
-  HomingSpec homing = {};
-  bool require_home = false;  ///< reject motions to absolute positions before homing
+  HomingSpec homing = {};     ///< homing that the command Home uses
+  bool require_home = false;  ///< reject motions to absolute positions until the axis is homed
 };
 
-/// A duration in ns, in s. The duration of n ticks is seconds(n * period): nothing accumulates.
+/// Converts ns to s. The duration of n ticks is seconds(n * period), so rounding errors do not
+/// accumulate.
 inline double seconds(std::int64_t ns) noexcept {
   return static_cast<double>(ns) / 1e9;
 }

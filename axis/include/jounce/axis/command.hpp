@@ -8,34 +8,38 @@
 #include "jounce/axis/movement.hpp"
 #include "jounce/command/commands.hpp"
 
-/// The commands that the executor sends to an axis on behalf of a client's message.
+/// The commands that only the executor sends to an axis; each one carries out a message of a
+/// client.
 namespace jounce::command {
 
+/// No command in this tick.
 struct None {
   static constexpr auto kind = CommandKind::none;
 };
-/// Arms a motion; replaces an armed one.
+/// Arms a movement, in place of the armed one.
 struct Arm {
   static constexpr auto kind = CommandKind::arm;
   Movement* movement = nullptr;  ///< must live until the axis returns it
-  std::int64_t group = 0;        ///< its motions start and stop together; 0: none
+  /// Number of its group: the motions of a group start and stop together; 0: none.
+  std::int64_t group = 0;
 };
-/// Disarms the armed motion, unless its start was accepted.
+/// Disarms the armed movement, unless its start was accepted.
 struct Disarm {
   static constexpr auto kind = CommandKind::disarm;
 };
-/// Starts the armed motion.
+/// Starts the armed movement.
 struct Start {
   static constexpr auto kind = CommandKind::start;
-  StartAt when = StartAt::tick;
-  std::int64_t tick = -1;  ///< for StartAt::tick; -1: at once
-  double position = 0;     ///< m, for StartAt::master_position
-  std::int64_t group = 0;  ///< that of the arm
+  StartAt when = StartAt::tick;  ///< condition of the start
+  std::int64_t tick = -1;        ///< tick of the start, for StartAt::tick; -1: at once
+  /// Master position of the start, m (unit of the master), for StartAt::master_position.
+  double position = 0;
+  std::int64_t group = 0;  ///< group of the armed movement
 };
 /// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
-  StopDynamics dynamics = {};
+  StopDynamics dynamics = {};  ///< deceleration and jerk; default: as configured
 };
 /// Stops at once and sets a fault.
 struct Abort {
@@ -45,13 +49,14 @@ struct Abort {
 struct Finish {
   static constexpr auto kind = CommandKind::finish;
 };
-/// Starts a live movement during any motion: that of a GearIn or GearInPos.
+/// Starts a live movement without arming it first, even in motion: the executor's form of GearIn
+/// and GearInPos.
 struct Couple {
   static constexpr auto kind = CommandKind::gear_in;
   Movement* movement = nullptr;  ///< must live until the axis returns it
-  std::int64_t tick = -1;        ///< -1: at once
+  std::int64_t tick = -1;        ///< tick of the start; -1: at once
 };
-/// Like Stop: end of a hold-to-run jog.
+/// The same as Stop, at the end of a hold-to-run jog.
 struct Release {
   static constexpr auto kind = CommandKind::release;
 };
@@ -66,7 +71,7 @@ using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command
                              command::Couple, command::Release>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
-/// The movement of an arm or of a coupling; null: none.
+/// The movement of an Arm or a Couple; null for other commands.
 inline Movement* movement_of(const AxisCommand& command) {
   return std::visit(
       [](const auto& each) -> Movement* {
@@ -76,7 +81,7 @@ inline Movement* movement_of(const AxisCommand& command) {
       command);
 }
 
-/// Has no effect on a command without a movement.
+/// Sets the movement of an Arm or a Couple. Has no effect on other commands.
 inline void set_movement(AxisCommand& command, Movement* movement) {
   std::visit(
       [&](auto& each) {
@@ -85,16 +90,17 @@ inline void set_movement(AxisCommand& command, Movement* movement) {
       command);
 }
 
-/// A command to an axis, at most one in each tick. If several arrive for a tick, the last one takes
-/// effect.
+/// A command to an axis. An axis executes at most one in each tick: if several arrive for the same
+/// tick, only the last one takes effect.
 ///
 ///     axis.step(0, {command::Enable{}});
 ///     axis.step(1, {.what = command::MoveAbsolute{.position = 120}, .at = 50});
 struct Command {
-  AxisCommand what = {};
-  std::int64_t at = -1;  ///< tick; -1: at once, the only value for an arm, a start and a coupling
-  std::uint64_t id = 0;  ///< id that the sender gave to the command; returned with the answer
+  AxisCommand what = {};  ///< the command
+  std::int64_t at = -1;   ///< tick of the execution; -1: at once. Arm, Start and Couple require -1
+  std::uint64_t id = 0;   ///< id that the sender gave to the command; returned with the answer
 
+  /// Kind of the command.
   [[nodiscard]] CommandKind kind() const { return kind_of(what); }
 };
 

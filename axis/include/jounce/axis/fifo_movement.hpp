@@ -12,63 +12,76 @@
 
 namespace jounce {
 
-/// A motion that arrives row by row while the axis plays it: a rolling stream, for paths longer
-/// than memory or computed on the fly, or a Googol controller's two FIFOs.
+/// Options of a motion that arrives row by row while the axis plays it: a rolling stream, or the
+/// two FIFOs of a Googol controller. A rolling stream is for paths that are longer than the memory,
+/// or that are computed while they are played.
 ///
 ///     FifoPath path(1, {.each = 1000, .limits = row_limits(config)});  // communication thread
 ///     for (const SegmentRow& row : ...) path.fifos().push(0, row);     // the prefill: while space
 ///     ... arm and start it ...                                         // the axis steps it
 ///     while (path.fifos().push(0, next) == RowRule::none) ...          // as space comes back
 ///
-/// **Threads.** One thread fills fifos(), another steps the axis (jounce/pvt/segment_fifos.hpp). If
-/// the axis hands the movement back in mid-play, fifos().leave() makes it reusable.
+/// **Units.** x and times in s, positions in u, the unit of the axis.
 ///
-/// **Stream** (the default): only its `last` row ends it. Before the available part is shorter than
-/// a stop, the axis stops on it with the fault `underrun` (Movement::growing). After a reset and
-/// more rows the stream resumes at its present point. If the axis does not stop it and it runs dry,
-/// it is `broken` by `underrun` in that tick and repeats its last setpoint. **Tables** (`stream =
-/// false`; Googol: static): each FIFO holds one table, and `first` plays `loops` passes; a switch
-/// to the other FIFO takes place at the end of a pass. A table that ends at a nonzero velocity is
-/// broken too.
+/// **Threads.** One thread fills fifos(), another one steps the axis
+/// (jounce/pvt/segment_fifos.hpp). If the axis returns the movement before its end, fifos().leave()
+/// makes it reusable.
 ///
-/// **Position.** Rows are relative to `origin`, if given; with `from` they are absolute positions.
-/// begin() rejects an axis that does not stand there. Without either, rows are relative to the
-/// position of the axis at the start. `range` bounds the whole motion, relative to its start;
-/// admit() compares it with the axis's limits. push() rejects rows of a stream that leave the
-/// range. The passes of a table may add up, so each pass is checked before it begins: a pass that
-/// would leave the range does not begin, and the pass before it is not `bounded()`, so that the
-/// axis supervises it. Times in s, positions in u.
+/// **Stream** (the default). The stream ends at a row that is marked `last`. If no more rows
+/// arrive, the axis stops on the path before the rest is shorter than its stopping distance, with
+/// the fault `underrun` (Movement::growing). After a reset and more rows, the stream resumes at its
+/// present point. If rows run out although the axis did not stop, the movement is `broken` by
+/// `underrun` in that tick and repeats its last setpoint.
+///
+/// **Tables** (`stream = false`; Googol calls them static). Each FIFO holds one table. The FIFO
+/// selected by choose() is played first, for `loops` passes. A switch to the other FIFO takes place
+/// at the end of a pass. A table that ends at a nonzero velocity is `broken` at its end.
+///
+/// **Position.** With `origin`, rows are relative to this position. With `from`, rows are absolute
+/// positions. In these two cases, begin() rejects an axis that does not stand at the start
+/// position. With neither, rows are relative to the position of the axis at the start.
+///
+/// **Range.** `range` bounds the whole motion, relative to its start. admit() compares it with the
+/// limits of the axis, and push() rejects rows of a stream that leave it. The passes of a table may
+/// add up, so each pass is checked before it begins. A pass that would leave the range does not
+/// begin. During the pass before it, `bounded()` is false, and the axis supervises the position
+/// itself.
 struct FifoSpec {
-  std::size_t each = 32;  ///< rows a FIFO holds, > 0: Googol 32 or 1024; the sender's credit is two
-  bool stream = true;
-  std::int64_t loops = 1;  ///< loops of tables; below 1: endless
-  std::optional<RowStart> from =
-      {};                 ///< from of a stream: x and position at the start of its first row
-  RowLimits limits = {};  ///< push() rejects a row beyond them
-  std::optional<double> origin = {};                             ///< u: required start position
-  SegmentFifos::Reach range{-RowLimits::none, RowLimits::none};  ///< u, from the start: <= 0, >= 0
-  std::optional<std::size_t> total{};  ///< total rows of both FIFOs; omitted: twice `each`
+  /// Rows in one FIFO, 1 to 1e6; Googol: 32 or 1024. A sender may send 2 * each rows ahead.
+  std::size_t each = 32;
+  bool stream = true;      ///< true: a rolling stream; false: tables
+  std::int64_t loops = 1;  ///< passes of the first table; below 1: endless
+  /// x, s, and position, u, at the start of the first row; for a stream.
+  std::optional<RowStart> from = {};
+  RowLimits limits = {};              ///< push() rejects a row that exceeds them
+  std::optional<double> origin = {};  ///< required start position, u; nullopt: any
+  /// Lowest (<= 0) and highest (>= 0) position relative to the start, u.
+  SegmentFifos::Reach range{-RowLimits::none, RowLimits::none};
+  std::optional<std::size_t> total{};  ///< rows of both FIFOs together; nullopt: 2 * each
 };
 
-/// Limits of an axis for rows over time: its velocity, acceleration and jerk; for a step of the
-/// velocity, the change that its acceleration makes in a tick; its range if rows are positions
-/// (FifoSpec::from).
+/// Returns the limits of an axis for rows over time: its velocity, acceleration and jerk. The
+/// permitted velocity step is the change of velocity that its acceleration makes in one tick.
+/// `absolute`: the rows are positions (FifoSpec::from), so the position range of the axis applies,
+/// too.
 RowLimits row_limits(const AxisConfig& config, bool absolute = false);
 
-/// A path over time.
+/// A path over time that arrives row by row.
 class FifoPath final : public Movement {
  public:
-  /// Allocates. Throws InputError "each" for 0 or more than 1e6, "from" for a number that is not
-  /// finite.
+  /// Allocates. Throws InputError: "each" for 0 or more than 1e6, "from" for a number that is not
+  /// finite. `id`: id of the motion in Tick::job.
   FifoPath(std::uint64_t id, const FifoSpec& spec);
 
+  /// The FIFOs, for the thread that fills them.
   [[nodiscard]] SegmentFifos& fifos() { return fifos_; }
-  /// Selects the FIFO that begin() starts; for tables.
+  /// Selects the FIFO that begin() starts, 0 or 1; for tables.
   void choose(int fifo) { first_.store(fifo); }
   void see(std::uint64_t number) noexcept override { fifos_.see(number); }
 
-  /// no_movement: no row was pushed, or the FIFOs are being cleared; start_position;
-  /// start_velocity.
+  /// Returns nullopt, or a refusal: no_movement (no row was pushed, or the FIFOs are being
+  /// cleared), start_position, start_velocity, position_limit, velocity_limit, or
+  /// acceleration_limit.
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& axis) const noexcept override;
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
@@ -99,8 +112,9 @@ class FifoPath final : public Movement {
   Setpoint last_;
 };
 
-/// Follow tables over the axis's live master: rows over its travel, in its unit. Googol's follow
-/// mode (manual 7.6) starts at once or when the master passes a position, in one direction or both.
+/// Follow tables over the live master of the axis: rows over the travel of the master, in its unit.
+/// The motion starts at once, or when the master passes a position, in one direction or in both
+/// (Googol's follow mode, section 7.6 of its manual).
 ///
 ///     FifoFollow follow(2, {.each = 16, .stream = false, .loops = 0}, {.event = pass});
 ///     for (const PtPoint& p : shear) push(follow.fifos(), 0, p);
@@ -108,23 +122,25 @@ class FifoPath final : public Movement {
 ///     for (const PtPoint& p : bridge) push(follow.fifos(), 1, p);
 ///     follow.fifos().queue_switch();              // at the end of the pass; then FIFO 0 is empty
 ///
-/// It is `waiting` until the event, and done at the end of its table. A table that ends at a
-/// nonzero ratio keeps that ratio in this tick; the axis then brakes within its limits, as after a
-/// cam. It is `broken` if the master is lost.
+/// Progress: `waiting` until the event, then `running`, and `done` at the end of its table. At the
+/// end of a table with a nonzero ratio, the slave keeps this ratio for one tick; the axis then
+/// brakes within its limits, as after a cam. Progress is `broken` if the master is lost.
 class FifoFollow final : public Movement {
  public:
-  /// Throws like FifoPath, and for an event or a direction out of range
+  /// Throws InputError like FifoPath, and for an event or a direction out of range
   /// (jounce/gear/follow_start.hpp).
   FifoFollow(std::uint64_t id, const FifoSpec& spec, const FollowRun& run = {});
 
+  /// The FIFOs, for the thread that fills them.
   [[nodiscard]] SegmentFifos& fifos() { return fifos_; }
+  /// Selects the FIFO that begin() starts, 0 or 1.
   void choose(int fifo) { first_.store(fifo); }
   void see(std::uint64_t number) noexcept override { fifos_.see(number); }
 
-  /// start_position: the axis does not stand at the origin.
+  /// Returns a refusal, start_position, if the axis does not stand at the origin.
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& axis) const noexcept override;
-  /// no_master_input, no_movement, start_position.
+  /// Returns no_master_input, no_movement, start_position, or none.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }

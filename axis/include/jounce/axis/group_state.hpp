@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The groups of an axis that were broken (machine.hpp): those of its motion and of its armed
-/// movement at their last end by a stop, a halt, a fault or a refused start. 0: none.
+/// The groups (machine.hpp) that an axis has broken; 0: none. A stop, a halt, a fault or a rejected
+/// start has ended its motion or its armed movement early.
 ///
 ///     GroupState groups;
 ///     groups.join(42, tick);                   // a movement of this group is armed
@@ -16,20 +16,22 @@ namespace jounce {
 ///     if (groups.broken()[0] == 42) ...        // until the axis arms a movement of the group again
 class GroupState {
  public:
+  /// [0]: group of the motion, [1]: group of the armed movement; 0: not broken.
   [[nodiscard]] const std::array<std::int64_t, 2>& broken() const noexcept { return broken_; }
 
+  /// Records that a motion of this group ended early in this tick.
   void break_motion(std::int64_t group, std::int64_t tick) noexcept {
     broken_[0] = group;
     last_ = {group, tick};
   }
-  /// `waiting`: its start was accepted.
+  /// Records that an armed movement of this group was dropped. `waiting`: its start was accepted.
   void break_armed(std::int64_t group, bool waiting, std::int64_t tick) noexcept {
     if (group == 0) return;
     broken_[1] = group;
     if (waiting) last_ = {group, tick};
   }
-  /// An armed movement now belongs to this group. A break of this tick stays: the other axes have
-  /// not read it yet.
+  /// Clears the group: the axis arms a movement of it again. A break of the same tick stays, since
+  /// the other axes have not read it yet.
   void join(std::int64_t group, std::int64_t tick) noexcept {
     if (last_.group == group && last_.tick == tick) return;
     std::replace(broken_.begin(), broken_.end(), group, std::int64_t{0});

@@ -11,59 +11,70 @@
 
 namespace jounce {
 
-/// Search criteria of one of CiA 402's homing methods (object 6098h).
+/// One of the homing methods of CiA 402 (object 6098h): the home position and the search for it.
 struct HomingMethod {
-  Sensor Sensors::*sensor = nullptr;  ///< switch to search for; null: the index alone, or none
-  int search = 0;                     ///< -1, 1: first direction of the search for the switch
-  bool leaves = false;  ///< home is where the switch goes off; otherwise where it goes on
-  int last = 0;         ///< direction in which home is passed; 0: home is the present position
-  bool index = false;   ///< home is the first index after the edge, in that direction
+  Sensor Sensors::*sensor = nullptr;  ///< switch to search for; null: the method uses no switch
+  int search = 0;                     ///< first direction of the search for the switch: -1 or 1
+  bool leaves = false;  ///< true: home is where the switch goes off; false: where it goes on
+  /// Direction in which the axis passes home, -1 or 1; 0: home is the present position.
+  int last = 0;
+  bool index = false;  ///< true: home is the first index after the edge, in the direction `last`
 };
 
-/// Returns the method with this number; nullopt if CiA 402 defines none. 1 to 14: with the index,
-/// 17 to 30: the same without it, 33 and 34: the next index, 35 and 37: the present position.
+/// Returns the method with this number of CiA 402; nullopt if there is none. 1 to 14: switch and
+/// index; 17 to 30: the same switches without the index; 33 and 34: the next index; 35 and 37: the
+/// present position.
 std::optional<HomingMethod> homing_method(int number) noexcept;
 
-/// True if the machine has the switch and the index that the method needs.
+/// True if the machine has the sensors that the method needs.
 bool has_sensors(const HomingMethod& method, const Sensors& sensors) noexcept;
 
-/// The search for a machine's home position: computes the next velocity of an axis from the inputs
-/// of its drive in each cycle. Positions are in u, in the drive's coordinate.
+/// The search for a machine's home position. In each cycle, it computes the next velocity of the
+/// axis from the inputs of the drive. Positions are in u, the unit of the axis, in the coordinate
+/// of the drive.
 ///
 ///     Homing homing(*homing_method(23), spec, sensors);
 ///     homing.step({sensors, position, at_rest, dt});       // each cycle
 ///     go(homing.velocity());                               // within the axis's limits; 0: to rest
 ///     if (homing.done()) rename(homing.home());
 ///
-/// 1. It searches for the switch with search_velocity, and reverses once at a limit switch.
-/// 2. It goes to the side of the edge from which the method passes it: with index_velocity onto the
-///    switch, with search_velocity off it.
-/// 3. It passes the edge, and then the index, with index_velocity, and comes to rest.
+/// 1. It searches for the switch with search_velocity. At a limit switch it reverses, once only.
+/// 2. It moves to the side of the edge from which the method passes home: with index_velocity onto
+///    the switch, or with search_velocity off the switch.
+/// 3. It passes the edge, then the index if the method uses one, with index_velocity, and comes to
+///    rest.
 ///
-/// It reverses only at rest, after the switch was stable for `settle`: contacts may bounce.
+/// It reverses only at rest, when the switch has been stable for the time `settle`, since contacts
+/// may bounce.
 class Homing {
  public:
-  static constexpr double settle = 0.01;  ///< s
+  static constexpr double settle = 0.01;  ///< s; see above
 
   /// Inputs of one cycle.
   struct Seen {
-    Sensors sensors = {};
-    double position = 0;   ///< actual, u
-    bool at_rest = false;  ///< the setpoint is at rest, as velocity() = 0 demands
-    double dt = 0;         ///< s since the cycle before
+    Sensors sensors = {};  ///< states of the sensors
+    double position = 0;   ///< actual position, u
+    bool at_rest = false;  ///< true if the setpoint is at rest, as velocity() = 0 requires
+    double dt = 0;         ///< time since the previous cycle, s
   };
 
-  /// `method` must be one that moves; `spec` must come from resolved().
+  /// `method`: one with a motion (last != 0). `spec`: one from resolved(). `now`: the inputs of the
+  /// present cycle.
   Homing(const HomingMethod& method, const HomingSpec& spec, const Seen& now) noexcept;
 
+  /// Computes one cycle.
   void step(const Seen& now) noexcept;
 
-  [[nodiscard]] double velocity() const noexcept { return velocity_; }  ///< u/s, signed
+  /// Requested velocity, u/s, signed.
+  [[nodiscard]] double velocity() const noexcept { return velocity_; }
+  /// True if the search has ended with success.
   [[nodiscard]] bool done() const noexcept { return phase_ == Phase::done; }
-  [[nodiscard]] double home() const noexcept { return home_; }  ///< u; valid after the edge
-  [[nodiscard]] double offset() const noexcept { return spec_.offset; }  ///< u: position of home
+  /// Home position, u, in the coordinate of the drive; NaN before the edge.
+  [[nodiscard]] double home() const noexcept { return home_; }
+  /// HomingSpec::offset, u: the position to assign to home.
+  [[nodiscard]] double offset() const noexcept { return spec_.offset; }
   /// The fault that ended the search: home_timeout, home_not_found, index_not_found, both_switches,
-  /// positive_switch, negative_switch; none: it continues.
+  /// positive_switch or negative_switch. none: no fault.
   [[nodiscard]] Cause cause() const noexcept { return cause_; }
 
  private:

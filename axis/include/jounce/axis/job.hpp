@@ -15,26 +15,30 @@
 
 namespace jounce {
 
-/// A motion, constructed and checked outside the cyclic thread: a table over time, or a cam table
-/// over a virtual master whose position is a table over time.
+/// A motion that is constructed and checked outside the cyclic thread. It is a table over time, or
+/// a cam over a virtual master whose position is a table over time.
 ///
 ///     Job move(1, std::make_shared<Table>(pvt));
 ///     Job cam(2, std::make_shared<Table>(master), std::make_shared<Table>(cam_table));
 ///     if (auto refused = admit(cam, config, 0)) std::cerr << refused->text();
 ///
-/// Local time runs from 0 at the start. A time table that wraps repeats until it is stopped; any
-/// other ends after one run. A cam table that wraps is periodic in the master.
+/// The time of the job is 0 at its start. A table over time with the policy `wrap` is repeated
+/// until the axis stops; any other table ends after one run. A cam with the policy `wrap` is
+/// periodic in the master.
 ///
-/// `coupling` defines the coupling of a cam (jounce/cam/coupling/coupling.hpp), at local time 0, to
-/// a slave at rest at `position`. A ramp can engage an axis that does not stand at the start of the
-/// cam; the job then lasts until the ramp is over. admit() rejects a ramp onto a master that
-/// repeats: the axis would not return to its start position.
+/// `coupling` couples the cam (jounce/cam/coupling/coupling.hpp) at time 0 to a slave at rest at
+/// `position`. With a ramp, the axis need not stand at the start of the cam. The job then lasts at
+/// least until the ramp ends. admit() rejects a ramp if the master table repeats, since the axis
+/// would not return to its start position.
 ///
-/// Throws InputError if the tables are not over time and over master position, in this order, and
-/// for a bad coupling.
+/// The constructor throws InputError if `time` is not over time, if `cam` is not over the position
+/// of a master, and for an invalid coupling. Units: u is the unit of the axis, m that of the
+/// master.
 class Job final : public Movement {
  public:
-  /// `tick` is the length of a tick, s: steps closer together count as one.
+  /// `id`: id of the motion in Tick::job. `time`: the position over time, or that of the master if
+  /// there is a cam. `tick`: length of a tick, s: jumps within one tick count as one. `position`:
+  /// u, see above.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
       std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
       const CouplingSpec& coupling = {}, double position = 0);
@@ -51,41 +55,45 @@ class Job final : public Movement {
   [[nodiscard]] std::optional<Refusal> admit(const AxisConfig& config,
                                              const MotionState& from) const noexcept override;
 
+  /// True if the table over time repeats.
   [[nodiscard]] bool repeats() const { return time_->outside() == Extrapolation::wrap; }
-  [[nodiscard]] double start() const { return time_->start(); }  ///< start of the time table, s
-  [[nodiscard]] double duration() const {
-    return std::max(time_->length(), least_);
-  }  ///< duration of one run, s
+  /// First time of the table over time, s.
+  [[nodiscard]] double start() const { return time_->start(); }
+  /// Duration of one run, s.
+  [[nodiscard]] double duration() const { return std::max(time_->length(), least_); }
 
-  /// Returns the point at local time t >= 0, s: bit for bit as the tables give it. After the end of
-  /// a job that does not repeat, returns its last point at rest. Never allocates.
+  /// Returns the point at time t >= 0 of the job, s, exactly as the tables give it. After the end
+  /// of a job that does not repeat, returns its last point, at rest. Never allocates.
   [[nodiscard]] Setpoint at(double t) const;
 
-  /// Extreme values over time of position, velocity, acceleration and jerk. Exact for a table over
-  /// time. For a cam over a master: 16 points between any two breaks, refined to the exact peak of
-  /// position, velocity and acceleration wherever the next derivative changes sign.
+  /// Extreme values over time of position, velocity, acceleration and jerk. For a table over time
+  /// they are exact. For a cam, each interval between two breaks is sampled at 16 points; peaks of
+  /// position, velocity and acceleration are then refined where the next derivative changes sign.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
-  /// The largest jump of position, velocity and acceleration inside the run, and from its end to
-  /// its start if it repeats: the sum of magnitudes of all jumps within one tick, at the start of
-  /// that tick.
+  /// The largest jumps of position, velocity and acceleration during the run and, if the job
+  /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added, and
+  /// the sum is given at the start of that tick.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
+  /// The first point.
   [[nodiscard]] const Setpoint& first() const { return first_; }
+  /// The last point.
   [[nodiscard]] const Setpoint& last() const { return last_; }
 
-  /// Distance, in master units, by which the master leaves a cam that does not permit it, and the
-  /// time; 0: it stays inside.
+  /// Greatest distance by which the master leaves a cam that does not permit it, m, and the time.
+  /// 0: the master stays inside the cam.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
-  /// Reason why the cam cannot be coupled there; `ok` if it can, and without a cam.
+  /// Reason why the coupling is not possible from this position; `ok` if it is, or if there is no
+  /// cam.
   [[nodiscard]] CouplingStatus coupled() const { return coupled_; }
-  /// True if a ramp engages the cam.
+  /// True if a ramp couples the axis to the cam.
   [[nodiscard]] bool ramps() const { return !in_sync_ || *in_sync_ > start(); }
-  /// True if the ramp ends before the job does.
+  /// True if the slave is in sync before the job ends.
   [[nodiscard]] bool gets_in_sync() const { return in_sync_.has_value(); }
 
-  /// Tolerance for equal positions: 1e-9 of the stroke, and rounding.
+  /// Tolerance for equal positions, u: 1e-9 of the stroke, plus rounding.
   [[nodiscard]] double tolerance() const;
 
  private:
@@ -110,16 +118,16 @@ class Job final : public Movement {
   Progress progress_ = Progress::running;
 };
 
-/// Checks a job against an axis in the state `from`: its start, rest at both ends (in a swap: the
-/// velocity and acceleration of the previous motion), the position range, velocity, acceleration,
-/// jerk, and jumps. Returns nullopt, or the first violated rule. Never allocates: a Job holds all
-/// data.
+/// Checks a job against an axis in the state `from`: the start position, rest at both ends, the
+/// position range, velocity, acceleration, jerk, and jumps. When the job takes over from a previous
+/// motion, the velocity and acceleration of that motion replace the rest at the start. Returns
+/// nullopt, or the first violated rule. Never allocates.
 ///
-/// A jump of the velocity, at an end or between, counts as the acceleration that makes it within
-/// one tick. A table of straight lines therefore passes exactly if no tick exceeds the limit. With
-/// a jerk limit, the same applies to a jump of the acceleration.
+/// A jump of the velocity counts as the acceleration that makes it within one tick. A table of
+/// straight lines therefore passes exactly if no tick exceeds the acceleration limit. With a jerk
+/// limit, the same holds for a jump of the acceleration.
 std::optional<Refusal> admit(const Job& job, const AxisConfig& config, const MotionState& from);
-/// The same for an axis at rest.
+/// The same for an axis at rest at `position`, u.
 inline std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position) {
   return admit(job, config, MotionState{position, 0, 0});
 }

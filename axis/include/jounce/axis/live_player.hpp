@@ -9,41 +9,44 @@
 
 namespace jounce {
 
-/// Plays a movement that follows a live master. The movement keeps the time and the coordinate of
-/// the master in which it began; the player converts them.
+/// Plays a movement that follows a live master. The movement counts time from its start, and master
+/// positions in the coordinate of its start. The player converts between these and the present ones.
 ///
 ///     LivePlayer player(config.period);
 ///     player.begin(movement, tick);
 ///     player.shift_master(5);                                        // set_position of the master
 ///     const Setpoint next = player.at({.t = 0, .master = m}, tick);  // once a tick
 ///
-/// It does not own the movement.
+/// The player does not own the movement. Unit m: the unit of the master.
 class LivePlayer {
  public:
+  /// `period`: duration of a tick, ns.
   explicit LivePlayer(std::int64_t period) noexcept : period_(period) {}
 
+  /// Begins to play the movement in this tick: its time is 0 then. Call Movement::begin() before.
   void begin(Movement& movement, std::int64_t tick) noexcept {
     movement_ = &movement;
     origin_ = tick;
     shift_ = 0;
   }
-  /// Ends the movement, or does nothing.
+  /// Ends the movement, if there is one.
   void end() noexcept { movement_ = nullptr; }
-  /// The coordinate of the master has changed by this, m. The movement does not move.
+  /// Changes the coordinate of the master by this distance, m. The slave does not move.
   void shift_master(double by) noexcept { shift_ += by; }
 
+  /// The movement; null: none.
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }
   [[nodiscard]] Movement* operator->() const noexcept { return movement_; }
 
-  /// The setpoint at `now`, whose `t` counts from that tick.
+  /// Returns the setpoint in this tick. `now.t`: s from the tick.
   Setpoint at(const Moment& now, std::int64_t tick) noexcept {
     Setpoint next = movement_->at(to_movement(now, tick));
     next.master += shift_;
     return next;
   }
 
-  /// The instant at which a pass ends, since the last one and up to `now`. Its `t` also counts from
-  /// that tick. nullopt: no pass ends.
+  /// Returns the instant at which a pass ends, after the previous instant and up to `now`; nullopt:
+  /// no pass ends. Both `t` are in s from this tick.
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now,
                                                std::int64_t tick) const noexcept {
     auto at = movement_->pass_end(to_movement(now, tick));

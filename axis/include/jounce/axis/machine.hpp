@@ -13,36 +13,36 @@
 
 namespace jounce {
 
-/// The live master of an axis of a machine.
+/// The live master that an axis of a machine follows.
 struct Follow {
   enum class What : std::uint8_t {
-    nothing,   ///< it has no live master
+    nothing,   ///< no live master
     master,    ///< one of the machine's masters
-    setpoint,  ///< setpoint of another axis in the same tick
-    actual,  ///< actual position of the drive of another axis; lost if the drive reports no velocity
+    setpoint,  ///< the setpoint of another axis, in the same tick
+    actual,    ///< actual position of another axis; lost if its drive reports no velocity
   };
-  What what = What::nothing;
-  std::size_t index = 0;  ///< index of the master, or of the axis
+  What what = What::nothing;  ///< kind of the master
+  std::size_t index = 0;      ///< index of the master, or of the other axis
 };
 
-/// One axis of a machine. It does not change while the machine runs.
+/// One axis of a machine. It stays the same while the machine runs.
 struct MachineAxis {
-  std::string name;  ///< its name in messages
-  AxisConfig config;
-  AxisSwitches switches = {};
-  Follow follow = {};
-  AxisCompare compare = {};
+  std::string name;            ///< name of the axis in messages
+  AxisConfig config;           ///< configuration
+  AxisSwitches switches = {};  ///< cam switches
+  Follow follow = {};          ///< live master
+  AxisCompare compare = {};    ///< position compare
 };
 
-/// The process image of one axis: its inputs and outputs in one tick.
+/// The process image of one axis: its inputs and its outputs in one tick.
 struct AxisImage {
-  Command command = {};  ///< in
-  Inputs inputs = {};    ///< in; the master is filled in by the machine
-  Tick tick = {};        ///< out
+  Command command = {};  ///< input
+  Inputs inputs = {};    ///< input; the machine sets the master
+  Tick tick = {};        ///< output
 };
 
-/// Several axes in one cycle, as a pure function of their commands and inputs: no clock, no thread,
-/// no device.
+/// Several axes that are stepped together, as a pure function of their commands and inputs: no
+/// clock, no thread, no device.
 ///
 ///     Machine machine({{.name = "feeder", .config = feeder},
 ///                      {.name = "knife", .config = knife,
@@ -51,44 +51,46 @@ struct AxisImage {
 ///     images[0].command = {command::Enable{}};
 ///     machine.step(0, images);                       // images[i].tick: outputs of axis i
 ///
-/// **Order.** An axis that follows the setpoint of another reads the setpoint of the same tick.
-/// Leaders are therefore stepped first, otherwise axes are stepped in declared order; images, names
-/// and messages keep the declared order. The constructor rejects axes whose setpoints follow each
-/// other in a ring.
+/// **Order.** An axis that follows the setpoint of another axis (its leader) uses the setpoint of
+/// the same tick. Leaders are therefore stepped first; the other axes are stepped in the order in
+/// which they are declared. Images, names and messages keep the declared order. The constructor
+/// rejects axes that follow each other in a ring.
 ///
-/// A new position of a leader (set_position, home) does not move its followers. A leader that
-/// freezes (an abort, a disabled drive) is lost to its followers in that tick. A disabled leader is
-/// lost for as long as it is disabled: its position is then that of its drive. The followers
-/// therefore brake within their own limits.
+/// **Leaders.** A new position of a leader (set_position, home) does not move its followers. If a
+/// leader freezes (an abort, a disabled drive), it is lost to its followers in that tick. It is
+/// lost for as long as it is disabled, because its position is then that of its drive. Followers of
+/// a lost leader brake within their own limits.
 ///
-/// **Groups** (Command::group): the armed movements of one group begin in one tick or not at all.
-/// They begin in that tick if, for each of them, a start in that tick was accepted earlier;
-/// otherwise none begins. If a start is rejected, or an axis is stopped or halted, fails, or cannot
-/// begin, then all waiting starts are dropped, later ones are rejected, and all motions stop, in
-/// that tick or the next. An axis that has output only its first point stays there: it has not
-/// moved.
+/// **Groups** (Arm::group): the armed movements of a group begin in the same tick, or none of them
+/// begins. They begin in a tick if a start in that tick was accepted for each of them. If a start
+/// is rejected, or if an axis is stopped or halted, fails, or cannot begin, the group ends in that
+/// tick or the next: waiting starts are dropped, later ones are rejected, and all motions stop. An
+/// axis that has output only its first point stays there: it has not moved.
 ///
-/// **Masters** are inputs: one Jet per master and tick, in m, m/s, m/s^2, m/s^3; NaN: lost. An axis
-/// that is a master gives its position in its own unit u. The jerk of a setpoint counts as 0, and
-/// so does the acceleration of an actual position.
+/// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
+/// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of a
+/// setpoint counts as 0, and so do the acceleration and jerk of an actual position.
 ///
 /// step() does not allocate, free, lock, log or throw.
 class Machine {
  public:
-  static constexpr std::size_t most_axes = 64;
+  static constexpr std::size_t most_axes = 64;  ///< greatest number of axes
 
-  /// Throws InputError with the axis's name: no axis or more than 64, a missing or duplicate name,
-  /// different periods, a bad configuration or bad switches, an index out of range, a ring.
-  /// `masters`: number of masters passed to step().
+  /// `masters`: number of masters that step() receives. Throws InputError, with the name of the
+  /// axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
+  /// invalid configuration, invalid switches, an index out of range, and axes that follow each
+  /// other in a ring.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
-  [[nodiscard]] std::size_t size() const { return axes_.size(); }
-  [[nodiscard]] std::size_t masters() const { return masters_; }
-  [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }  ///< ns
+  [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes
+  [[nodiscard]] std::size_t masters() const { return masters_; }   ///< number of masters
+  /// Duration of a tick, ns.
+  [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }
+  /// The axis with this index, as declared.
   [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Steps every axis: `images` in the declared order, one per axis. `tick` must be greater than in
-  /// the previous step.
+  /// Steps every axis. `images`: one for each axis, in the declared order. `tick`: greater than in
+  /// the previous step. `masters`: one for each master.
   void step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters = {});
 
  private:

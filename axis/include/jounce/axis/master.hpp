@@ -17,17 +17,19 @@
 
 namespace jounce {
 
-/// A measured position from an external source, with the sender's time.
+/// A measured position of a master, with its time by the clock of its sender. Unit m: the unit of
+/// the master.
 struct MasterSample {
-  std::int64_t stamp_ns = 0;  ///< time of the measurement, by the sender's clock
-  std::int32_t clock = 0;     ///< a new number: another clock, or the same one restarted
-  double received = 0;        ///< s: time of arrival, by the clock of at()
-  double position = 0;        ///< m
-  bool valid = true;          ///< the sender reports a valid position
+  std::int64_t stamp_ns = 0;  ///< time of the measurement by the clock of the sender, ns
+  /// Number of that clock; a new number means another clock, or a restarted one.
+  std::int32_t clock = 0;
+  double received = 0;  ///< time of arrival, s, by the clock of Master::at()
+  double position = 0;  ///< position, m
+  bool valid = true;    ///< false if the sender reports that its position is invalid
 };
 
-/// The position of a master in each cycle, which axes follow. A master can also be the setpoint of
-/// another axis; the machine (machine.hpp) then passes it on itself.
+/// A position that axes follow, in each cycle. (A master may also be the setpoint of another axis;
+/// the machine in machine.hpp passes that setpoint on without this class.)
 ///
 ///     ExternalMaster line({.velocity = 3, .acceleration = 20});    // m/s, m/s^2
 ///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});  // communication thread
@@ -40,30 +42,35 @@ class Master {
   Master(const Master&) = delete;
   Master& operator=(const Master&) = delete;
 
-  /// [x, x', x'', x'''] at `time`; m, m/s, ... `time`, s, must ascend from call to call. x is NaN
-  /// if the master is lost. Does not allocate, wait or throw.
+  /// Returns the position and its derivatives at `time`: m, m/s, m/s^2, m/s^3. The position is NaN
+  /// if the master is lost. `time`, s, must ascend from call to call. Does not allocate, wait or
+  /// throw.
   virtual Jet at(double time) noexcept = 0;
-  /// Age of the measurement, s; NaN: no measurement; 0: computed.
+  /// Age of the measurement, s. NaN: no measurement yet. 0: the position is computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
-  /// The external inputs that the last at() was the first to use. Given the same inputs before the
-  /// same call of at(), another object of the same class returns the same result, bit for bit.
+  /// The samples that the last at() used for the first time. If another object of the same class
+  /// receives the same samples before the same calls of at(), it returns exactly the same results.
   [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
 /// The value of a master in one cycle.
 struct MasterSight {
-  std::int64_t tick = -1;
-  Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};  ///< like Master::at()
-  double age = std::numeric_limits<double>::quiet_NaN();         ///< like Master::age()
+  std::int64_t tick = -1;  ///< number of the cycle; -1: none
+  /// Result of Master::at().
+  Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+  /// Result of Master::age(), s.
+  double age = std::numeric_limits<double>::quiet_NaN();
 
+  /// True if the position is NaN.
   [[nodiscard]] bool lost() const { return std::isnan(at[0]); }
 };
 
-/// A virtual master: a table over time from `start` on. Before `start` it stands at its first
-/// point; after the end of the table it stands at the last point or repeats, as the table defines.
+/// A virtual master: a table over time that begins at the time `start`, s. Before `start`, the
+/// master stands at the first point. After the end of the table, it stands at the last point or
+/// repeats, as the table defines.
 class TableMaster final : public Master {
  public:
-  /// Throws InputError "axis" for a table that is not over time.
+  /// Throws InputError with the key "axis" for a table that is not over time.
   explicit TableMaster(std::shared_ptr<const Table> table, double start = 0);
   Jet at(double time) noexcept override;
 
@@ -72,23 +79,25 @@ class TableMaster final : public Master {
   double start_;
 };
 
-/// An encoder that is read in the cyclic thread: filters noise and quantization (tracker.hpp).
+/// An encoder that is read in the cyclic thread. A filter removes noise and quantization
+/// (tracker.hpp).
 class EncoderMaster final : public Master {
  public:
-  /// `position` returns the position of the encoder, m, or NaN: no reading; each at() calls it.
-  /// After too long without a reading the master is lost. Like at(), it must not allocate, wait or
-  /// throw. Without `position`, call read() in each cycle.
+  /// Each at() calls `position`, which returns the position of the encoder, m; NaN: no reading.
+  /// `position` must not allocate, wait or throw. If it is omitted, call read() in each cycle.
+  /// After TrackerSpec::longest_age without a reading, the master is lost.
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
-  /// The reading of this cycle, m; call it before at(). After too long without a reading (or with
-  /// NaN) the master is lost.
+  /// Gives the reading of this cycle; call it before at(). `time`: s. `position`: m; NaN: no
+  /// reading.
   void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
-  /// The reading that the last at() used, if any: its position and, in `received`, its time.
+  /// The reading that the last at() used, if any: its position and, in `received`, its time, s.
   [[nodiscard]] std::span<const MasterSample> taken() const noexcept override {
     return {&taken_, was_read_ ? 1U : 0U};
   }
+  /// Options of the filter.
   [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
@@ -99,39 +108,48 @@ class EncoderMaster final : public Master {
   bool was_read_ = false;  // before the last at()
 };
 
-/// Estimate of the sender's clock without a round trip. received - stamp is the offset of the
-/// clocks plus the transit time of the sample. Its recent minimum is therefore the offset plus the
-/// least delay: jitter can only increase it. The estimate uses the minimum of each half of the
-/// window and moves towards the smaller one by at most `slew`, so that the master does not step. It
-/// steps at the first sample, and when the error exceeds `step`: then one of the clocks was
-/// changed.
+/// Estimate of the offset between the sender's clock and the local one, without a round trip. For
+/// each sample, received - stamp is this offset plus the transit time of the sample. Jitter can
+/// only increase the transit time, so the minimum over recent samples is the offset plus the least
+/// delay:
 ///
 ///     (1)  offset = least of received - stamp over window/2 to window
 ///
-/// The least delay cannot be measured: give it as TrackerSpec::latency if it is available.
+/// The estimate uses the minimum of each half of the window. It moves towards the smaller minimum
+/// by at most `slew`, so that the master does not jump. It is set at once at the first sample, and
+/// when the error exceeds `step`, which means that a clock was set.
+///
+/// The least delay cannot be measured: if it is available from another source, set
+/// TrackerSpec::latency.
 struct ClockOffset {
-  double window = 10;  ///< s: long enough for one quick sample, short against the drift of quartz
-  double slew = 1e-3;  ///< s/s; quartz drifts by less than 1e-4
-  double step = 0.25;  ///< s
-  double offset = 0;   ///< s, of stamp - base
-  std::int64_t base = 0;  ///< ns: the first stamp, to which the others are relative
-  bool known = false;
+  /// Window of the minimum, s: long enough to contain a fast sample, short against the drift of
+  /// quartz clocks.
+  double window = 10;
+  /// Greatest rate of change of the estimate, s/s; quartz clocks drift by less than 1e-4.
+  double slew = 1e-3;
+  double step = 0.25;     ///< error beyond which the estimate is set at once, s
+  double offset = 0;      ///< the estimate: received - (stamp - base), s
+  std::int64_t base = 0;  ///< the first stamp, ns; the others are relative to it
+  bool known = false;     ///< true after the first sample
 
-  /// Time of the sample by the local clock, s. `same` is false if the estimate was restarted.
+  /// Adds a sample and returns its time by the local clock, s. Sets `same` to false if the estimate
+  /// was restarted.
   double local(const MasterSample& sample, bool& same) noexcept;
 
-  std::int32_t clock = 0;
-  double least_before = 0, least_now = 0;  ///< least offset of both halves
-  double half_since = 0, last = 0;         ///< s
+  std::int32_t clock = 0;  ///< clock of the last sample (MasterSample::clock)
+  /// Least offset of the previous and the present half of the window, s.
+  double least_before = 0, least_now = 0;
+  double half_since = 0, last = 0;  ///< begin of the present half, and time of the last sample, s
 };
 
-/// An external master, over a bus. Samples may be late, lost or duplicated, and may jitter; the
-/// master is extrapolated within its limits. It is lost after `longest_age` without a sample.
+/// An external master that sends samples over a bus. Samples may be late, lost or duplicated, and
+/// their delay may vary. The position is extrapolated within the limits of the master. The master
+/// is lost after TrackerSpec::longest_age without a sample.
 class ExternalMaster final : public Master {
  public:
   explicit ExternalMaster(const TrackerSpec& spec) : tracked_(spec) {}
-  /// Called by the communication thread. False: not stored, since the cycle has not yet taken the
-  /// last 64.
+  /// Adds a sample; called by the communication thread. Returns false and drops the sample if the
+  /// cycle has not yet taken the last 64.
   bool receive(const MasterSample& sample) noexcept { return samples_.push(sample); }
   /// Called by the cyclic thread.
   Jet at(double time) noexcept override;
@@ -140,7 +158,9 @@ class ExternalMaster final : public Master {
     return {taken_.data(), count_};
   }
 
+  /// The estimate of the sender's clock.
   [[nodiscard]] const ClockOffset& clock() const { return clock_; }
+  /// Options of the filter.
   [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:

@@ -12,16 +12,16 @@
 
 namespace jounce {
 
-/// The limits of an axis for the targets of its moves.
+/// The limits for the target of a move: those of the axis, and its limit switches.
 struct MoveRules {
-  const AxisConfig& config;
-  bool positive_switch = false;  ///< limit switch active
-  bool negative_switch = false;
+  const AxisConfig& config;      ///< configuration of the axis
+  bool positive_switch = false;  ///< true if the positive limit switch is active
+  bool negative_switch = false;  ///< true if the negative limit switch is active
 };
 
-/// Sets the goal of a move that begins in the state `from`, or returns the reason to reject it: a
-/// value that is not finite, a target outside the range, a direction in which a limit switch is
-/// active, dynamics beyond their limits.
+/// Sets `goal` to the goal of a move that begins in the state `from`. Returns nullopt, or the
+/// reason to reject the move: a value that is not finite, a target outside the position range, a
+/// direction in which a limit switch is active, or dynamics beyond the limits.
 std::optional<Refusal> goal_of(const command::MoveAbsolute& what, const MotionState& from,
                                const MoveRules& rules, Goal& goal) noexcept;
 std::optional<Refusal> goal_of(const command::MoveRelative& what, const MotionState& from,
@@ -30,19 +30,20 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
                                const MoveRules& rules, Goal& goal) noexcept;
 std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
                                const MoveRules& rules, Goal& goal) noexcept;
-/// `start`: u, the position from which the distance counts.
+/// The same for an additive move. `start`: the position from which the distance counts, u.
 std::optional<Refusal> goal_of(const command::MoveAdditive& what, double start,
                                const MotionState& from, const MoveRules& rules,
                                Goal& goal) noexcept;
 
-/// The state at rest after the last of these moves, the first of which begins at rest in `from`.
-/// nullopt: a move has no target, or may not have it.
+/// Returns the state at rest after the last of these moves. The first one begins at rest in `from`.
+/// Returns nullopt if `from` is missing, if a move has no target, or if a target is not permitted.
 std::optional<MotionState> end_of(const WaitingMoves& moves, std::optional<MotionState> from,
                                   const MoveRules& rules) noexcept;
 
-/// The goal that brings an axis to rest at the end of its range, with the gentlest stop that the
-/// state `from` still has. `limit`: positive_soft_limit or negative_soft_limit. `dt`: s until the
-/// next setpoint. nullopt: it is outside, or does not move towards that end.
+/// Returns the goal that brings an axis to rest at the end of its range, by the gentlest stop that
+/// is still possible from the state `from`. `limit`: positive_soft_limit or negative_soft_limit.
+/// `dt`: time until the next setpoint, s. Returns nullopt if the axis is outside the range, or does
+/// not move towards that end.
 std::optional<Goal> stop_at_limit(Cause limit, const MotionState& from, double dt,
                                   const AxisConfig& config) noexcept;
 

@@ -12,59 +12,62 @@
 
 namespace jounce {
 
-/// Goal and dynamics of a planned move, for all moves of PLCopen.
+/// Goal and dynamics of a planned move. All moves of PLCopen map to it.
 struct Goal {
   enum class Kind : std::uint8_t {
     rest,      ///< MC_Stop, MC_Halt
-    position,  ///< MC_MoveAbsolute, Relative, Additive
-    velocity,  ///< MC_MoveVelocity, and the velocity after CamOut and GearOut
+    position,  ///< MC_MoveAbsolute, MC_MoveRelative, MC_MoveAdditive
+    velocity,  ///< MC_MoveVelocity, and the velocity that remains after CamOut and GearOut
   };
-  Kind kind = Kind::rest;
-  double value = 0;            ///< u (not reduced for a modulo axis), or u/s, signed
+  Kind kind = Kind::rest;  ///< kind of the goal
+  double value = 0;        ///< target, u (not reduced on a modulo axis), or velocity, u/s, signed
   MoveDynamics dynamics = {};  ///< complete after fill()
-  double through = 0;          ///< u/s, signed: the velocity at the target; 0: it ends there. May
-                               ///< exceed that of the dynamics: the move then speeds up before it
+  /// Velocity at the target, u/s, signed; 0: rest. It may exceed dynamics.velocity.
+  double through = 0;
 };
 
-/// Sets missing values to the limits of the axis (an infinite jerk if it has none), in place.
-/// Rejects values that are not greater than 0 or exceed a limit (PMC600 errors 201, 226, 301).
+/// Sets missing values to the limits of the axis; the jerk becomes infinite if the axis has no jerk
+/// limit. Returns nullopt, or the reason to reject a value that is not greater than 0 or exceeds
+/// its limit (PMC600 errors 201, 226, 301).
 std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
-/// Like `fill`, with the limits of a stop: deceleration and jerk may be as large as those of a
-/// stop.
+/// Like fill(), but deceleration and jerk may be as large as those of a stop
+/// (AxisConfig::stop_acceleration, stop_jerk).
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
-/// Returns the fastest move to the goal from any state, at `factor` times its velocity, within the
-/// dynamics and the position range. Returns nullopt if there is none, or none within the precision
-/// of a double (a deceleration of 1e-12 after full speed). The move slows down with `deceleration`;
-/// an axis that has to reverse brakes with `acceleration`. A move to rest reverses at the end of
-/// the range if necessary and returns to it. Factor 0: to rest, with the limits of the axis,
-/// independent of the dynamics of the goal.
+/// Returns the fastest move to the goal from any state, within the dynamics and the position range,
+/// at `factor` times the goal's velocity. Returns nullopt if no such move exists, or none that a
+/// double can represent (such as a deceleration of 1e-12 after full speed).
+///
+/// The move slows down with `deceleration`; an axis that must reverse brakes with `acceleration`. A
+/// move to rest reverses at the end of the range and returns into it, if necessary. Factor 0: the
+/// move goes to rest with the limits of the axis, independent of the dynamics of the goal.
 ///
 ///     Goal goal{Goal::Kind::position, 6000, dynamics};
 ///     if (const auto profile = plan(now, goal, 1, config)) ...
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept;
 
-/// The lowest and the highest velocity of a motion, u/s, exactly.
+/// Lowest and highest velocity of a motion, u/s; exact.
 std::array<double, 2> velocities(const Profile& profile) noexcept;
 
-/// The lowest and the highest position of a motion, u, to rounding.
+/// Lowest and highest position of a motion, u; exact up to rounding.
 std::array<double, 2> positions(const Profile& profile) noexcept;
 
-/// The greatest magnitudes of a motion, u/s, u/s^2, u/s^3; the jerk is 0 for a motion without a
-/// jerk limit.
+/// Greatest magnitudes of a motion: u/s, u/s^2, u/s^3. The jerk is 0 for a motion without a jerk
+/// limit.
 Peaks peaks(const Profile& profile) noexcept;
 
-/// Returns the velocity, u/s and signed, at which a move may pass its target on the way to that of
-/// the next one, as the mode defines. It may exceed the velocity of the move. Neither move
-/// reverses, and the axis can stop inside its range (the greatest such velocity to 1e-6 of it). 0:
-/// the move comes to rest there.
+/// Returns the velocity at which a move may pass its target on the way to the target of the next
+/// move, u/s, signed, as the buffer mode defines; 0: the move comes to rest at its target. It is
+/// the greatest velocity, to 1e-6 of its value, with which neither move reverses and the axis can
+/// stop inside its range. It may exceed the velocity of the move.
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
                         BufferMode mode, double factor, const AxisConfig& config) noexcept;
 
-/// Returns the target of a move to `position` on this axis: `position`, or on a modulo axis the
-/// target in the requested direction from the present state. Returns nullopt if there is none.
+/// Returns the target of a move to `position` on this axis, u. On a modulo axis, it is the
+/// equivalent position in the requested direction from the present state. Returns nullopt if there
+/// is none.
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,
                                 const MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 

@@ -11,14 +11,14 @@
 
 namespace jounce {
 
-/// A setpoint, and the tick of its output.
+/// A setpoint, and the tick in which it was output.
 struct TimedState {
-  MotionState state;
-  std::int64_t tick = 0;
+  MotionState state;      ///< u, u/s, u/s^2
+  std::int64_t tick = 0;  ///< tick of the output
 };
 
-/// Plays a move that the axis plans itself. Its goal and its plan always belong together: a move
-/// that cannot be planned leaves both as they are.
+/// Plays a move that the axis plans itself. Its goal and its plan always match: if a move cannot be
+/// planned, both stay unchanged.
 ///
 ///     MovePlayer player(config.period);
 ///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move
@@ -28,26 +28,33 @@ struct TimedState {
 /// A value type of fixed size; nothing allocates or throws.
 class MovePlayer {
  public:
+  /// `period`: duration of a tick, ns.
   explicit MovePlayer(std::int64_t period) noexcept : period_(period) {}
 
-  /// Plans the move to the goal at `factor` times its velocity, and begins it. `ahead`: s of it that
-  /// are over in that tick. False: there is no such move.
+  /// Plans the move to the goal at `factor` times its velocity, and begins it in the tick
+  /// `from.tick`. `ahead`: part of the move that is over in that tick, s. Returns false if no such
+  /// move exists.
   bool begin(const TimedState& from, const Goal& goal, double factor, const AxisConfig& config,
              double ahead = 0) noexcept;
-  /// Comes to rest with the dynamics of the goal, which stays the goal of a later begin().
+  /// Plans a move to rest with the dynamics of the goal. A later begin() can resume the goal.
+  /// Returns false if no such move exists.
   bool pause(const TimedState& from, const Goal& goal, const AxisConfig& config) noexcept;
 
+  /// The goal of the move.
   [[nodiscard]] const Goal& goal() const noexcept { return goal_; }
+  /// The planned motion.
   [[nodiscard]] const Profile& plan() const noexcept { return plan_; }
-  /// True if it passes its target at a velocity.
+  /// True if the move passes its target at a velocity.
   [[nodiscard]] bool passes() const noexcept { return goal_.through != 0; }
 
+  /// State in this tick: u, u/s, u/s^2, u/s^3.
   [[nodiscard]] Jet at(std::int64_t tick) const noexcept;
-  /// s since its end; < 0: its end is later.
+  /// Time since the end of the move, s; negative before the end.
   [[nodiscard]] double beyond(std::int64_t tick) const noexcept;
+  /// True if the move has ended.
   [[nodiscard]] bool is_over(std::int64_t tick) const noexcept { return beyond(tick) >= 0; }
 
-  /// The greatest magnitudes of the move and of any replanned one, for factors up to this one or 1.
+  /// Greatest magnitudes of the move and of every replanned one with a factor up to max(factor, 1).
   [[nodiscard]] Peaks peaks_up_to(double factor) const noexcept;
 
  private:

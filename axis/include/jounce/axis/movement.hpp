@@ -13,110 +13,124 @@ namespace jounce {
 
 struct AxisConfig;
 
-/// The commanded point at one instant.
+/// The commanded point of an axis at one instant. Units: u is the unit of the axis, m that of its
+/// master.
 struct Setpoint {
-  double master = 0;           ///< m; 0 without a master
-  double master_velocity = 0;  ///< m/s
-  Jet slave{};                 ///< position and its derivatives by time: u, u/s, u/s^2, u/s^3
+  double master = 0;           ///< position of the master, m; 0 without a master
+  double master_velocity = 0;  ///< velocity of the master, m/s
+  Jet slave{};  ///< position and its derivatives with respect to time: u, u/s, u/s^2, u/s^3
 };
 
+/// Position, velocity and acceleration of the slave.
 inline MotionState state_of(const Setpoint& setpoint) noexcept {
   return {setpoint.slave[0], setpoint.slave[1], setpoint.slave[2]};
 }
 
-/// One instant of the cycle; input of a movement.
+/// One instant of the cycle: the input of a movement.
 struct Moment {
-  double t = 0;     ///< s: the movement's own time, see Course
-  double dt = 0;    ///< s since the previous step: more than a period if ticks were skipped
-  Jet master = {};  ///< the axis's live master: m, m/s, ...; NaN: none, or lost
+  double t = 0;     ///< time of the movement, s; see Course
+  double dt = 0;    ///< time since the previous step, s: more than a period if ticks were skipped
+  Jet master = {};  ///< live master of the axis: m, m/s, ...; NaN: no master, or lost
 };
 
-/// Independent variable of a movement; it determines how the axis holds, slows and stops it.
+/// Independent variable of a movement. It determines how the axis holds, slows and stops the
+/// movement.
 enum class Course : std::uint8_t {
-  path,  ///< its own time: the axis slows that time, down to standstill, and the setpoint never
-         ///< leaves the path. `t` is path time: bit for bit ticks * period at full speed
-  live,  ///< a master in free motion: the axis leaves it by a move of its own from its present
-         ///< state. `t` is the time since the movement began
+  /// Its own time. The axis slows that time, down to standstill, and the setpoint never leaves the
+  /// path. `t` is path time; at full speed it is exactly ticks * period.
+  path,
+  /// A master that moves freely. To stop, the axis leaves the movement by a move of its own from
+  /// its present state. `t` is the time since the movement began.
+  live,
 };
 
 /// Progress of a movement.
 enum class Progress : std::uint8_t {
-  waiting,   ///< for its master, or an event: the slave is at rest
+  waiting,   ///< waits for its master or an event: the slave is at rest
   engaging,  ///< approaches its coupled position: ramp, clutch
-  running,   ///< a path is played, a slave is in gear, in sync
-  starving,  ///< buffer underrun: the available path ends; the axis stops
-  done,      ///< it has ended; its last setpoint is at rest
-  broken,    ///< it cannot continue: see cause(); it repeats its last setpoint
+  running,   ///< a path is played, or a slave is in gear or in sync
+  starving,  ///< buffer underrun: the available path ends, and the axis stops
+  done,      ///< has ended; the last setpoint is at rest
+  broken,    ///< cannot continue, see cause(); repeats the last setpoint
 };
 
-/// The greatest magnitudes of a path, u/s, u/s^2, u/s^3: input of the stop on it.
+/// The greatest magnitudes of a path: u/s, u/s^2, u/s^3. The stop on the path is computed from
+/// them.
 struct Peaks {
-  double velocity = 0;
-  double acceleration = 0;
-  double jerk = 0;
-  double velocity_step = 0;  ///< u/s, the largest sum of its steps within one tick; 0: smooth
+  double velocity = 0;      ///< u/s
+  double acceleration = 0;  ///< u/s^2
+  double jerk = 0;          ///< u/s^3
+  /// Largest sum of the velocity steps within one tick, u/s; 0: no steps.
+  double velocity_step = 0;
 };
 
-/// A motion of an axis. It is constructed and checked outside the cyclic thread; the cyclic thread
-/// steps it:
+/// A motion that an axis plays. It is constructed and checked outside the cyclic thread; the cyclic
+/// thread steps it:
 ///
 ///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
 ///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
 ///
-/// begin() and at() do not allocate, free, lock, log or throw. Moments ascend.
+/// begin() and at() do not allocate, free, lock, log or throw. Their moments ascend.
 class Movement {
  public:
+  /// `id`: id of the motion in Tick::job.
   explicit Movement(std::uint64_t id, Course course) : id_(id), course_(course) {}
   virtual ~Movement() = default;
   Movement(const Movement&) = delete;
   Movement& operator=(const Movement&) = delete;
 
+  /// Id of the motion in Tick::job.
   [[nodiscard]] std::uint64_t id() const noexcept { return id_; }
+  /// Independent variable of the movement.
   [[nodiscard]] Course course() const noexcept { return course_; }
 
-  /// Begins the movement now, from the state `axis`. none: it begins, and at() returns its first
-  /// point.
+  /// Begins the movement at `now`, from the state `axis`. Returns none if it begins, otherwise the
+  /// reason why it cannot. After none, at() returns the first point.
   virtual Cause begin(const MotionState& axis, const Moment& now) noexcept = 0;
+  /// Returns the setpoint at `now`.
   virtual Setpoint at(const Moment& now) noexcept = 0;
 
+  /// Progress after the last at().
   [[nodiscard]] virtual Progress progress() const noexcept = 0;
+  /// Reason for Progress::broken; otherwise none.
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
-  /// Sets the number of the last available row, for rows that arrive during play. The axis calls it
-  /// at the beginning of every tick (Inputs::rows).
+  /// Gives the number of the last available row, for rows that arrive during play. The axis calls
+  /// it at the beginning of every tick (Inputs::rows).
   virtual void see(std::uint64_t /*number*/) noexcept {}
 
-  /// True if its positions are absolute, not relative to the position of the axis.
+  /// True if its positions are absolute; false if they are relative to the position of the axis.
   [[nodiscard]] virtual bool absolute() const noexcept { return true; }
 
-  /// Refusal of the movement for a start in the state `from`; checked when it is armed.
+  /// Checks the movement against an axis in the state `from`, when it is armed. Returns nullopt, or
+  /// the reason to reject it.
   [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
                                                      const MotionState& /*from*/) const noexcept {
     return std::nullopt;
   }
-  /// True if the axis is a slave: synchronized_motion, not discrete_motion.
+  /// True if the axis is in the state synchronized_motion during the movement, not discrete_motion.
   [[nodiscard]] virtual bool synchronized() const noexcept { return course_ == Course::live; }
 
-  /// For a path: its available length in s of its own time; infinite if it repeats.
+  /// For a path: its available length, s of path time; infinite if it repeats.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
   /// For a path: its peaks. For a live movement: the greatest magnitudes that an engagement at this
   /// moment would add to the motion of its master.
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
-  /// For a path: the sign of its first motion; 0: no motion, or unknown.
+  /// For a path: the sign of its first motion, -1 or 1; 0: no motion, or unknown.
   [[nodiscard]] virtual int direction() const noexcept { return 0; }
-  /// For a path: true if more rows will arrive. The axis stops on it, with the fault `underrun`,
-  /// before the available part is shorter than the stop. The result is the same as with `starving`,
-  /// but the axis computes it.
+  /// For a path: true if more rows will arrive. The axis then stops on the path, with the fault
+  /// `underrun`, before the available part is shorter than its stopping distance.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
-  /// For a path: true if its available part stays within the range of its admission. If false, the
-  /// axis checks before every setpoint that it can still stop within its limits.
+  /// For a path: true if its available part stays within the range that was checked when it was
+  /// armed. If false, the axis checks before every setpoint that it can still stop within its
+  /// limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
-  /// u, the required position of the axis after begin() returned start_position; NaN: unknown.
+  /// After begin() returned start_position: the required position of the axis, u; NaN: unknown.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  /// For a live movement: true if the axis keeps the velocity at its end; otherwise the axis comes
-  /// to rest.
+  /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
+  /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
   /// For a live movement: true if it has passes.
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
@@ -125,10 +139,10 @@ class Movement {
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// For a path: the length of a pass in s of its own time; 0 if it has no passes.
+  /// For a path: the length of a pass, s of path time; 0 if it has no passes.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
-  /// For a path: the state at the end of a pass, at which a swap takes place; nullopt if it has no
-  /// passes.
+  /// For a path: the state at the end of a pass, where another path can take over; nullopt if it
+  /// has no passes.
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 
  private:

@@ -9,21 +9,25 @@
 
 namespace jounce {
 
-/// The position compare of an axis: one list, restarted with each motion from rest.
+/// The position compare of an axis: one list of positions, which starts again with each motion from
+/// rest.
 struct AxisCompare {
-  SwitchesOf of = SwitchesOf::position;  ///< position, or actual
-  std::optional<PositionCompare> list = {};
+  /// The compared position: setpoint (position) or actual position.
+  SwitchesOf of = SwitchesOf::position;
+  std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
 };
 
-/// Inputs of the outputs in one tick.
+/// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m that of its master.
 struct OutputPlaces {
+  /// A position and its velocity.
   struct Place {
     double position = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
-    double velocity = std::numeric_limits<double>::quiet_NaN();
+    double velocity = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
   };
-  Place commanded;  ///< u, u/s
-  Place master;     ///< m, m/s
-  Place actual;     ///< u, u/s; computed from positions if the drive reports no velocity
+  Place commanded;  ///< setpoint: u, u/s
+  Place master;     ///< live master: m, m/s
+  /// Position that the drive reports: u, u/s; a NaN velocity is computed from successive positions.
+  Place actual;
 };
 
 /// The outputs of an axis that depend on its position: its cam switches and its position compare,
@@ -37,15 +41,21 @@ struct OutputPlaces {
 /// step() does not allocate, lock or throw.
 class Outputs {
  public:
-  /// Throws InputError for bad switches or a bad list, "of" for a compare of the master.
+  /// Throws InputError for invalid switches or an invalid list, and with the key "of" for a compare
+  /// of the master.
   Outputs(const AxisSwitches& switches, const AxisCompare& compare);
 
-  /// Moves the axis, or its master, elsewhere from the next step on, without passing an edge.
+  /// Announces that this position (of the axis or its master) will change without motion in the
+  /// next step, so that the change does not count as an edge.
   void place(SwitchesOf what);
+  /// Starts the list of the position compare again: a motion begins from rest.
   void begin();
+  /// Computes the outputs of one tick. `dt`: time since the previous step, s.
   void step(const OutputPlaces& places, double dt);
 
+  /// Outputs of the cam switches, with their edges in the last step.
   [[nodiscard]] const SwitchStep& switches() const { return switch_step_; }
+  /// Output of the position compare, with its edges in the last step.
   [[nodiscard]] const CompareStep& compare() const { return compare_step_; }
 
  private:

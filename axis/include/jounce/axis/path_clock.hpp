@@ -8,17 +8,17 @@
 
 namespace jounce {
 
-/// Path time and its derivatives with respect to the axis's time. A *rate* of 1 is the original
-/// speed of the path, 0 is rest; it is never negative.
+/// Path time and its derivatives with respect to the time of the axis. The *rate* is the speed of
+/// path time: 1 is the original speed of the path, 0 is rest. It is never negative.
 struct PathTime {
-  double s = 0;           ///< s
+  double s = 0;           ///< path time, s
   double rate = 1;        ///< ds/dt
   double rate_slope = 0;  ///< d2s/dt2, 1/s
   double rate_curve = 0;  ///< d3s/dt3, 1/s^2
 };
 
-/// The time of a path. It lets the axis slow down, hold, stop and speed up without leaving the
-/// path.
+/// The clock of a path. With it, the axis can slow down, hold, stop and speed up without leaving
+/// the path.
 ///
 ///     PathClock clock(1'000'000);                                // ns of a tick
 ///     clock.start(tick, 0, 1);                                   // path time 0 now, at full speed
@@ -27,31 +27,36 @@ struct PathTime {
 ///     while (!clock.steady(tick)) ...                            // it takes 1.5 / slope
 ///     clock.change(tick, 1, slope);                              // and on
 ///
-/// A change is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any state that a
-/// previous change has reached: r' has no jump, and r stays between the start and end rates.
-/// Nothing accumulates: a time is a function of the tick and of the last change. A value type;
-/// nothing allocates or throws.
+/// A change of the rate r is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any
+/// state that a previous change has reached. r' has no jump, and r stays between its start and end
+/// values. Rounding errors do not accumulate: path time is a function of the tick and of the last
+/// change. PathClock is a value type; nothing allocates or throws.
 class PathClock {
  public:
+  /// `period`: duration of a tick, ns.
   explicit PathClock(std::int64_t period) noexcept : period_(period) {}
 
-  /// Sets path time to s, at that rate, in that tick.
+  /// Sets path time to `s` (s) and the rate in that tick.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// Changes to another rate from that tick on, or from that of the previous change. Returns false
-  /// and changes nothing unless rate >= 0 and slope > 0.
+  /// Changes the rate from that tick on, or from the tick of the previous change if that is later.
+  /// `slope`: greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
   /// Shifts the zero of path time: s becomes s - by.
   void shift(double by) noexcept { base_ -= by; }
 
+  /// Path time and its derivatives in that tick.
   [[nodiscard]] PathTime at(std::int64_t tick) const noexcept;
+  /// The rate after the change.
   [[nodiscard]] double target() const noexcept { return change_.end().velocity; }
-  /// Upper bound of the rate until the clock is steady.
+  /// Upper bound of the rate from that tick until the rate is constant.
   [[nodiscard]] double highest(std::int64_t tick) const noexcept;
+  /// True if the rate is constant from that tick on.
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
-  /// Remaining path time until rest, by the change in progress or by one that begins now.
+  /// Path time that passes until rest, s: by the change in progress if it goes to rest, otherwise
+  /// by a change to 0 that begins in that tick with this slope.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
-  /// The same for a run to `rate`, then to full speed, then to rest, each directly after the
-  /// previous one; infinite unless the slope is > 0.
+  /// Path time that passes, s, in a change to `rate`, then to full speed, then to rest, each one
+  /// directly after the previous one. Infinite unless slope > 0.
   [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 
  private:
@@ -65,19 +70,21 @@ class PathClock {
   double length_ = 0;  // length of the change, s
 };
 
-/// Returns the setpoint of the path at path time `time.s`, as the axis outputs it at that rate.
+/// Returns the setpoint that the axis outputs at the path time `time.s` at that rate. `path`: the
+/// setpoint of the path at rate 1.
 Setpoint at_rate(const Setpoint& path, const PathTime& time) noexcept;
 
-/// The highest rate, at most 2, at which a path keeps the limits of the axis; at least 1.
+/// Returns the highest rate, from 1 to 2, at which an admitted path keeps the limits of the axis.
 double highest_rate(const Peaks& peaks, const AxisConfig& config) noexcept;
 
-/// Returns the greatest slope of the rate, 1/s, for rates up to `highest`, that keeps the stop
-/// limits everywhere on the path; `added` moves on top of it. Not > 0 if no slope is left.
+/// Returns the greatest slope of the rate, 1/s, for rates up to `highest`, with which the axis
+/// keeps its stop limits everywhere on the path. `added`: peaks of a superimposed move. The result
+/// is not greater than 0 if no slope is possible.
 double rate_slope(const Peaks& peaks, const AxisConfig& config, double highest,
                   const Peaks& added = {}) noexcept;
 
-/// Duration of a stop from full speed on a path, s, from its peaks: an upper bound everywhere on
-/// the path. For an admitted path only.
+/// Duration of a stop from full speed on an admitted path, s: an upper bound everywhere on the
+/// path.
 double stop_duration(const Peaks& peaks, const AxisConfig& config);
 
 }  // namespace jounce

@@ -10,99 +10,115 @@
 
 namespace jounce {
 
-/// The state of an axis that the rate of its path depends on.
+/// Input of PathPlayer for the rate of a path (path_clock.hpp): the rate is the speed of
+/// path time, 1 at the original speed.
 struct PathRequest {
-  std::int64_t tick = 0;
-  double rate = 1;                 ///< requested rate; 0: to rest on the path
-  Peaks added = {};                ///< peaks of a move on top of the path
-  const Movement* next = nullptr;  ///< movement with an accepted start; null: none
+  std::int64_t tick = 0;  ///< the present tick
+  double rate = 1;        ///< requested rate; 0: rest on the path
+  Peaks added = {};       ///< peaks of a superimposed move
+  /// Movement whose start was accepted and that will take over; null: none.
+  const Movement* next = nullptr;
 };
 
-/// Plays a path: its clock, the place on it, and the boundary at which it ends early or another
-/// path takes over.
+/// Plays a path: its clock, the present place on the path, and the boundary. The boundary is the
+/// path time at which the path ends early, or another path takes over.
 ///
 ///     PathPlayer player(config);
 ///     player.begin(path, tick, 1, 0);
 ///     player.follow({.tick = 1000, .rate = 0});                         // a hold
 ///     if (player.starves({.tick = tick})) ...                           // a stop is necessary now
 ///     const Setpoint next = player.play(player.time(tick), moment);     // once a tick
-///     player.put_out(tick);                                             // that setpoint went out
+///     player.put_out(tick);                                             // that setpoint was output
 ///
 /// - Path time never runs backwards, and the setpoint never leaves the path.
-/// - The rate is at most 2 and at most what the limits leave on this path. From the accepted start
-///   of another path to the swap, it keeps the limits on that path too.
-/// - A growing path can stop within its available part at every tick: starves() reports the last
-///   tick in which it can.
+/// - The rate is at most 2, and at most the highest rate at which this path keeps the limits of the
+///   axis. After the start of another path was accepted, the rate keeps the limits on that path
+///   too.
+/// - A growing path (one that still receives rows) can stop within its available part at every
+///   tick. starves() reports the last tick in which it can.
 ///
-/// It does not own the path. Nothing allocates, locks or throws.
+/// The player does not own the path. Nothing allocates, locks or throws. Path times are in s.
 class PathPlayer {
  public:
   explicit PathPlayer(const AxisConfig& config) : config_(config), clock_(config.period) {}
 
-  /// Begins a path `ahead` s before that tick, at most at the rate `rate`.
+  /// Plays the path from now on: it began `ahead` s before that tick. Its rate is `rate`, or the
+  /// highest permitted one if that is lower.
   void begin(Movement& path, std::int64_t tick, double rate, double ahead) noexcept;
-  /// Continues with this path from its beginning, where the present path has reached path time
-  /// `boundary`, s.
+  /// Continues with another path from its beginning, at the instant at which the present path
+  /// reaches the path time `boundary`, s.
   void take_over(Movement& path, std::int64_t tick, double boundary) noexcept;
-  /// Ends the path, or does nothing.
+  /// Ends the path, if there is one.
   void end() noexcept;
 
+  /// True if a path is played.
   [[nodiscard]] explicit operator bool() const noexcept { return path_ != nullptr; }
+  /// The path; null: none.
   [[nodiscard]] Movement* path() const noexcept { return path_; }
   [[nodiscard]] Movement* operator->() const noexcept { return path_; }
 
   // ---- the rate
 
-  /// Changes to the rate that the path grants. False: it cannot, and nothing has changed.
+  /// Changes to the requested rate, limited to the permitted one. Returns false and changes nothing
+  /// if that is not possible.
   bool follow(const PathRequest& request) noexcept;
-  /// Stops within the available path. False: it cannot.
+  /// Stops within the available part of the path. Returns false if that is not possible.
   bool stop(const PathRequest& request) noexcept;
-  /// Adapts a rate above 1 to the available part of a growing path, once a tick.
+  /// Sets a rate above 1, once a tick: the highest one with which a growing path can still stop
+  /// within its available part.
   void govern(const PathRequest& request) noexcept;
   /// True if the available part is shorter than a stop that begins in the next tick.
   [[nodiscard]] bool starves(const PathRequest& request) const noexcept;
-  /// The rate that the path accepts now instead of `rate`.
+  /// Returns the highest permitted rate that is not greater than `rate`. `next`: see PathRequest.
   [[nodiscard]] double granted(double rate, const Movement* next) const noexcept;
-  /// True if path time rests.
+  /// True if the rate is 0 in that tick.
   [[nodiscard]] bool rests(std::int64_t tick) const noexcept;
-  /// True if the rate is constant from now on.
+  /// True if the rate is constant from that tick on.
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept { return clock_.steady(tick); }
 
   // ---- the place
 
+  /// Path time and rate in that tick.
   [[nodiscard]] PathTime time(std::int64_t tick) const noexcept { return clock_.at(tick); }
-  /// Returns the setpoint at this path time, at its rate. `now`: the moment of the axis.
+  /// Returns the setpoint at this path time and rate. `now`: the present moment of the axis.
   Setpoint play(const PathTime& time, const Moment& now) noexcept;
-  /// The setpoint of this tick has gone out: later changes begin after it.
+  /// Confirms that the setpoint of this tick was output: later changes of the rate begin after it.
   void put_out(std::int64_t tick) noexcept;
-  /// True if only the first point has been played.
+  /// True if no more than the first point was played.
   [[nodiscard]] bool unplayed() const noexcept { return played_to_ == 0; }
-  /// Path time, s, since the last played one and up to `to`, at which the master of the path passes
-  /// `position`, m; nullopt: it does not.
+  /// Returns the path time, s, after the last played one and up to `to`, at which the master of the
+  /// path passes `position`, m (unit of the master). Returns nullopt if the master does not pass
+  /// it.
   [[nodiscard]] std::optional<double> passing(double position, double to,
                                               const Moment& now) const noexcept;
 
   // ---- the boundary
 
-  /// Ends a repeating path at the end of its present pass.
+  /// Ends a repeating path at the end of its present pass: sets the boundary there.
   void finish_pass(std::int64_t tick) noexcept;
-  /// Another path takes over at the end of the present pass, or of the path.
+  /// Sets the boundary at which another path takes over: the end of the present pass, or of the
+  /// path.
   void swap_at_end(std::int64_t tick) noexcept;
+  /// Removes the boundary.
   void forget_boundary() noexcept { boundary_ = Boundary::none; }
+  /// True if another path takes over at the boundary.
   [[nodiscard]] bool swaps() const noexcept { return boundary_ == Boundary::swap; }
+  /// True if the path ends at the boundary.
   [[nodiscard]] bool finishes() const noexcept { return boundary_ == Boundary::finish; }
-  /// Path time of the boundary, s; infinite: not available yet.
+  /// Path time of the boundary, s; infinite if it is not available yet.
   [[nodiscard]] double boundary() const noexcept;
+  /// True if path time has reached the boundary in that tick.
   [[nodiscard]] bool reaches_boundary(std::int64_t tick) const noexcept;
-  /// True if the path ends with its last row, at rest: its number may not be available yet.
+  /// True if the path has no passes: it ends at rest with its last row, which may not have arrived
+  /// yet.
   [[nodiscard]] bool open_ended() const noexcept { return path_ && path_->pass() <= 0; }
 
   // ---- its greatest magnitudes
 
-  /// The peaks at full speed.
+  /// The greatest magnitudes of the path at rate 1.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
-  /// The peaks at the rate to come, and at least those at full speed; a step counts as an
-  /// acceleration.
+  /// The greatest magnitudes at the rate after the present change, or at rate 1 if that is lower. A
+  /// velocity step counts as an acceleration.
   [[nodiscard]] Peaks peaks_at_rate() const noexcept;
 
  private:

@@ -8,22 +8,22 @@
 
 namespace jounce {
 
-/// A queue from one thread to another: one pushes, one pops; neither waits.
+/// A queue from one thread to another. One thread pushes, one pops, and neither waits.
 ///
 ///     Ring<Tick, 1024> ticks;
 ///     if (!ticks.push(tick)) ++lost;                   // the producer's thread
 ///     for (Tick tick; ticks.pop(tick);) log(tick);     // the consumer's thread
 ///
-/// Indices count up without end and are taken modulo the capacity; each is in its own cache line,
-/// next to its thread's copy of the other index. The threads therefore share a line only when a
-/// thread refreshes its copy.
+/// The indices increase without end and are reduced modulo the capacity, a power of two. Each index
+/// has its own cache line, together with its thread's copy of the other index. The threads
+/// therefore share a cache line only when one of them refreshes its copy.
 template <class T, std::size_t Capacity>
 class Ring {
   static_assert(Capacity > 0 && (Capacity & (Capacity - 1)) == 0, "a power of two");
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// False if the ring is full.
+  /// Adds an item; called by the producer's thread. Returns false if the ring is full.
   bool push(const T& item) {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail - seen_head_ == Capacity) seen_head_ = head_.load(std::memory_order_acquire);
@@ -33,7 +33,7 @@ class Ring {
     return true;
   }
 
-  /// False if the ring is empty.
+  /// Removes the oldest item; called by the consumer's thread. Returns false if the ring is empty.
   bool pop(T& item) {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     if (head == seen_tail_) seen_tail_ = tail_.load(std::memory_order_acquire);

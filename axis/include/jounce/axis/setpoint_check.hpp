@@ -9,43 +9,45 @@
 
 namespace jounce {
 
-/// Permitted changes between two setpoints, besides the limits.
+/// Permitted change from one setpoint to the next.
 struct StepAllowance {
-  double dt = 0;             ///< s between them
-  double velocity_step = 0;  ///< u/s: the velocity steps with which the path was admitted
+  double dt = 0;  ///< time between the setpoints, s
+  /// Velocity step that the checked path may contain, u/s (unit of the axis).
+  double velocity_step = 0;
 };
 
-/// Compares a setpoint with the previous one, `last`, before it goes out: finite values and no jump
-/// of the velocity beyond the stop acceleration (`jump`), the velocity and the distance
-/// (`overspeed`), the position range (`out_of_range`; an axis outside may return). none: it may go
-/// out.
+/// Compares the setpoint `next` with the previous setpoint `last`, before it is output. Returns
+/// none if it may be output. Otherwise returns `jump` (a value that is not finite, or a change of
+/// velocity beyond the stop acceleration), `overspeed` (velocity or distance), or `out_of_range`
+/// (the position range; an axis outside the range may return into it).
 Cause check_setpoint(const MotionState& last, const MotionState& next, const StepAllowance& step,
                      const AxisConfig& config) noexcept;
 
-/// The stops of an axis, from the gentlest to the hardest.
+/// The stops of an axis before the end of its position range, from the gentlest to the hardest.
 enum class Stop : std::uint8_t {
-  soft,     ///< to rest with limit_acceleration (PMC600 fSWLimitDeceleration)
-  hard,     ///< to rest with stop_acceleration
-  turning,  ///< brakes with stop_acceleration, reverses at the end of the range, then rests
+  soft,     ///< brakes with limit_acceleration to rest (PMC600 fSWLimitDeceleration)
+  hard,     ///< brakes with stop_acceleration to rest
+  turning,  ///< brakes with stop_acceleration, reverses at the end of the range, and comes to rest
   none,     ///< no stop stays inside the range
 };
 
-/// Returns the gentlest stop from this state that stays inside the position range, at the end with
-/// the smaller reserve. From outside the range, returns a stop that does not lead further out.
+/// Returns the gentlest stop from this state that stays inside the position range, at the end of
+/// the range that is more critical. From outside the range, returns a stop that does not lead
+/// further out.
 Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept;
 
-/// The rule of the position range: `next` must not lose the gentlest stop that the previous
-/// setpoint, `last`, had. The axis can therefore stop inside the range at every tick. Returns
-/// positive_soft_limit or negative_soft_limit if `next` violates the rule; that stop from `last`
-/// then exists.
+/// Checks that the axis can always stop inside its position range: the gentlest stop that was
+/// possible at the setpoint `last` must still be possible at the setpoint `next`. Returns none, or
+/// positive_soft_limit or negative_soft_limit if it is not. In that case, the stop from `last` is
+/// still possible.
 Cause check_range(const MotionState& last, const MotionState& next,
                   const AxisConfig& config) noexcept;
 
-/// True if the velocity exceeds its limit, or will exceed it before the acceleration can fall to 0
-/// with stop_jerk.
+/// True if the velocity exceeds its limit, or will exceed it even if stop_jerk reduces the
+/// acceleration to 0 from now on.
 bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept;
 
-/// True if a motion stays inside the range, or returns to it, up to rounding.
+/// True if the motion stays inside the position range, or returns into it, up to rounding.
 bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept;
 
 }  // namespace jounce

@@ -13,48 +13,60 @@
 
 namespace jounce {
 
-/// The move on top of the motion of an axis (MC_MoveSuperimposed). It uses the part of the limits
-/// that the motion below leaves, so their sum keeps the limits at any relative phase.
+/// A move that is added to the motion of an axis (MC_MoveSuperimposed). It uses the part of the
+/// limits that the motion below it does not need. Their sum therefore keeps the limits, no
+/// matter when the move begins. Unit u: the unit of the axis.
 ///
 ///     SuperimposedMove above(config);
 ///     if (const auto no = above.begin(tick, 5, {.velocity = 20}, below, end)) ...    // rejected
 ///     above.add_to(setpoint, tick);    // every tick
 ///     above.clear();                   // another motion has taken over
 ///
-/// The distance of a finished move stays until then. A further one begins from the state of the one
-/// in progress. A value type of fixed size; nothing allocates or throws.
+/// The distance of a finished move remains added until clear(). If another move begins during the
+/// present one, it begins from the present state. A value type of fixed size; nothing allocates or
+/// throws.
 class SuperimposedMove {
  public:
+  /// `config`: the configuration of the axis.
   explicit SuperimposedMove(const AxisConfig& config) : config_(config) {}
 
-  /// Begins the move in this tick, or returns the reason to reject it. `below`: the greatest
-  /// magnitudes of the motion below. `end`: u, the end of both motions so far; nullopt: unknown.
+  /// Begins the move in this tick. Returns nullopt, or the reason to reject it. `distance`: u.
+  /// `below`: greatest magnitudes of the motion below. `end`: end position of both motions so far,
+  /// u; nullopt: unknown.
   std::optional<Refusal> begin(std::int64_t tick, double distance, MoveDynamics dynamics,
                                const Peaks& below, std::optional<double> end) noexcept;
-  /// Adds its state in this tick, and finishes it at its end.
+  /// Adds the state of the move in this tick to the setpoint of the motion below. Finishes the move
+  /// at its end.
   void add_to(Setpoint& next, std::int64_t tick) noexcept;
 
-  /// Brings it to rest from that tick on, or lets it go on; but not before the tick in which it
-  /// began. Returns false and changes nothing if that is not possible.
+  /// `on` = true: brings the move to rest from that tick on; false: lets it continue. A tick before
+  /// the one in which the move began counts as that tick. Returns false and changes nothing if the
+  /// change is not possible.
   bool hold(bool on, std::int64_t tick) noexcept;
+  /// True if the move is held.
   [[nodiscard]] bool held() const noexcept { return held_; }
 
+  /// Removes the move and the distance of finished ones: another motion has taken over.
   void clear() noexcept;
-  /// Clears the distance of finished moves alone: the motion below now includes it.
+  /// Removes only the distance of finished moves: the motion below now includes it.
   void clear_finished() noexcept { finished_ = 0; }
 
+  /// True if a move is in progress.
   [[nodiscard]] bool running() const noexcept { return running_; }
-  /// True if it runs, or a finished one has left its distance.
+  /// True if the move shifts the setpoint: it is in progress, or the distance of a finished one
+  /// remains.
   [[nodiscard]] bool shifts() const noexcept { return running_ || finished_ != 0; }
-  [[nodiscard]] double finished() const noexcept { return finished_; }  ///< u
-  /// u, at its end, that of finished moves included.
+  /// Distance of finished moves, u.
+  [[nodiscard]] double finished() const noexcept { return finished_; }
+  /// Distance at the end of the present move, u, including that of finished moves.
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }
-  /// u, from that tick to its end; 0: none runs.
+  /// Distance from that tick to the end of the move, u; 0 if none is in progress.
   [[nodiscard]] double remaining(std::int64_t tick) const noexcept;
+  /// Dynamics of the move, with their defaults filled in.
   [[nodiscard]] const MoveDynamics& dynamics() const noexcept { return goal_.dynamics; }
-  /// The greatest magnitudes that it may add; 0: none runs.
+  /// Greatest magnitudes that the move may add; 0 if none is in progress.
   [[nodiscard]] Peaks peaks() const noexcept;
 
  private:

@@ -7,20 +7,23 @@
 
 namespace jounce {
 
-/// The windows of an axis around its setpoint: following error (Googol GT_SetPosErr, Agito
-/// MaxPosErr, HMPL GetPosErr) and in position (GT_SetAxisBand, InTargetTol). Call it once a tick. A
-/// drive without position feedback causes no fault and is in no window.
+/// The two windows of an axis around its setpoint: one for the following error (Googol
+/// GT_SetPosErr, Agito MaxPosErr, HMPL GetPosErr), one for in position (Googol GT_SetAxisBand,
+/// Agito InTargetTol). Call each function once a tick. A drive without position feedback (NaN)
+/// causes no fault and is never in position. `error`: following error, u (unit of the axis). `dt`:
+/// time since the previous step, s.
 ///
 ///     Supervision windows;
 ///     const bool lost = windows.too_far(set - actual, dt, config);
 ///     const bool there = windows.settled(set - actual, at_rest, dt, config);
 class Supervision {
  public:
-  /// True if |error| has been above `following_error` for more than `following_time`.
+  /// True if |error| exceeds AxisConfig::following_error, and has exceeded it for following_time.
   bool too_far(double error, double dt, const AxisConfig& config) noexcept;
-  /// True if the axis is at rest and |error| has been within `in_position` for `in_position_time`;
-  /// cleared at once on violation or motion.
+  /// True if the axis is at rest and |error| has been within AxisConfig::in_position for
+  /// in_position_time. One tick outside the window, or in motion, starts the time again.
   bool settled(double error, bool at_rest, double dt, const AxisConfig& config) noexcept;
+  /// Starts both times again.
   void reset() noexcept { *this = {}; }
 
  private:
@@ -28,23 +31,25 @@ class Supervision {
   double inside_ = 0;   // s
 };
 
-/// The furthest valid position of an axis, u: its travel in 2^40 ticks at its velocity. Beyond it,
-/// rounding would lose the travel of one tick.
+/// The greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity limit.
+/// Beyond it, rounding could lose the travel of one tick.
 double furthest(const AxisConfig& config) noexcept;
 
-/// Returns the inputs with impossible numbers marked: a master is then lost, a drive has failed.
+/// Returns the inputs with impossible numbers replaced by NaN. The master is then lost, or the
+/// drive has failed.
 Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept;
 
-/// The fault that drive and watchdog report for an enabled axis, or none.
+/// Returns the fault that the drive or the watchdog reports for an enabled axis, or none.
 Cause check_inputs(const Inputs& inputs) noexcept;
 
 /// Reaction of the axis to a fault.
 enum class Reaction : std::uint8_t {
-  freeze,        ///< the setpoint keeps its present value, at once
-  brake,         ///< the axis brakes by a move of its own from the last good setpoint
-  stop_on_path,  ///< stops on the path if there is one, otherwise like brake
+  freeze,        ///< keeps the setpoint at its present position, at once
+  brake,         ///< brakes by a separate move from the last good setpoint
+  stop_on_path,  ///< stops on the path; without a path, brakes
   power_off,     ///< freezes the setpoint and disables the drive
 };
+/// Returns the reaction of the axis to a fault.
 Reaction reaction_to(Cause fault) noexcept;
 
 }  // namespace jounce

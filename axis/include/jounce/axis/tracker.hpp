@@ -8,62 +8,74 @@
 
 namespace jounce {
 
-/// Options of the filter that turns measured positions into a master.
+/// Options of the filter that computes a master from measured positions. Unit m: the unit of the
+/// master.
 struct TrackerSpec {
-  double velocity = 0;      ///< m/s, > 0: limit of the master and of the output
-  double acceleration = 0;  ///< m/s^2, > 0: likewise
-  double time_constant =
-      5e-3;               ///< s, > 0: longer is smoother, and slower. See docs/executor/masters.md
-  int order = 2;          ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
-  double settle = 10e-3;  ///< s, > 0: time in which the output returns to the estimate
-  double latency = 0;     ///< s: additional age of the measurements
-  double longest_age = 0.1;  ///< s, > 0: lost after longer without a measurement
-  double jump = 0;           ///< m: a measurement further off than this is a jump; 0: the travel at
-                             ///< the master's velocity in longest_age
+  double velocity = 0;      ///< greatest velocity of the master and of the output, m/s, > 0
+  double acceleration = 0;  ///< greatest acceleration of the master and of the output, m/s^2, > 0
+  /// Time constant, s, > 0: longer is smoother and slower; see docs/executor/masters.md.
+  double time_constant = 5e-3;
+  int order = 2;  ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
+  /// Time in which the output reaches the estimate after a deviation, s, > 0.
+  double settle = 10e-3;
+  /// Age of each measurement when it arrives, s: the output is extrapolated by it.
+  double latency = 0;
+  double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
+  /// A measurement further than this from the output is a jump, m; 0: velocity * longest_age.
+  double jump = 0;
 };
 
 /// Throws InputError for a value out of range.
 void require_valid(const TrackerSpec& spec);
 
-/// Estimate from noisy measurements: position, velocity and acceleration, by the fading-memory
-/// filter: least squares of a straight line (order 2) or a parabola (3), in which a measurement's
-/// weight falls by exp(-1) in half a time constant (tracker.cpp (1) to (5)). A value type.
+/// Estimate of position, velocity and acceleration from noisy measurements, by the fading-memory
+/// filter. This is a least-squares fit of a straight line (order 2) or a parabola (order 3). The
+/// weight of a measurement falls by the factor exp(-1) in half a time constant (equations (1) to
+/// (5) in tracker.cpp). A value type.
 struct Estimate {
-  double time = 0;  ///< s, of the last measurement
-  double x = 0, v = 0, a = 0;
-  std::int64_t count = 0;  ///< measurements so far
+  double time = 0;             ///< time of the last measurement, s
+  double x = 0, v = 0, a = 0;  ///< position, velocity and acceleration at that time: m, m/s, m/s^2
+  std::int64_t count = 0;      ///< number of measurements so far
 
-  /// [x, x', x'', 0] at another time.
+  /// Returns [x, x', x'', 0] at another time, s, by extrapolation.
   [[nodiscard]] Jet at(double t) const;
 };
 
-/// Returns the estimate with one more measurement, at a later time.
+/// Returns the estimate with one more measurement, `measured` (m) at `time` (s), later than the
+/// previous one.
 Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time, double measured);
 
-/// A measured position as a smooth master. The output follows the estimate, extrapolated to the
-/// cycle, with bounded velocity and acceleration. It is once continuously differentiable for all
-/// inputs.
+/// A smooth master from measured positions. The output follows the estimate, extrapolated to the
+/// time of the cycle. Its velocity and acceleration are bounded, and its velocity has no jump, for
+/// all inputs.
 ///
 ///     Tracked master({.velocity = 3, .acceleration = 20});
 ///     master.see(time, measured);               // as often as something is measured
 ///     const Jet x = master.at(time);            // each cycle; x[0] is NaN while it is lost
 ///
-/// A master is lost with fewer than two measurements (order 3: three), after longest_age without
-/// one, and for one cycle after a jump, so that followers stop instead of chasing it. When it
-/// returns, the output begins at its position. In between there is no output, so there is no jump.
+/// The master is lost until there are two measurements (order 3: three), after `longest_age`
+/// without a measurement, and for one cycle after a jump of the measured position. In the last
+/// case, followers stop and do not follow the jump. When the master returns, the output begins at
+/// its new position.
 class Tracked {
  public:
+  /// Throws InputError like require_valid().
   explicit Tracked(const TrackerSpec& spec);
 
-  /// Ignores samples that are not finite, or not later than the one before.
+  /// Adds the measurement `position`, m, at `time`, s. Ignores values that are not finite, and
+  /// times that are not later than the previous one.
   void see(double time, double position) noexcept;
-  /// Resets the filter: the source is invalid, or has changed.
+  /// Clears the filter: the source is invalid, or has changed.
   void lose() noexcept;
+  /// Returns the master at `time`, s: m, m/s, m/s^2, m/s^3; x[0] is NaN if it is lost. `time` must
+  /// ascend.
   Jet at(double time) noexcept;
 
+  /// The options.
   [[nodiscard]] const TrackerSpec& spec() const { return spec_; }
+  /// The present estimate.
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
-  /// s: time of the last measurement; also after a loss. NaN: never.
+  /// Time of the last measurement, s; it remains after a loss. NaN: no measurement yet.
   [[nodiscard]] double seen() const { return seen_; }
 
  private:

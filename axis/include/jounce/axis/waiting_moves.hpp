@@ -9,15 +9,16 @@
 
 namespace jounce {
 
-/// A move that may wait for another one.
+/// A move that may wait in the motion buffer.
 using BufferedMove =
     std::variant<command::MoveAbsolute, command::MoveRelative, command::MoveVelocity>;
 
+/// Buffer mode of the move.
 inline BufferMode buffer_of(const BufferedMove& move) {
   return std::visit([](const auto& each) { return each.buffer; }, move);
 }
 
-/// Its target, its distance or its velocity.
+/// Target (u), distance (u) or velocity (u/s) of the move; u is the unit of the axis.
 inline double value_of(const BufferedMove& move) {
   return std::visit(
       [](const auto& each) {
@@ -28,8 +29,9 @@ inline double value_of(const BufferedMove& move) {
       move);
 }
 
-/// Moves that each wait for the end of the previous one: the motion buffer of an axis (PLCopen part
-/// 1, 2.4.2 asks for one place; motion controllers have several). A value of fixed size.
+/// The motion buffer of an axis: moves that each wait for the end of the previous one. (Section
+/// 2.4.2 of PLCopen Part 1 requires one place; motion controllers have several.) A value type of
+/// fixed size.
 ///
 ///     WaitingMoves moves;
 ///     if (!moves.full()) moves.push(command::MoveRelative{.distance = 3});
@@ -37,16 +39,21 @@ inline double value_of(const BufferedMove& move) {
 ///     moves.pop();
 class WaitingMoves {
  public:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t most = 8;  ///< greatest number of moves
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] bool full() const { return size_ == most; }
+  /// Number of moves.
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// The move that begins next. Only if the buffer is not empty.
   [[nodiscard]] const BufferedMove& front() const { return moves_[0]; }
+  /// Iterators over the moves, in the order of their execution.
   [[nodiscard]] const BufferedMove* begin() const { return moves_.data(); }
   [[nodiscard]] const BufferedMove* end() const { return moves_.data() + size_; }
 
+  /// Adds a move at the end. Only if the buffer is not full.
   void push(const BufferedMove& move) { moves_[size_++] = move; }
+  /// Removes the first move. Only if the buffer is not empty.
   void pop() {
     for (std::size_t i = 1; i < size_; ++i) moves_[i - 1] = moves_[i];
     --size_;

@@ -7,11 +7,11 @@
 
 namespace jounce {
 
-/// The values of a line of CSV, between its commas. There is no quoting: the files of Jounce need
-/// none.
+/// Returns the values of one line of CSV: the texts between its commas. Quotes have no special
+/// meaning, since the files of Jounce need none.
 std::vector<std::string_view> csv_cells(std::string_view line);
 
-/// A value as a finite number; nothing if it is anything else.
+/// Returns a value as a finite number; nullopt for any other text.
 std::optional<double> csv_number(std::string_view cell);
 
 }  // namespace jounce

@@ -9,24 +9,27 @@
 
 namespace jounce {
 
-/// A document that was read, with the place of every key. It turns an InputError of a generator,
-/// which has only the key, into one that names file, line and column.
+/// An input document, with the place of every key. Generators throw an InputError that contains
+/// only the key; located() adds file, line and column.
 struct Document {
+  /// Line and column of a key, from 1; 0: unknown.
   struct Place {
     int line = 0;
     int column = 0;
   };
 
-  std::string name;  ///< name given by the user
-  std::string text;
-  Sha256 hash{};  ///< hash of the text
-  std::map<std::string, Place> places;
-  std::map<std::string, std::string> units = {};  ///< unit of every plain number read
+  std::string name;                     ///< name of the file, as the user gave it
+  std::string text;                     ///< the whole text
+  Sha256 hash{};                        ///< SHA-256 of the text
+  std::map<std::string, Place> places;  ///< place of each key, by its full name ("move.to")
+  /// Unit of each plain number that was read, by key.
+  std::map<std::string, std::string> units = {};
 
-  /// The error with the place of its key, or of the nearest enclosing key that is known.
+  /// Returns the error with file, line and column of its key. If the key has no place, the place of
+  /// the nearest enclosing key is used.
   [[nodiscard]] InputError located(const InputError& error) const;
-  /// An error about a file that this document names under `key`: with the place of the key if the
-  /// file cannot be read at all, otherwise unchanged.
+  /// Returns the error about a file `file` that this document names under `key`. If the file cannot
+  /// be read at all, the error gets the place of the key; otherwise it is returned unchanged.
   [[nodiscard]] InputError naming(const std::string& key, const std::string& file,
                                   const InputError& error) const;
 };

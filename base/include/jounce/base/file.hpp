@@ -7,12 +7,14 @@
 
 namespace jounce {
 
-/// The whole file as bytes, without a byte order mark; "-" is standard input. Throws InputError with the
-/// file's name as document for a file that cannot be read, for text in UTF-16 and for a compressed file.
+/// Returns the whole file as bytes, without a byte order mark. "-" is standard input. Throws
+/// InputError, with the file's name as the document, for a file that cannot be read, for text in
+/// UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
 /// Records the files that read_file() reads during its lifetime. write_files() then refuses to
-/// replace one of them: an output must not replace an input. At most one exists at a time.
+/// replace one of them, so that an output never overwrites an input. At most one object exists at a
+/// time.
 class KeptInputs {
  public:
   KeptInputs();
@@ -27,20 +29,21 @@ class KeptInputs {
   friend std::string read_file(const std::string& path);
 };
 
-/// Throws InputError with this option as key for a file that KeptInputs has recorded.
+/// Throws InputError, with `option` as its key, for a file that KeptInputs has recorded.
 void require_not_read(const std::string& path, const std::string& option);
 
 /// A file to be written.
 struct Output {
-  std::string path;  ///< "-" is standard output
-  std::string bytes;
+  std::string path;   ///< path of the file; "-" is standard output
+  std::string bytes;  ///< the whole content
 };
 
-/// Writes all files or none: first to temporary names in their folders, which it then renames. An
-/// existing file that is not regular (a device, a pipe) is written to directly. Throws
-/// std::system_error if the system reports an error (no folder, no space), and like
+/// Writes all files or none: first under temporary names in their folders, then it renames them. An
+/// existing file that is not regular (a device, a pipe) is written directly. Throws
+/// std::system_error if the system reports an error (no folder, no space), and InputError like
 /// require_not_read().
 void write_files(const std::vector<Output>& files);
+/// The same for one file.
 void write_file(const std::string& path, const std::string& bytes);
 
 }  // namespace jounce

@@ -13,28 +13,30 @@
 
 namespace jounce {
 
-/// Units of the two axes of a table: "deg", "pulse", "s", "mm", ... as in the spec.
+/// Units of the columns of a table, as the spec writes them: "deg", "pulse", "s", "mm", ...
 struct Units {
-  std::string x;  ///< unit of the first column: time or master position
-  std::string
-      position;  ///< unit of the position; those of the derivatives are position/x, position/x^2
+  std::string x;  ///< unit of the first column x: time or master position
+  /// Unit of the position; its derivatives have the units position/x, position/x^2.
+  std::string position;
 };
 
+/// A SHA-256 hash.
 using Sha256 = std::array<std::uint8_t, 32>;
 
-/// SHA-256 of any bytes.
+/// Returns the SHA-256 of any bytes.
 Sha256 sha256(std::string_view bytes);
 
-/// Lower-case hexadecimal, 64 characters.
+/// Returns the hash as 64 lower-case hexadecimal digits.
 std::string hex(const Sha256& hash);
 
-/// The identity of a table: SHA-256 over schema, axis, rule, policy outside, units and number of
-/// knots, and the SHA-256 of each column as little-endian IEEE doubles. Provenance and file format
-/// do not count: the same table has the same hash as CSV, as JSON and on the wire.
+/// Returns the identity of a table. This is the SHA-256 over the schema, the kind of axis, the
+/// interpolation rule, the policy outside its range, the units, the number of knots, and the
+/// SHA-256 of each column as little-endian IEEE doubles. Provenance and file format are not
+/// included: the same table has the same hash in CSV, in JSON and on the wire.
 Sha256 content_hash(const Table& table, const Units& units);
 
-/// The same hash, of columns that arrive in pieces, each from its beginning. So a receiver can hash
-/// a table while it arrives.
+/// Computes content_hash() of columns that arrive in pieces, each in order from its beginning. A
+/// receiver can therefore hash a table while it arrives.
 ///
 ///     ContentHasher hasher;
 ///     hasher.add({x, p, v, {}});         // repeat for each block of knots
@@ -50,7 +52,7 @@ class ContentHasher {
 
   /// Adds the next knots of x, p, v and a; empty for a column that the table does not have.
   void add(const std::array<std::span<const double>, 4>& columns);
-  /// Returns the hash; call it once, at the end.
+  /// Returns the hash; call it once, at the end. `knots`: total number of knots.
   [[nodiscard]] Sha256 result(Domain axis, Interpolation rule, Extrapolation outside,
                               const Units& units, std::size_t knots);
 

@@ -7,21 +7,21 @@
 
 namespace jounce {
 
-/// All errors of one document. As an InputError it is the first of them in the order of reading, for callers that
-/// report one.
+/// All errors of one document. Used as an InputError, it is the first of them in the order of
+/// reading, for callers that report only one.
 class InputErrors : public InputError {
  public:
   /// `all`: at least one error, in the order of reading.
   explicit InputErrors(std::vector<InputError> all);
 
-  /// All errors, in the order of the document.
+  /// All errors, in the order of reading.
   [[nodiscard]] const std::vector<InputError>& all() const { return all_; }
 
  private:
   std::vector<InputError> all_;
 };
 
-/// The errors of an InputErrors; of any other error the error itself.
+/// Returns all errors of an InputErrors; for any other InputError, returns that error alone.
 std::vector<InputError> all_errors(const InputError& error);
 
 }  // namespace jounce

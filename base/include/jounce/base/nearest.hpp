@@ -7,8 +7,9 @@
 
 namespace jounce {
 
-/// The candidate that differs from `word` by at most two edits, or "": for "did you mean" hints. If the first letter
-/// differs, a second edit counts only if `word` is the shorter one.
+/// Returns the candidate that differs from `word` by at most two edits, for "did you mean" hints;
+/// "" if there is none. If the first letters differ, two edits are accepted only if `word` is
+/// shorter than the candidate.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace jounce

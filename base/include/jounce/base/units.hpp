@@ -7,25 +7,28 @@
 namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
+/// These units can be multiplied, divided and raised to powers:
+/// - length m, mm, um, cm, in; angle rad, deg, arcmin, arcsec, rev; pulses pulse (also count, inc);
+/// - time s, ms, us, ns, min, h; frequency Hz, kHz, MHz;
+/// - kg, g, N, J, W, A, V, ohm.
 ///
-/// Units: m with mm, um, cm, in; rad with deg, arcmin, arcsec, rev; pulse (also count, inc); s with
-/// ms, us, ns, min, h; kg with g; N, J, W; Hz with kHz, MHz; A, V, ohm; and their products, quotients and
-/// powers. Meters, radians and pulses are different dimensions: none converts into another.
+/// Lengths, angles and pulses are different dimensions: none converts into another.
 
-/// True if the text is a unit. The empty text is not.
+/// True if the text is a unit. The empty text is not a unit.
 bool is_unit(std::string_view text);
 
-/// Factor from the unit `from` to `to`. Throws InputError (key "unit") if either is not a unit or they do
-/// not measure the same thing.
+/// Returns the factor from the unit `from` to the unit `to`. Throws InputError (key "unit") if one
+/// of them is not a unit, or if they have different dimensions.
 double conversion(std::string_view from, std::string_view to);
 
-/// A number with or without a unit ("12.5", "12.5 mm/s", "-3e2 deg") as a number of `unit`; without
-/// one it already is in `unit`. Throws InputError (no key; the rule names the error and which
-/// unit is expected): not a number, not finite, not a unit, a unit that measures something else.
+/// Returns a number that has a unit or not ("12.5", "12.5 mm/s", "-3e2 deg"), converted to `unit`.
+/// A number without a unit is already in `unit`. Throws InputError for text that is not a number, a
+/// number that is not finite, an unknown unit, or a unit of another dimension. The error has no
+/// key; its rule names the error and the expected unit.
 double quantity(std::string_view text, std::string_view unit);
 
-/// position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". An empty position is a pure
-/// number, "1/s"; without x there is nothing to divide by.
+/// Returns the unit position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". With an
+/// empty `position`, the numerator is a pure number: "1/s". With an empty `x`, returns `position`.
 std::string rate_unit(const std::string& position, const std::string& x, int order);
 
 }  // namespace jounce

@@ -7,12 +7,13 @@
 
 namespace jounce {
 
-/// Reason why an axis is in ErrorStop, rejected a command, or did not admit a table. The numbers
-/// are part of the wire format: append new ones to their block.
+/// Reason why an axis is in the state error_stop, rejected a command, did not admit a table, or
+/// ended its last motion. meaning() gives a sentence for each; docs/reference/messages.md lists all
+/// of them. The numbers are part of the wire format: append new ones to their block.
 enum class Cause : std::uint8_t {
   none = 0,
 
-  // Faults: latched in the axis until it is reset.
+  // Faults: latched in the axis until a reset.
   aborted = 1,
   disabled_in_motion = 2,
   stalled = 3,
@@ -82,7 +83,7 @@ enum class Cause : std::uint8_t {
   no_such_method = 67,
   no_sensor = 68,
 
-  // Ends of the last motion without a fault; none: it reached its end.
+  // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,
   pass_ended = 82,
@@ -91,10 +92,10 @@ enum class Cause : std::uint8_t {
   group_stopped = 85,
 };
 
-/// "aborted", "not_armed", ...: the words in the log, in messages and in docs/executor.md.
+/// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...
 const char* name(Cause cause);
 
-/// Returns one sentence: the event.
+/// Returns one sentence that states what happened.
 const char* meaning(Cause cause);
 
 /// True if it is a fault, which stays latched until a reset.
@@ -103,16 +104,18 @@ constexpr bool is_fault(Cause cause) {
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 
-/// Reason why a command is rejected or a movement is not admitted, with the number, the exceeded
-/// bound, and the local time of the movement in s; NaN: no instant.
+/// The reason why a command is rejected or a movement is not admitted, with numbers in the units of
+/// the axis.
 struct Refusal {
-  Cause cause = Cause::none;
-  double value = 0;
-  double limit = 0;
+  Cause cause = Cause::none;  ///< the reason
+  double value = 0;           ///< the number that breaks the rule
+  double limit = 0;           ///< the bound that it exceeds
+  /// Time of the movement at which it exceeds the bound, s; NaN: no particular time.
   double where = std::numeric_limits<double>::quiet_NaN();
 
-  /// "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45 at 0.61 s, limit 500."; omits the
-  /// instant if it is NaN, and the numbers if no bound was exceeded. With units: text() in refusal_text.hpp.
+  /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45
+  /// at 0.61 s, limit 500." The time is omitted if it is NaN, and the numbers if no bound was
+  /// exceeded. text() in refusal_text.hpp adds units.
   [[nodiscard]] std::string text() const;
 };
 

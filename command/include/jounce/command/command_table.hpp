@@ -15,40 +15,43 @@ namespace jounce {
 
 /// Permitted sender of a command.
 enum class CommandSender : std::uint8_t {
-  executor,  ///< the executor alone, on behalf of a message of another type
-  owner,     ///< the session that owns the axis
-  anyone,    ///< even an operator without a session: it changes the timing of the motion only
+  executor,  ///< only the executor, when it carries out a message of another type
+  owner,     ///< the session that owns the axis, such as a streamer
+  anyone,  ///< even an operator without a session: the command only changes the timing of a motion
 };
 
-/// Everything about a command except its effect. The codec, `jounce order`, the live page, the
-/// checks of the receiver and of the axis, and the tables in the documentation come from it.
+/// Everything about a command except its effect: the codec, `jounce order`, the live page, the
+/// checks of the receiver and of the axis, and the tables in the documentation use this
+/// description.
 struct CommandInfo {
   CommandKind kind = CommandKind::none;
-  const char* name = "";     ///< "move_absolute"
-  std::int8_t number = -1;   ///< on the wire; -1: it is not sent
+  const char* name = "";     ///< name in logs and messages: "move_absolute"
+  std::int8_t number = -1;   ///< number on the wire; -1: the command is not sent
   const char* word = "";     ///< word of `jounce order`; "": none
   const char* plcopen = "";  ///< function block of PLCopen; "": none
-  CommandSender sender = CommandSender::executor;
-  bool moves = false;                    ///< sets the axis in motion for the session that sends it
-  std::array<Cause, states> by_state{};  ///< reason to reject it in a state; none: accepted
-  Fields fields = {};
+  CommandSender sender = CommandSender::executor;  ///< permitted sender
+  bool moves = false;  ///< true if it sets the axis in motion for the session that sends it
+  /// For each State, the reason to reject it; none: accepted.
+  std::array<Cause, states> by_state{};
+  Fields fields = {};  ///< fields, in the order of the wire
 };
 
-/// One row a command, in the order of CommandKind.
+/// Returns one row for each command, in the order of CommandKind.
 std::span<const CommandInfo> all_commands();
+/// Returns the row of a command.
 const CommandInfo& info(CommandKind kind);
 
-/// "move_absolute", ...
+/// Returns the name of a command: "move_absolute", ...
 const char* name(CommandKind kind);
 
-/// The command of this number on the wire; nullopt: none.
+/// Returns the command with this number on the wire; nullopt if there is none.
 std::optional<CommandKind> kind_of_number(int number);
 
-/// Returns the reason to reject a command in a state, or none if it is accepted. Further conditions
-/// (a movement, a target within the range) are checked later.
+/// Returns the reason to reject a command in a state, or none if the state permits it. Further
+/// conditions (an armed movement, a target within the range) are checked later.
 Cause permitted(State state, CommandKind kind) noexcept;
 
-/// True if an operator may send it without owning the axis.
+/// True if an operator may send the command without owning the axis.
 bool is_operators(CommandKind kind);
 
 }  // namespace jounce

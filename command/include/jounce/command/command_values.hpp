@@ -9,23 +9,27 @@
 
 namespace jounce {
 
-/// The fields of a command as numbers, in their order, as the wire and the record have them. A flag
-/// is 0 or 1, an enumerator its number; the rest is 0.
+/// The fields of a command as numbers, in the order of the wire and of the record of a run. A flag
+/// is 0 or 1, an enumerator is its number. Numbers after the last field are 0.
 using CommandValues = std::array<double, most_fields>;
 
+/// Returns the fields of a command.
 CommandValues values_of(const ClientCommand& command);
 
-/// Error of the values of a command, as a sentence that names the field; empty: none.
+/// Returns the error in the values of a command, as a sentence that names the field; "" if there is
+/// none.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 
-/// The command with these values; they must not contradict its fields.
+/// Returns the command with these values, for which contradiction() must return "".
 ClientCommand command_of(CommandKind kind, const CommandValues& values);
 
-/// The command with the defaults of its fields. Throws InputError for a kind that no client sends.
+/// Returns the command with the defaults of its fields. Throws InputError for a kind that no client
+/// sends.
 ClientCommand command_of(CommandKind kind);
 
-/// The range of a field in words, as documentation: "0 or 1"; empty: any finite number.
+/// Returns the range of a field in words, for the documentation: "0 or 1"; "" for any finite
+/// number.
 const char* words(FieldRange range);
 
 }  // namespace jounce

@@ -14,29 +14,30 @@
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
-/// The commands of an axis, after the function blocks of PLCopen: one struct a command, the same
-/// from the program that sends it to the axis that executes it. command_table.hpp describes them.
+/// The commands of an axis, after the function blocks of PLCopen. Each command is one struct, used
+/// both by the program that sends it and by the axis that executes it. command_table.hpp describes
+/// the commands. Units: u is the unit of the axis, m that of its master.
 namespace jounce {
 
-/// A value that is not given: NaN. The axis uses its configured value.
+/// Value of a field that is not given (NaN): the axis uses its configured value.
 inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN();
 
-/// Dynamics of a move: magnitudes, > 0. The default of each is the limit of the axis.
+/// Dynamics of a move: magnitudes, > 0. A value that is not given is the limit of the axis.
 struct MoveDynamics {
-  double velocity = as_configured;      ///< u/s
-  double acceleration = as_configured;  ///< u/s^2, while it speeds up
-  double deceleration = as_configured;  ///< u/s^2, while it slows down
-  double jerk = as_configured;          ///< u/s^3
+  double velocity = as_configured;      ///< velocity, u/s
+  double acceleration = as_configured;  ///< acceleration while the axis speeds up, u/s^2
+  double deceleration = as_configured;  ///< deceleration while the axis slows down, u/s^2
+  double jerk = as_configured;          ///< jerk, u/s^3
 };
 
-/// The same of a motion whose velocity is not a limit.
+/// Dynamics of a motion whose velocity is given by the command or by the master. See MoveDynamics.
 struct RampDynamics {
   double acceleration = as_configured;  ///< u/s^2
   double deceleration = as_configured;  ///< u/s^2
   double jerk = as_configured;          ///< u/s^3
 };
 
-/// The same of a stop.
+/// Dynamics of a stop. See MoveDynamics; a value that is not given is that of AxisConfig.
 struct StopDynamics {
   double deceleration = as_configured;  ///< u/s^2
   double jerk = as_configured;          ///< u/s^3
@@ -44,20 +45,21 @@ struct StopDynamics {
 
 /// Start condition of an armed motion. The numbers are part of the wire format.
 enum class StartAt : std::uint8_t {
-  tick = 0,             ///< at a tick
-  end_of_table = 1,     ///< at the end of the played table or of its pass, without a stop
-  master_position = 2,  ///< when the master passes a position
+  tick = 0,  ///< at a given tick
+  /// When the played table, or its present pass, ends; the axis does not stop in between.
+  end_of_table = 1,
+  master_position = 2,  ///< when the master passes a given position
 };
 
-/// Behavior of an axis if a cam with a live master ends at a velocity. The numbers are part of the
+/// Behavior of an axis when a cam on a live master ends at a velocity. The numbers are part of the
 /// wire format.
 enum class CamEnd : std::uint8_t {
-  brake = 0,          ///< it comes to rest within its limits
-  keep_velocity = 1,  ///< keeps that velocity, independent of the master, until another command
-  extend = 2,         ///< the cam continues at the ratio of its end: the axis stays coupled
+  brake = 0,          ///< comes to rest within the limits of the axis
+  keep_velocity = 1,  ///< keeps the velocity, independent of the master, until another command
+  extend = 2,         ///< continues at the cam's final ratio: the axis stays coupled
 };
 
-/// Kind of a command. The numbers are part of the record of a run: append new ones.
+/// Kind of a command. The numbers are part of the record of a run: append new ones at the end.
 enum class CommandKind : std::uint8_t {
   none,
   enable,
@@ -90,17 +92,19 @@ enum class CommandKind : std::uint8_t {
   queue_end,
   start_table,
 };
-inline constexpr std::size_t command_kinds = 30;
+inline constexpr std::size_t command_kinds = 30;  ///< number of kinds
 
 }  // namespace jounce
 
-/// The commands that a client sends. Units: u is the unit of the axis, m that of its master.
+/// The commands that a client sends, and their fields.
 namespace jounce::command {
 
-/// C is T, or const T.
+/// True if C is T or const T.
 template <class C, class T>
 concept Of = std::same_as<std::remove_const_t<C>, T>;
 
+/// each_field(command, f) calls f(field, member) for each field of a command or of its dynamics, in
+/// the order of the wire.
 template <Of<RampDynamics> C, class F>
 constexpr void each_field(C& c, F f) {
   f(acceleration, c.acceleration);
@@ -122,14 +126,16 @@ constexpr void each_field(C& c, F f) {
   f(jerk, c.jerk);
 }
 
-/// A command without fields.
+/// The same for a command without fields: does nothing.
 template <class C, class F>
 requires std::is_empty_v<C>
 constexpr void each_field(C& /*c*/, F /*f*/) {}
 
+/// Enables the axis: its drive follows the setpoints.
 struct Enable {
   static constexpr auto kind = CommandKind::enable;
 };
+/// Disables the axis. In motion, this is a fault.
 struct Disable {
   static constexpr auto kind = CommandKind::disable;
 };
@@ -138,11 +144,11 @@ struct Reset {
   static constexpr auto kind = CommandKind::reset;
 };
 
-/// Sets the present position, without motion.
+/// Assigns a new value to the present position, without motion.
 struct SetPosition {
   static constexpr auto kind = CommandKind::set_position;
-  double position = 0;    ///< u
-  bool relative = false;  ///< adds it to the present position
+  double position = 0;    ///< new position, u; or the offset to add, see relative
+  bool relative = false;  ///< true: adds `position` to the present position
 };
 template <Of<SetPosition> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -152,16 +158,17 @@ constexpr void each_field(C& c, F f) {
     c.relative);
 }
 
-/// Searches for the home position. NaN, and method 0: as configured (HomingSpec).
+/// Searches for the home position. Values that are not given (NaN, and method 0) are those of
+/// HomingSpec.
 struct Home {
   static constexpr auto kind = CommandKind::home;
-  double offset = as_configured;           ///< u: the new position of the home position
-  int method = 0;                          ///< method of CiA 402
-  double search_velocity = as_configured;  ///< u/s, > 0
-  double index_velocity = as_configured;   ///< u/s, > 0
-  double acceleration = as_configured;     ///< u/s^2, > 0
-  double timeout = as_configured;          ///< s, > 0
-  double distance = as_configured;         ///< u, > 0
+  double offset = as_configured;           ///< position that homing assigns to the home position, u
+  int method = 0;                          ///< homing method of CiA 402 (object 6098h)
+  double search_velocity = as_configured;  ///< velocity of the search for a switch, u/s, > 0
+  double index_velocity = as_configured;   ///< velocity for the edge and the index, u/s, > 0
+  double acceleration = as_configured;     ///< acceleration, u/s^2, > 0
+  double timeout = as_configured;          ///< time limit of the whole homing, s, > 0
+  double distance = as_configured;         ///< greatest length of each search, u, > 0
 };
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -186,30 +193,32 @@ constexpr void each_field(C& c, F f) {
     c.distance);
 }
 
-/// Brings a path or a planned move to rest; it waits there.
+/// Brings a path or a planned move to rest, until Resume.
 struct Hold {
   static constexpr auto kind = CommandKind::hold;
 };
-/// Ends the hold.
+/// Continues a motion that Hold brought to rest.
 struct Resume {
   static constexpr auto kind = CommandKind::resume;
 };
-/// Multiplies the speed from now on.
+/// Multiplies the speed of the axis by a factor, from now on.
 struct Override {
   static constexpr auto kind = CommandKind::override_;
-  double factor = 1;  ///< 0 to 2
+  double factor = 1;  ///< 0 to 2; below 1: slower
 };
 template <Of<Override> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"factor", Quantity::none, FieldRange::factor, "VALUE"}, c.factor);
 }
 
+/// Moves to a position.
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
-  double position = 0;  ///< u
-  MoveDynamics dynamics = {};
-  Direction direction = Direction::shortest;  ///< for a modulo axis
-  BufferMode buffer = BufferMode::aborting;   ///< start relative to the previous motion
+  double position = 0;                        ///< target, u
+  MoveDynamics dynamics = {};                 ///< limits of the move
+  Direction direction = Direction::shortest;  ///< direction on a modulo axis
+  /// Begin of the move, relative to the previous motion.
+  BufferMode buffer = BufferMode::aborting;
 };
 template <Of<MoveAbsolute> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -222,10 +231,10 @@ constexpr void each_field(C& c, F f) {
   f(buffer_mode, c.buffer);
 }
 
-/// Moves by a distance from the present setpoint.
+/// Moves by a distance from the present commanded position.
 struct MoveRelative {
   static constexpr auto kind = CommandKind::move_relative;
-  double distance = 0;  ///< u
+  double distance = 0;  ///< signed distance, u
   MoveDynamics dynamics = {};
   BufferMode buffer = BufferMode::aborting;
 };
@@ -241,7 +250,7 @@ constexpr void each_field(C& c, F f) {
 /// Moves by a distance from the target of the present move.
 struct MoveAdditive {
   static constexpr auto kind = CommandKind::move_additive;
-  double distance = 0;  ///< u
+  double distance = 0;  ///< signed distance, u
   MoveDynamics dynamics = {};
 };
 template <Of<MoveAdditive> C, class F>
@@ -252,11 +261,12 @@ constexpr void each_field(C& c, F f) {
   each_field(c.dynamics, f);
 }
 
-/// Moves by a distance on top of the present motion.
+/// Moves by a distance in addition to the present motion.
 struct MoveSuperimposed {
   static constexpr auto kind = CommandKind::move_superimposed;
-  double distance = 0;         ///< u
-  MoveDynamics dynamics = {};  ///< its velocity is added to that of the motion
+  double distance = 0;  ///< signed distance, u
+  /// Dynamics of the added move alone: its velocity adds to that of the motion.
+  MoveDynamics dynamics = {};
 };
 template <Of<MoveSuperimposed> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -270,13 +280,13 @@ constexpr void each_field(C& c, F f) {
   f(jerk, c.dynamics.jerk);
 }
 
-/// Moves at a velocity, until the next command.
+/// Moves at a velocity until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
   double velocity = 0;  ///< u/s, signed; 0: to rest
   RampDynamics dynamics = {};
   BufferMode buffer = BufferMode::aborting;
-  bool hold_to_run = false;  ///< the motion stops unless its session sends heartbeats
+  bool hold_to_run = false;  ///< true: the axis stops if its session sends no heartbeat (0.2 s)
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -289,7 +299,7 @@ constexpr void each_field(C& c, F f) {
     c.hold_to_run);
 }
 
-/// Brings the axis to rest. Any command may follow at once.
+/// Brings the axis to rest. Unlike Stop, it can be interrupted by any other motion at once.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
   StopDynamics dynamics = {};
@@ -299,12 +309,12 @@ constexpr void each_field(C& c, F f) {
   each_field(c.dynamics, f);
 }
 
-/// Couples the axis to its live master by a ratio, now, during any motion.
+/// Couples the axis to its live master at a ratio, at once, in any motion.
 struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
-  std::int32_t numerator = 0;
+  std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  RampDynamics dynamics = {};
+  RampDynamics dynamics = {};  ///< dynamics until the axis is in gear
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -313,15 +323,16 @@ constexpr void each_field(C& c, F f) {
   each_field(c.dynamics, f);
 }
 
-/// The same with a position at which both run in step.
+/// Couples the axis to its live master at a ratio, in step from a given pair of positions on.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
-  std::int32_t numerator = 0;
+  std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  double master_sync_position = 0;   ///< m
-  double slave_sync_position = 0;    ///< u
-  double master_start_distance = 0;  ///< m
-  bool avoid_reversal = false;
+  double master_sync_position = 0;  ///< position of the master from which both are in step, m
+  double slave_sync_position = 0;   ///< position of the axis at that moment, u
+  /// Travel of the master before the sync position, in which the axis engages, m.
+  double master_start_distance = 0;
+  bool avoid_reversal = false;  ///< true: reject a motion against the direction of the gear
 };
 template <Of<GearInPos> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -341,20 +352,21 @@ constexpr void each_field(C& c, F f) {
     c.avoid_reversal);
 }
 
-/// Leaves the gear; the velocity stays.
+/// Leaves the gear; the axis keeps its velocity.
 struct GearOut {
   static constexpr auto kind = CommandKind::gear_out;
 };
-/// Leaves the cam; the velocity stays.
+/// Leaves the cam; the axis keeps its velocity.
 struct CamOut {
   static constexpr auto kind = CommandKind::cam_out;
 };
 
-/// The other bank of a static queue continues at the end of this one.
+/// Continues with the other bank of a static queue (tables in two banks) at the end of the present
+/// bank.
 struct QueueSwitch {
   static constexpr auto kind = CommandKind::queue_switch;
-  std::uint32_t queue = 0;
-  std::uint8_t bank = 0;
+  std::uint32_t queue = 0;  ///< number of the queue
+  std::uint8_t bank = 0;    ///< number of the bank to continue with: 0 or 1
 };
 template <Of<QueueSwitch> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -362,12 +374,12 @@ constexpr void each_field(C& c, F f) {
   f(bank, c.bank);
 }
 
-/// Empties a bank that does not play.
+/// Empties a bank that is not being played.
 struct QueueClear {
   static constexpr auto kind = CommandKind::queue_clear;
-  std::uint32_t queue = 0;
-  std::uint8_t bank = 0;
-  std::uint32_t seq = 0;  ///< number from which its messages count again
+  std::uint32_t queue = 0;  ///< number of the queue
+  std::uint8_t bank = 0;    ///< number of the bank: 0 or 1
+  std::uint32_t seq = 0;    ///< number of the next message to this bank
 };
 template <Of<QueueClear> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -376,17 +388,17 @@ constexpr void each_field(C& c, F f) {
   f(Field{"seq", Quantity::none, FieldRange::count}, c.seq);
 }
 
-/// No more rows follow: the last one ends the stream.
+/// Ends a rolling stream at its last row: no more rows will follow.
 struct QueueEnd {
   static constexpr auto kind = CommandKind::queue_end;
-  std::uint32_t queue = 0;
+  std::uint32_t queue = 0;  ///< number of the queue
 };
 template <Of<QueueEnd> C, class F>
 constexpr void each_field(C& c, F f) {
   f(queue, c.queue);
 }
 
-/// Plays the table of the axis (a virtual master) from its beginning.
+/// Plays the table of a virtual master from its beginning.
 struct StartTable {
   static constexpr auto kind = CommandKind::start_table;
 };
@@ -395,17 +407,18 @@ struct StartTable {
 
 namespace jounce {
 
-/// A variant with further alternatives.
+/// Adds alternatives to a variant.
 template <class Variant, class... More>
 struct Extended;
 template <class... Commands, class... More>
 struct Extended<std::variant<Commands...>, More...> {
+  /// The variant with `More` at the end.
   using type = std::variant<Commands..., More...>;
-  /// The same with `More` first.
+  /// The variant with `More` at the beginning.
   using after = std::variant<More..., Commands...>;
 };
 
-/// The commands that an axis executes as a client sends them.
+/// The commands that an axis executes in the same form in which a client sends them.
 using SharedCommand =
     std::variant<command::Enable, command::Disable, command::Reset, command::SetPosition,
                  command::Home, command::Hold, command::Resume, command::Override,
@@ -421,13 +434,14 @@ using ClientCommand =
              command::QueueClear, command::QueueEnd, command::StartTable>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
-/// Kind of a command: of a ClientCommand, or of another variant of commands.
+/// Kind of a command in any variant of commands.
 template <class... Commands>
 CommandKind kind_of(const std::variant<Commands...>& command) {
   return std::visit([](const auto& each) { return each.kind; }, command);
 }
 
-/// The command of a kind with the defaults of its fields; nullopt: the variant has none of it.
+/// Returns the command of this kind with the defaults of its fields; nullopt if the variant has no
+/// such command.
 template <class Commands>
 std::optional<Commands> made(CommandKind kind) {
   std::optional<Commands> command;
@@ -441,13 +455,13 @@ std::optional<Commands> made(CommandKind kind) {
   return command;
 }
 
-/// True if the motion runs only while its session sends heartbeats: a hold-to-run jog.
+/// True if the command is a hold-to-run jog: its motion ends if its session sends no heartbeats.
 inline bool holds_to_run(const ClientCommand& command) {
   const auto* const jog = std::get_if<command::MoveVelocity>(&command);
   return jog != nullptr && jog->hold_to_run;
 }
 
-/// The fields of a command, in the order of the wire.
+/// Returns the fields of the command C, in the order of the wire.
 template <class C>
 constexpr Fields fields_of() {
   Fields all;

@@ -7,9 +7,10 @@
 
 namespace jounce {
 
-/// Quantity of a field, for its unit: u of the axis, m of its master.
+/// Physical quantity of a field, which determines its unit: u is the unit of the axis, m that of
+/// its master.
 enum class Quantity : std::uint8_t {
-  none,
+  none,          ///< a plain number
   position,      ///< u
   velocity,      ///< u/s
   acceleration,  ///< u/s^2
@@ -18,35 +19,36 @@ enum class Quantity : std::uint8_t {
   time,          ///< s
 };
 
-/// FieldRange of a field. rule_of() has the words.
+/// Permitted values of a field. words() in command_values.hpp describes each in words.
 enum class FieldRange : std::uint8_t {
   finite,         ///< any finite number
-  given,          ///< the same, or NaN: as configured
+  given,          ///< any finite number, or NaN: as configured
   positive,       ///< > 0, or NaN: as configured
   flag,           ///< 0 or 1
   direction,      ///< -1, 0 or 1
   factor,         ///< 0 to 2
   buffer_mode,    ///< 0 to 5
-  whole,          ///< a whole number of 31 bits and a sign
-  whole_nonzero,  ///< the same, not 0
-  count,          ///< a whole number of 31 bits, 0 or more
+  whole,          ///< a whole number from -2147483647 to 2147483647
+  whole_nonzero,  ///< the same, but not 0
+  count,          ///< a whole number from 0 to 2147483647
 };
 
-/// A field of a command.
+/// One field of a command.
 struct Field {
-  const char* name = "";  ///< "search velocity"
-  Quantity quantity = Quantity::none;
-  FieldRange range = FieldRange::finite;
-  const char* option = "";  ///< option of `jounce order`, without dashes; "VALUE"
-  const char* help = "";    ///< help of that option
+  const char* name = "";                  ///< name in messages: "search velocity"
+  Quantity quantity = Quantity::none;     ///< physical quantity
+  FieldRange range = FieldRange::finite;  ///< permitted values
+  /// Option of `jounce order` without dashes, or "VALUE" for its argument; "": none.
+  const char* option = "";
+  const char* help = "";  ///< help text of that option
 };
 
-inline constexpr std::size_t most_fields = 8;  ///< number of fields, at most
+inline constexpr std::size_t most_fields = 8;  ///< greatest number of fields of a command
 
-/// The fields of a command, in the order of the wire.
+/// The fields of a command, in the order of the wire. Behaves as a range.
 struct Fields {
-  std::array<Field, most_fields> field{};
-  std::size_t count = 0;
+  std::array<Field, most_fields> field{};  ///< the fields, then empty ones
+  std::size_t count = 0;                   ///< number of fields
 
   [[nodiscard]] constexpr std::size_t size() const { return count; }
   [[nodiscard]] constexpr const Field* begin() const { return field.data(); }
@@ -56,7 +58,7 @@ struct Fields {
 
 }  // namespace jounce
 
-/// Fields that several commands have.
+/// Fields that several commands have in common.
 namespace jounce::command {
 
 inline constexpr Field velocity{"velocity", Quantity::velocity, FieldRange::positive, "velocity",

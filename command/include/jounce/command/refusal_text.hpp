@@ -7,8 +7,9 @@
 
 namespace jounce {
 
-/// Refusal::text() with the unit of the positions of the axis at its numbers; "": no unit.
-/// "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45 mm/s at 0.61 s, limit 500 mm/s."
+/// Returns Refusal::text() with units: "velocity_limit: The motion exceeds the velocity limit of
+/// the axis: 678.45 mm/s at 0.61 s, limit 500 mm/s." `unit`: unit of the axis's position; "": no
+/// unit.
 std::string text(const Refusal& refusal, const std::string& unit);
 
 }  // namespace jounce

@@ -6,18 +6,20 @@
 
 namespace jounce {
 
-/// The PLCopen states (PMC600 manual 4.1, nAxisState). The numbers are part of the wire format.
+/// The states of an axis, after PLCopen (PMC600 manual, section 4.1, nAxisState). The numbers are
+/// part of the wire format.
 enum class State : std::uint8_t {
-  disabled = 0,
-  standstill = 1,
-  discrete_motion = 2,      ///< a table over time, or a move to a target
+  disabled = 0,             ///< the drive does not follow setpoints
+  standstill = 1,           ///< at rest, ready for a command
+  discrete_motion = 2,      ///< plays a table over time, or moves to a target
   synchronized_motion = 3,  ///< follows a master
-  stopping = 4,             ///< on its way to rest; only a fault ends that
-  error_stop = 5,           ///< at rest, or on its way there, until a reset
-  continuous_motion = 6,    ///< at a velocity, until the next command
-  homing = 7,               ///< searches for home; for one step if home is the present position
+  stopping = 4,             ///< goes to rest; only a fault interrupts this
+  error_stop = 5,           ///< a fault is latched: at rest, or going to rest, until a reset
+  continuous_motion = 6,    ///< moves at a velocity until the next command
+  homing = 7,               ///< searches for the home position
 };
-inline constexpr std::size_t states = 8;
+inline constexpr std::size_t states = 8;  ///< number of states
+/// Returns the name of a state: "standstill", ...
 const char* name(State state);
 
 }  // namespace jounce

@@ -6,28 +6,29 @@
 
 namespace jounce {
 
-/// An error of a controller for a cam or a gear, and its equivalent in Jounce.
+/// An error of a controller for a cam or a gear, and its equivalent in Jounce. docs/cam/errors.md
+/// lists all of them.
 ///
-///     for (const ControllerError& error : controller_errors()) print(text(error));
-///
-/// `here` is "InputError KEY", "CouplingStatus NAME", "GearInPosStatus NAME", "SwitchStep lost" (of CamSwitches),
-/// "Cause NAME" or "Refusal NAME" (of an executor), or "none": then `how` explains why it cannot occur.
-/// docs/cam/errors.md is this table.
+///     for (const ControllerError& error : controller_errors()) print(row(error));
 struct ControllerError {
-  const char* controller;  ///< "PMC600" or "HMPL"
-  unsigned code;
-  const char* meaning;
+  const char* controller;  ///< name of the controller: "PMC600" or "HMPL"
+  unsigned code;           ///< error number in its manual
+  const char* meaning;     ///< one sentence: what happened
+  /// The equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "GearInPosStatus
+  /// NAME", "SwitchStep lost" (of CamSwitches), "Cause NAME" or "Refusal NAME" (of an executor), or
+  /// "none".
   const char* here;
-  const char* how;
+  const char* how;  ///< remark; for "none", the reason why the error cannot occur
 };
 
-/// PMC600 manual, appendix A-1: 600-602, 625-629, 675-679, 750-754, 775-777; HMPL manual 18.1.2: 0x1388-0x1397.
+/// Returns all errors: 600-602, 625-629, 675-679, 750-754, 775-777 of the PMC600 manual,
+/// appendix A-1; 0x1388-0x1397 of the HMPL manual, 18.1.2.
 std::span<const ControllerError> controller_errors();
 
-/// "627" or "0x1392".
+/// Returns the number as its manual writes it: "627" or "0x1392".
 std::string code_text(const ControllerError& error);
 
-/// One row of the table in docs/cam/errors.md.
+/// Returns the row of the error in the table of docs/cam/errors.md.
 std::string row(const ControllerError& error);
 
 }  // namespace jounce

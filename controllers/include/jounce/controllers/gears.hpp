@@ -5,37 +5,39 @@
 
 #include "jounce/gear/clutch.hpp"
 
-/// The gear mode of a Googol iDEABOX Pro in its own words: pulses of the master and the slave. Manual
-/// 7.5, I-31, I-111, I-140, I-141.
+/// The gear mode of a Googol iDEABOX Pro, with the names of its manual (7.5, I-31, I-111, I-140,
+/// I-141). Positions of master and slave are in pulses.
 ///
 ///     const Clutch clutch = googol::set_gear_ratio(Gear::ratio(0, 1), {2, 1, 100000});     // example 7-5
 namespace jounce::googol {
 
-/// GT_SetGearRatio: slave speed = master speed * slaveEven / masterEven.
+/// Parameters of GT_SetGearRatio: slave speed = master speed * slaveEven / masterEven.
 struct GearRatio {
-  std::int64_t master_even = 1;  ///< masterEven, > 0
-  std::int64_t slave_even = 1;   ///< slaveEven, of either sign
-  std::int64_t master_slope =
-      0;  ///< masterSlope: the master's way through the clutch; not 1, not negative
+  std::int64_t master_even = 1;   ///< masterEven, > 0
+  std::int64_t slave_even = 1;    ///< slaveEven, any sign
+  std::int64_t master_slope = 0;  ///< masterSlope: master travel of the clutch, pulses, >= 0, not 1
 };
 
-/// Throws InputError "masterEven", "masterSlope" for a value that the manual excludes.
+/// Returns the gear. Throws InputError with the key "masterEven" or "masterSlope" for a value that
+/// the manual excludes.
 Gear gear(const GearRatio& ratio);
 
-/// Changes the ratio from `from` (0: GT_GearStart) to `ratio`, over masterSlope. The law inside the
-/// clutch is not in the manual: linear, see Clutch.
+/// Returns the change of the ratio from `from` (0: after GT_GearStart) to `ratio`, over the master
+/// travel masterSlope. The manual does not define the law of the clutch; Clutch is linear.
 Clutch set_gear_ratio(const Gear& from, const GearRatio& ratio);
 
-/// GT_PrfGear: dir 0 both, 1 positive, -1 negative. Throws InputError "dir".
+/// Returns the direction of GT_PrfGear: dir 0: both, 1: positive, -1: negative. Throws InputError
+/// with the key "dir" for another value.
 DirectionMask prf_gear(int dir);
 
 }  // namespace jounce::googol
 
-/// The gear of an Agito controller (PCSuite manual 4.8).
+/// The gear of an Agito controller (PCSuite IDE manual 4.8).
 namespace jounce::agito {
 
-/// MasterFact: 65536 is 1 : 1, and 131072 and 196608 are 2 and 3. Any whole number, even a negative
-/// one. Without a clutch: stop, set it, begin.
+/// Returns the gear of MasterFact: 65536 is 1 : 1, 131072 is 2 : 1. Any whole number is permitted,
+/// even a negative one. There is no clutch: a program stops the axis, sets MasterFact, and begins
+/// again.
 Gear gear(std::int64_t master_fact);
 
 }  // namespace jounce::agito

@@ -9,38 +9,39 @@
 #include "jounce/base/hash.hpp"
 #include "jounce/pvt/reduce.hpp"
 
-/// Target of a table, in the terms of specs and of the command line.
+/// The tables of controllers, with their capacity, as targets for reduced().
 ///
 ///     Target target = target_of(*controller_table("googol_follow"), {"pulse", "pulse"});
 ///     target.tolerance = 0.5;
 ///     Sampled table = reduced(cam, target);
 namespace jounce {
 
-/// Capacity of a controller, from its manual.
+/// Capacity of a controller for tables, from its manual.
 struct ControllerTable {
-  const char* name;
-  Domain axis;
-  Interpolation rule;
-  std::size_t most;  ///< knots, including the first one of the table
-  const char*
-      step;  ///< the unit whose whole numbers the first column takes; "" if it takes any number
-  bool quadratic = false;  ///< pieces of linear velocity (Target::quadratic)
+  const char* name;    ///< name in specs and on the command line: "googol_pt"
+  Domain axis;         ///< variable of the table: time or master position
+  Interpolation rule;  ///< interpolation between the knots
+  std::size_t most;    ///< greatest number of knots, including the first one
+  const char* step;    ///< unit of which the first column has whole numbers: "ms"; "": any numbers
+  bool quadratic = false;  ///< true if the velocity is linear between knots (Target::quadratic)
 };
 
-/// googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (NORMAL segments), hmpl_pvt, sew.
+/// Returns all of them: googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (segments of
+/// the type NORMAL), hmpl_pvt, sew.
 std::span<const ControllerTable> controller_tables();
 
-/// The table of this name; null if there is none.
+/// Returns the table with this name; null if there is none.
 const ControllerTable* controller_table(const std::string& name);
 
-/// Its target in these units. `x_step`, in units.x: the size of one unit of the controller, such as
-/// 0.01 deg for a pulse. Throws InputError "controller" if the controller's unit does not convert
-/// into units.x and there is no x_step; the rule asks for it by the name `key`.
+/// Returns the target for reduced() in these units. `x_step`: size of one unit of the controller in
+/// units.x, such as 0.01 deg for a pulse. Throws InputError "controller" if x_step is missing and
+/// the controller's unit does not convert into units.x; the rule of the error asks for x_step by
+/// the name `key`.
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step = {}, const std::string& key = "x_step");
 
-/// Name of a member of Target in a spec, by its name in reduce.hpp: over the master, velocities are
-/// "geo_velocity..."; x_step is "time_resolution" or "master_resolution".
+/// Returns the key in a spec for a member of Target. For a cam, velocities are "geo_velocity...";
+/// x_step is "time_resolution" or "master_resolution".
 std::string spec_key(Domain axis, const std::string& member);
 
 }  // namespace jounce

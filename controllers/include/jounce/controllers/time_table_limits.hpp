@@ -7,36 +7,40 @@
 
 #include "jounce/pvt/pt.hpp"
 
-/// Limits of the controllers for time tables. Each throws InputError that names the point and the
-/// controller's error, if it has one.
+/// Limits of the controllers for tables over time. Each function throws InputError that names the
+/// point and, if the controller has one, its error number.
 
 namespace jounce::googol {
 
-inline constexpr std::size_t pt_fifo = 1024;  ///< segments in a FIFO, memory 1 (32 with memory 0)
+inline constexpr std::size_t pt_fifo = 1024;  ///< segments of a FIFO with memory 1; memory 0: 32
 
-inline constexpr double largest_long = 2147483647;  ///< largest long of 32 bits on the controller
+/// Greatest value of a `long` (32 bits) of the controller.
+inline constexpr double largest_long = 2147483647;
 
-/// Times are a `long` of ms (GT_PtData, manual 7.4): whole numbers up to largest_long. A table that is
-/// played more than once (loops other than 1) must fit in one static FIFO.
+/// Checks points against GT_PtData (manual 7.4), whose times are a `long`: whole numbers of ms up
+/// to largest_long. A table that is played more than once (`loops` other than 1) must fit into one
+/// static FIFO.
 void require_pt(std::span<const PtPoint> points, std::size_t loops = 1);
 
-inline constexpr std::size_t follow_fifo =
-    512;  ///< segments of a follow table, memory 1 (16 with 0)
+/// Segments of a follow FIFO with memory 1; memory 0: 16.
+inline constexpr std::size_t follow_fifo = 512;
 
-/// The rule that a master position of a follow table breaks: GT_FollowData (7.6) takes a `long` of
-/// whole pulses. "" if it breaks none.
+/// Returns the rule that a master position of a follow table breaks, or "". GT_FollowData (manual
+/// 7.6) takes a `long`: whole pulses.
 std::string broken_follow_rule(double master);
 
 }  // namespace jounce::googol
 
 namespace jounce::himc {
 
-inline constexpr std::size_t pvt_points = 50;
+inline constexpr std::size_t pvt_points = 50;  ///< greatest number of points of MovePVT
 
-/// MovePVT (HMPL manual 5.2.8): at most 50 points, times from 0 and ascending (error 0x83aa08b6).
+/// Checks the times of MovePVT (HMPL manual 5.2.8): at most 50 points; times begin at 0 and ascend
+/// (error 0x83aa08b6).
 void require_pvt(std::span<const double> times);
 
-/// The error by which MovePVT refuses a table that breaks a limit of the axis; "" for other quantities.
+/// Returns the error number with which MovePVT rejects a table that exceeds a limit of the axis:
+/// "0x83aa08a2" for the quantity "velocity", "0x83aa08ac" for "acceleration", "" for any other.
 const char* pvt_limit_error(const std::string& quantity);
 
 }  // namespace jounce::himc

@@ -6,14 +6,15 @@
 
 namespace jounce {
 
-/// CiA 402 (IEC 61800-7-201 and -301), cyclic synchronous position, as functions of process data:
-/// the part of a bus adapter between an axis and its drive. It is independent of the bus.
+/// CiA 402 (IEC 61800-7-201 and -301) in the mode cyclic synchronous position, as functions of
+/// process data. This is the part of a bus adapter between an axis and its drive; it does not
+/// depend on the bus.
 ///
 ///     const Cia402Status s = status_of(inputs.statusword);
 ///     outputs.controlword = controlword(s.state, {.operate = true});     // one step nearer
 ///     outputs.target_position = *counts.of(position);                    // 0x607A
 
-/// The states of the drive's state machine.
+/// The states of the drive's state machine (CiA 402).
 enum class Cia402State : std::uint8_t {
   not_ready_to_switch_on,
   switch_on_disabled,
@@ -24,74 +25,75 @@ enum class Cia402State : std::uint8_t {
   fault_reaction_active,
   fault,
 };
-inline constexpr int cia402_states = 8;
+inline constexpr int cia402_states = 8;  ///< number of states
 
-/// "operation enabled", ...
+/// Returns the name of a state: "operation enabled", ...
 const char* name(Cia402State state);
 
-/// The state in the statusword, 0x6041.
+/// Content of the statusword, object 0x6041.
 struct Cia402Status {
-  Cia402State state = Cia402State::not_ready_to_switch_on;
+  Cia402State state = Cia402State::not_ready_to_switch_on;  ///< state of the drive
   bool internal_limit = false;   ///< bit 11: a limit inside the drive is active
   bool follows = false;          ///< bit 12: the drive follows the target position
-  bool following_error = false;  ///< bit 13: following error beyond the drive's own window
+  bool following_error = false;  ///< bit 13: the following error exceeds the drive's own window
 };
 
-/// Returns nullopt for bits that belong to no state.
+/// Returns the content of a statusword; nullopt if its bits belong to no state.
 std::optional<Cia402Status> status_of(std::uint16_t statusword);
-/// Returns the statusword of this state, as set by a drive with voltage and remote control.
+/// Returns the statusword with this content. Its other bits are those of a drive that has its
+/// supply voltage and permits remote control.
 std::uint16_t statusword(const Cia402Status& status);
 
-/// The request of the controller to the drive.
+/// Request of the controller to the drive.
 struct Cia402Wish {
-  bool operate = false;    ///< operation enabled; otherwise: stopped, without voltage
-  bool hold_back = false;  ///< not yet beyond switched on
-  bool reset = false;      ///< fault reset: rising edge of its bit
-  bool standing = false;   ///< it is at rest: quick stop may end
+  bool operate = false;    ///< true: to operation enabled; false: stop, then power off
+  bool hold_back = false;  ///< true: do not go beyond the state switched on yet
+  bool reset = false;      ///< true: reset the fault (rising edge of the bit)
+  bool standing = false;   ///< true if the axis is at rest: a quick stop may end
 };
 
-/// Returns the controlword, 0x6040, that leads from a state one transition nearer to the request.
-/// On the way down, an operating drive stops by its quick stop (transition 11) and loses its
-/// voltage at rest.
+/// Returns the controlword, object 0x6040, that brings the drive from this state one transition
+/// nearer to the request. To leave operation, the drive stops by its quick stop (transition 11),
+/// and its power is switched off at rest.
 std::uint16_t controlword(Cia402State state, const Cia402Wish& wish);
 
-/// Events inside a drive.
+/// Events inside a drive. Numbers are the transitions of CiA 402.
 struct Cia402Events {
-  bool initialised = false;    ///< self-test passed (transition 1)
-  bool fault = false;          ///< (13)
-  bool reaction_done = false;  ///< (14)
-  bool stopped = false;        ///< a quick stop has come to rest (12)
+  bool initialised = false;    ///< the self-test has passed (1)
+  bool fault = false;          ///< a fault has occurred (13)
+  bool reaction_done = false;  ///< the reaction to the fault is complete (14)
+  bool stopped = false;        ///< the quick stop has come to rest (12)
 };
 
-/// The drive's side: returns the state after one controlword; `before` is the previous one.
-/// Transitions 0 to 15 of the standard; it omits 16, from quick stop back to operation, as the
-/// standard recommends.
+/// The state machine on the side of the drive: returns the state after a controlword. `before`: the
+/// previous controlword. It makes the transitions 0 to 15 of the standard. It omits transition 16,
+/// from quick stop back to operation, as the standard recommends.
 Cia402State next(Cia402State state, std::uint16_t controlword, std::uint16_t before,
                  const Cia402Events& events);
 
-/// Conversion between positions in u and a drive's increments, which are integers and wrap at 32
-/// bits.
+/// Converts between positions in u, the unit of the axis, and the increments of a drive, which are
+/// integers and wrap at 32 bits.
 class Increments {
  public:
-  /// `per_rev` increments and `position_per_rev` u make a turn; `reversed`: the drive counts in the
-  /// opposite direction. Throws InputError unless both are > 0 and `per_rev` is an integer below
-  /// 2^31.
+  /// One turn has `per_rev` increments and `position_per_rev` u. `reversed`: the drive counts in
+  /// the opposite direction. Throws InputError unless both are > 0 and `per_rev` is an integer
+  /// below 2^31.
   Increments(double per_rev, double position_per_rev, bool reversed = false);
 
-  /// Returns the nearest integer number of increments, ties away from 0: rounded once, from the
-  /// exact quotient of the two numbers. Returns nullopt if it is beyond 2^52, or if the position is
+  /// Returns the nearest integer number of increments, with ties away from 0. It is rounded once,
+  /// from the exact quotient. Returns nullopt if the number exceeds 2^52, or if the position is
   /// NaN.
   [[nodiscard]] std::optional<std::int64_t> of(double position) const noexcept;
-  /// Position in u.
+  /// Returns the position of this number of increments, u.
   [[nodiscard]] double position(double increments) const noexcept {
     return increments * position_per_rev_ / per_rev_;
   }
 
-  /// The value of 0x607A: the low 32 bits.
+  /// Returns the value of object 0x607A: the low 32 bits.
   static std::int32_t wrapped(std::int64_t increments) noexcept {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(increments));
   }
-  /// Returns the integer nearest to `near` with these low 32 bits.
+  /// Returns the integer nearest to `near` that has these low 32 bits.
   static std::int64_t unwrapped(std::int32_t low, std::int64_t near) noexcept;
 
  private:

@@ -8,14 +8,14 @@
 
 namespace jounce {
 
-/// Process data from the executor to a drive, of one cycle.
+/// Process data of one cycle from the executor to a drive.
 struct Cia402Outputs {
   std::uint16_t controlword = 0;     ///< 0x6040
-  std::int8_t mode = 8;              ///< 0x6060: cyclic synchronous position
+  std::int8_t mode = 8;              ///< 0x6060; 8: cyclic synchronous position
   std::int32_t target_position = 0;  ///< 0x607A, increments
 };
 
-/// Process data from the drive to the executor.
+/// Process data of one cycle from a drive to the executor.
 struct Cia402Inputs {
   std::uint16_t statusword = 0;      ///< 0x6041
   std::int8_t mode = 0;              ///< 0x6061
@@ -24,39 +24,44 @@ struct Cia402Inputs {
   std::int16_t torque_actual = 0;    ///< 0x6077, 1/1000 of the rated torque
 };
 
+/// Scaling of a drive and its window for the transition to operation.
 struct Cia402Config {
-  double increments_per_rev = 0;  ///< integer, > 0
-  double position_per_rev = 0;    ///< u/rev, > 0
-  bool reversed = false;          ///< the drive counts opposite to the axis
-  /// u, >= 0: a drive does not switch to operation while its setpoint is further than this from its
-  /// position; 0: a hundredth of a turn.
+  double increments_per_rev = 0;  ///< increments in one turn of the motor, an integer > 0
+  double position_per_rev = 0;    ///< travel of the axis in one turn of the motor, u, > 0
+  bool reversed = false;          ///< true if the drive counts in the opposite direction
+  /// Window around the drive's position, u, >= 0: the drive does not go to operation enabled while
+  /// its setpoint is outside. 0: a hundredth of a turn.
   double window = 0;
 };
 
-/// Connects an axis with a drive in cyclic synchronous position, as process data: a bus adapter
-/// only transmits these.
+/// Connects an axis to a drive in the mode cyclic synchronous position, as process data. A bus
+/// adapter only has to transmit these data.
 ///
 ///     Cia402Axis axis({.increments_per_rev = 131072, .position_per_rev = 10});
 ///     feedback = axis.feedback(inputs);                  // first
 ///     outputs = axis.command(setpoint, inputs);          // of the same cycle
 ///
-/// The drive moves up and down through its states by one transition a cycle (controlword()). Until
-/// it is in operation, its target is its present position, so that nothing jumps at the transition;
-/// it waits in switched on while the setpoint is beyond the window. A setpoint that is NaN, or
-/// beyond the range of increments, leaves the target unchanged.
+/// **States.** In each cycle, the drive makes at most one transition towards the request
+/// (controlword()). Until it is in operation, its target is its present position, so that nothing
+/// jumps at the transition. It waits in the state switched on while the setpoint is outside the
+/// window. If the setpoint is NaN, or exceeds the range of increments, the target stays unchanged.
 ///
-/// ready: operation enabled, in mode 8, target followed (bit 12). fault: fault, or its reaction. A
-/// reset holds bit 7 until the drive has left its fault, for at most `reset_cycles`.
+/// **Feedback.** `ready`: the drive is in operation enabled, in mode 8, and follows the target (bit
+/// 12). `fault`: the drive is in a fault or in the reaction to it. The position is the drive's
+/// counter, extended beyond 32 bits from its first value on.
 ///
-/// The position is that of the drive's counter, unwrapped from its first value.
+/// **Reset.** A reset keeps bit 7 set until the drive has left its fault, for at most
+/// `reset_cycles` cycles.
 class Cia402Axis {
  public:
-  static constexpr int reset_cycles = 100;
+  static constexpr int reset_cycles = 100;  ///< greatest duration of a reset, cycles
 
-  /// Throws InputError like Increments, and for a bad window.
+  /// Throws InputError like Increments, and for an invalid window.
   explicit Cia402Axis(const Cia402Config& config);
 
+  /// Returns the feedback of this cycle from the inputs. Call it before command().
   [[nodiscard]] Feedback feedback(const Cia402Inputs& inputs) noexcept;
+  /// Returns the outputs of this cycle for a setpoint.
   [[nodiscard]] Cia402Outputs command(const DriveSetpoint& setpoint,
                                       const Cia402Inputs& inputs) noexcept;
 

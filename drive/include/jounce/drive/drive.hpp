@@ -8,34 +8,37 @@
 
 namespace jounce {
 
-/// The request of an axis to its drive in one cycle.
+/// The request of an axis to its drive in one cycle. Unit u: the unit of the axis.
 struct DriveSetpoint {
-  std::int64_t tick = 0;
+  std::int64_t tick = 0;    ///< number of the tick
   double time = 0;          ///< time of the tick, s
-  double position = 0;      ///< commanded, u, in the drive's coordinate
-  double velocity = 0;      ///< u/s: for a feed-forward
-  double acceleration = 0;  ///< u/s^2: for a feed-forward
-  bool enable = false;      ///< request to follow; false: stop by its own means and disable
-  bool reset = false;       ///< request to clear its fault; one tick long
+  double position = 0;      ///< commanded position, u, in the coordinate of the drive
+  double velocity = 0;      ///< commanded velocity, u/s, for a feed-forward
+  double acceleration = 0;  ///< commanded acceleration, u/s^2, for a feed-forward
+  /// True: follow the setpoints; false: stop by the drive's own means, then disable.
+  bool enable = false;
+  bool reset = false;  ///< true for one tick: clear the fault
 };
 
-/// Returns the request of a tick to the drive; `command` is the accepted command. A new coordinate
-/// of the axis (set position, home) does not affect the drive: Tick::offset is subtracted.
+/// Returns the request of a tick to the drive. `command`: the command of the tick, which was
+/// accepted. A new coordinate of the axis (set_position, home) does not affect the drive, because
+/// Tick::offset is subtracted from the position.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
-/// The drive of an axis: a servo drive on a bus, a simulated one, or none. In each cycle the
-/// machine reads it first, then steps the axis, then writes it:
+/// The drive of an axis: a servo drive on a bus, a simulated one, or none. In each cycle, the
+/// machine reads the drive, steps the axis, and writes to the drive:
 ///
 ///     inputs.feedback = drive.feedback();
 ///     const Tick tick = axis.step(k, command, inputs);
 ///     drive.command(drive_setpoint(tick, command));
 ///
-/// feedback() in cycle k + 1 is therefore the answer to the setpoint of cycle k: a drive without
-/// any error then has that position. Units are those of the axis, positions those of the drive: the
-/// axis's minus Tick::offset.
+/// The feedback in cycle k + 1 is therefore the answer to the setpoint of cycle k: a drive without
+/// any error then has that position. Units are those of the axis. Positions are in the coordinate
+/// of the drive: position of the axis minus Tick::offset.
 ///
-/// The cyclic thread calls both: they do not allocate, free, lock, log, throw or wait. A bus driver
-/// only accesses memory here, and the bus in another thread: docs/executor/drives.md.
+/// The cyclic thread calls both functions. They do not allocate, free, lock, log, throw or wait. A
+/// bus driver only accesses memory here, and transfers the data over the bus in another thread
+/// (docs/executor/drives.md).
 class AxisDrive {
  public:
   AxisDrive() = default;
@@ -43,15 +46,17 @@ class AxisDrive {
   AxisDrive(const AxisDrive&) = delete;
   AxisDrive& operator=(const AxisDrive&) = delete;
 
+  /// Receives the setpoint of this cycle.
   virtual void command(const DriveSetpoint& setpoint) noexcept = 0;
+  /// Returns the feedback of this cycle.
   [[nodiscard]] virtual Feedback feedback() noexcept = 0;
 };
 
-/// No drive: it reaches the setpoint exactly, by the next cycle. Always ready, never in a fault; it
-/// reports no torque.
+/// A drive without error: it reaches each setpoint exactly by the next cycle. It is always ready,
+/// never in a fault, and reports no torque.
 class NullDrive final : public AxisDrive {
  public:
-  /// Starts at `position`, u.
+  /// `position`: initial position, u.
   explicit NullDrive(double position = 0) : position_(position) {}
 
   void command(const DriveSetpoint& setpoint) noexcept override;

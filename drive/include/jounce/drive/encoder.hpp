@@ -9,14 +9,17 @@
 
 namespace jounce {
 
-/// Errors of a simulated encoder.
+/// Errors of a simulated encoder. Unit u: the unit of the position.
 struct EncoderErrors {
-  double resolution = 0;   ///< u per count; it rounds down to a count; 0: no rounding
-  double noise = 0;        ///< u rms, white and normal, before rounding; 0: none
+  /// Size of one count, u; positions are rounded down to a count; 0: not rounded.
+  double resolution = 0;
+  /// Standard deviation of white normal noise, u, added before rounding; 0: none.
+  double noise = 0;
   std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// A position as an encoder reports it: adds noise, then rounds to counts. Reproducible for a seed.
+/// A simulated encoder: adds noise to a position, then rounds it down to counts. The same seed
+/// gives the same noise.
 ///
 ///     EncoderReading line({.resolution = 0.05, .noise = 0.01});
 ///     const double measured = line(actual);                     // each cycle
@@ -24,7 +27,7 @@ class EncoderReading {
  public:
   /// Throws InputError for a magnitude that is negative or not finite.
   explicit EncoderReading(const EncoderErrors& errors = {});
-  /// NaN stays NaN.
+  /// Returns the reading for a position, u. NaN stays NaN.
   double operator()(double position) noexcept;
 
  private:
@@ -34,19 +37,21 @@ class EncoderReading {
   std::uint64_t state_;
 };
 
-/// A drive whose actual position has another reader: the cycle reads it once, and both get the same
-/// value.
+/// Makes the actual position of a drive available to another reader, such as an axis that follows
+/// it. The cycle reads the drive once, and both get the same value.
 ///
 ///     auto observed = std::make_shared<ObservedDrive>(drive);   // the drive of the axis
 ///     observed->position();                                     // after feedback() in this cycle
 class ObservedDrive final : public AxisDrive {
  public:
+  /// `drive`: the drive that is read and commanded.
   explicit ObservedDrive(std::shared_ptr<AxisDrive> drive) : drive_(std::move(drive)) {}
 
   void command(const DriveSetpoint& setpoint) noexcept override { drive_->command(setpoint); }
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// u, in the drive's coordinate; NaN: not available, or failed.
+  /// Actual position of the last feedback(), u, in the coordinate of the drive; NaN: not available,
+  /// or the drive has failed.
   [[nodiscard]] double position() const noexcept { return position_; }
 
  private:
@@ -54,7 +59,7 @@ class ObservedDrive final : public AxisDrive {
   double position_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Actual position of a drive; NaN: not available, or the drive has failed.
+/// Returns the actual position in a feedback; NaN: not available, or the drive has failed.
 double told_position(const Feedback& feedback);
 
 }  // namespace jounce

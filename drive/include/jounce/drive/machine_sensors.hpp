@@ -10,14 +10,15 @@
 
 namespace jounce {
 
-/// A switch, cycle by cycle.
+/// A switch of a simulated machine, cycle by cycle. Unit u: the unit of the axis.
 class SimulatedSwitch {
  public:
-  /// Throws InputError("position", "width" or "bounce").
+  /// Throws InputError with the key "position", "width" or "bounce" for an invalid value.
   explicit SimulatedSwitch(const MachineSwitch& spec);
 
-  /// One cycle of a straight motion from one position to another, u, within dt s. The edge is the
-  /// exact position of the first one on the way; a bounce is latched at the end of its cycle.
+  /// Computes one cycle of `dt` s, in which the machine moves linearly between two positions, u.
+  /// The edge is the exact position of the first change; a change by a bounce is latched at the end
+  /// of its cycle.
   Sensor step(double from, double to, double dt) noexcept;
 
  private:
@@ -28,20 +29,21 @@ class SimulatedSwitch {
   bool flipped_ = false;  // inverted by a bounce
 };
 
-/// The first index on the way from one position to another, u; NaN: none.
+/// Returns the position of the first index between two positions, u; NaN if there is none.
 double index_between(const MachineIndex& index, double from, double to) noexcept;
 
-/// A drive on a machine with switches and an index, which it reports like a real one: levels, and
-/// the positions of its encoder latched at their edges.
+/// A drive on a simulated machine with switches and an index. It reports them as a real drive does:
+/// their states, and the positions of the encoder latched at their edges.
 ///
 ///     DriveOnMachine drive(servo, {.home = MachineSwitch{.position = 0, .width = 12}}, 0.001);
 ///     drive.feedback().sensors.home.on;
 ///
-/// The switches see the position of the motor, and the encoder latches without delay or rounding.
+/// The switches respond to the position of the motor. The encoder latches without delay or
+/// rounding.
 class DriveOnMachine final : public AxisDrive {
  public:
-  /// `period`: of the cycle, s. Throws InputError with the key of [drive]:
-  /// "machine.home_switch.width", ...
+  /// `drive`: the drive of the axis. `period`: duration of the cycle, s. Throws InputError with the
+  /// key of [drive] for an invalid value: "machine.home_switch.width", ...
   DriveOnMachine(std::shared_ptr<AxisDrive> drive, const MachineSensorsSpec& spec, double period);
 
   void command(const DriveSetpoint& setpoint) noexcept override { drive_->command(setpoint); }

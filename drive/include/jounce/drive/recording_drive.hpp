@@ -8,25 +8,27 @@
 
 namespace jounce {
 
-/// Keeps the last setpoints for a drive, and passes them on:
+/// Records the last setpoints for a drive, and passes them on to the drive:
 ///
 ///     NullDrive drive;
 ///     RecordingDrive recording(drive, 2000);
 ///     ...
 ///     for (std::size_t i = 0; i < recording.size(); ++i) look_at(recording[i]);   // oldest first
 ///
-/// The constructor allocates all memory. Read it when the cycle does not run.
+/// The constructor allocates all memory. Read the record only when the cycle does not run.
 class RecordingDrive final : public AxisDrive {
  public:
-  /// `behind` must outlive it. Throws InputError for a capacity of 0.
+  /// `behind`: the drive, which must outlive this object. `capacity`: number of setpoints that are
+  /// kept. Throws InputError for a capacity of 0.
   RecordingDrive(AxisDrive& behind, std::size_t capacity);
 
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override { return behind_.feedback(); }
 
+  /// Number of setpoints that are kept.
   [[nodiscard]] std::size_t size() const { return count_ < kept_.size() ? count_ : kept_.size(); }
-  [[nodiscard]] std::size_t count() const { return count_; }  ///< count of all setpoints
-  /// 0 <= i < size(), the oldest first.
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< number of all setpoints so far
+  /// Returns a recorded setpoint: i = 0 is the oldest, i = size() - 1 the newest.
   [[nodiscard]] const DriveSetpoint& operator[](std::size_t i) const {
     return kept_[(count_ - size() + i) % kept_.size()];
   }

@@ -11,23 +11,24 @@
 
 namespace jounce {
 
-/// The newest value from one writer to readers. Neither side waits for the other, even between two
-/// processes: it may be in shared memory, where all zeros is a valid state with a value of zeros.
+/// Passes the newest value from one writer to readers. Neither side waits for the other. It works
+/// in memory that two processes share; memory of zeros is a valid state with a value of zeros.
 ///
 ///     lock.write(outputs);                     // the writer
 ///     if (auto now = lock.read()) use(*now);   // nullopt: a write was in progress each time
 ///
-/// After H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC
-/// 2012): the value is in atomics, whose memory order replaces fences: a reader that has seen a
-/// word of the next value also sees its odd number.
+/// Source: H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC
+/// 2012). The value is stored in atomics, and their memory order replaces fences: if a reader has
+/// read a word of the next value, it also reads the odd sequence number of the write in progress.
 template <class T>
 class Seqlock {
   static_assert(std::is_trivially_copyable_v<T>);
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
  public:
-  static constexpr int tries = 16;
+  static constexpr int tries = 16;  ///< attempts of a read
 
+  /// Stores the value; called by one thread only.
   void write(const T& value) noexcept {
     Words words{};
     std::memcpy(words.data(), &value, sizeof value);
@@ -38,6 +39,7 @@ class Seqlock {
     sequence_.store(sequence + 2, std::memory_order_release);
   }
 
+  /// Returns the newest value; nullopt if a write was in progress at each attempt.
   [[nodiscard]] std::optional<T> read() const noexcept {
     for (int i = 0; i < tries; ++i) {
       const std::uint64_t before = sequence_.load(std::memory_order_acquire);

@@ -10,33 +10,36 @@
 
 namespace jounce {
 
-/// Content of the shared memory `/dev/shm/NAME` between an executor and a process that simulates a
-/// drive, or communicates with one. Each side writes its own half as a whole, with a count of its
-/// cycles.
+/// Content of the shared memory `/dev/shm/NAME` between an executor and another process, which
+/// simulates a drive or communicates with a real one. Each side writes its own half as a whole,
+/// together with the number of its cycle.
 struct SharedProcessData {
   static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
 
+  /// Data with the number of the cycle in which they were written.
   template <class T>
   struct Counted {
-    std::uint64_t cycle = 0;  ///< cycle of the writing side; 0: not written yet
-    T data{};
+    std::uint64_t cycle = 0;  ///< cycle of the writer; 0: not written yet
+    T data{};                 ///< the data
   };
 
-  std::atomic<std::uint64_t> magic;  ///< written last by the executor
-  Seqlock<Counted<Cia402Outputs>> outputs;
-  Seqlock<Counted<Cia402Inputs>> inputs;
+  std::atomic<std::uint64_t> magic;         ///< magic_number; the executor writes it last
+  Seqlock<Counted<Cia402Outputs>> outputs;  ///< written by the executor
+  Seqlock<Counted<Cia402Inputs>> inputs;    ///< written by the process of the drive
 };
 
-/// A mapping of the shared memory, for either side.
+/// A mapping of the shared memory, for the executor or for the process of the drive.
 class SharedMemory {
  public:
   enum class Side {
-    executor,  ///< creates it, or takes over that of an ended executor; removes it at the end
-    drive,     ///< opens the memory of an executor
+    /// Creates the memory, or takes over that of an ended executor; removes it at the end.
+    executor,
+    drive,  ///< opens the memory that an executor has created
   };
   /// `name`: 1 to 64 characters, each a letter A-Z a-z, a digit, `_` or `-`. Throws InputError for
-  /// a bad name, or one in use by another executor (which holds a lock on it); std::system_error if
-  /// the system rejects it, or if no executor has created it yet.
+  /// an invalid name, and for one that another running executor uses (it holds a lock). Throws
+  /// std::system_error if the system reports an error, or if no executor has created the memory
+  /// yet.
   SharedMemory(const std::string& name, Side side);
   ~SharedMemory();
   SharedMemory(const SharedMemory&) = delete;
@@ -52,17 +55,17 @@ class SharedMemory {
   SharedProcessData* data_ = nullptr;
 };
 
-/// A CiA 402 drive behind shared memory: an example of an adapter. `examples/drive-shm` is the
-/// other side. An adapter for a field bus has the same structure, with its process image instead of
-/// the memory.
+/// A CiA 402 drive behind shared memory, as an example of an adapter. `examples/drive-shm` is the
+/// other side. An adapter for a field bus has the same structure, with the process image of the bus
+/// in place of the shared memory.
 ///
 ///     SharedDrive drive("feeder", {.increments_per_rev = 131072, .position_per_rev = 10});
 ///
-/// If the process writes nothing for `silent_cycles` calls of feedback(), the drive has a fault.
-/// Before its first write, the drive is not ready.
+/// Before the first write of the process, the drive is not ready. If the process writes nothing
+/// during `silent_cycles` calls of feedback(), the drive reports a fault.
 class SharedDrive final : public AxisDrive {
  public:
-  /// Throws like SharedMemory and Cia402Axis; silent_cycles >= 1.
+  /// `name`: see SharedMemory. `silent_cycles`: >= 1. Throws like SharedMemory and Cia402Axis.
   SharedDrive(const std::string& name, const Cia402Config& config, int silent_cycles = 50);
 
   void command(const DriveSetpoint& setpoint) noexcept override;

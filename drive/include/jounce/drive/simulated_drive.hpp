@@ -6,28 +6,30 @@
 
 namespace jounce {
 
-/// A servo axis of the validate module as the drive of an axis: actual position, velocity and
-/// torque of the model, including its following error and its torque limit.
+/// A drive model of the module validate as the drive of an axis. It reports the position, velocity
+/// and torque of the model, with its following error and its torque limit.
 ///
 ///     SimulatedDrive drive(servo_400w(), 0.001, config.position);
 ///     drive.command(drive_setpoint(tick, command));
 ///     drive.feedback().torque;                         // share of the rated torque
 ///
-/// It follows setpoints from the cycle of its enable on. While it is not enabled, a brake holds it
-/// at once at its position: it is then not ready, and has no torque. The torque is relative to the
-/// rated torque of the motor, or to its limit if the model has no rated torque. It never reports a
-/// fault: the axis supervises the following error.
+/// It follows setpoints from the cycle in which it is enabled. While it is disabled, a brake holds
+/// it at its position at once; it is then not ready, and its torque is 0. The torque is relative to
+/// the rated torque of the motor, or to the torque limit if the model has no rated torque. The
+/// drive never reports a fault, because the axis supervises the following error.
 ///
-/// It bridges missing setpoints like DriveStepper, up to 1000 cycles.
+/// If setpoints are missing, it interpolates like DriveStepper, over at most 1000 cycles.
 class SimulatedDrive final : public AxisDrive {
  public:
-  /// `period` of the axis, s; it starts at `position`, u. Throws InputError like DriveStepper.
+  /// `period`: duration of a cycle of the axis, s. `position`: initial position, u (the unit of the
+  /// axis). Throws InputError like DriveStepper.
   SimulatedDrive(const Drive& drive, double period, double position = 0);
 
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// All signals of the model, for a plot; its time counts from the enable.
+  /// All signals of the model, for a plot. Their time counts from the cycle in which it was
+  /// enabled.
   [[nodiscard]] const DriveSample& now() const noexcept { return stepper_.now(); }
 
  private:

@@ -21,38 +21,45 @@
 
 namespace jounce {
 
-/// Connects one axis with the stream: takes its requests, returns its answers, keeps its jobs,
-/// writes its log and reports its status. If the log fails, the log ends, and the motion continues.
+/// The part of the communication thread that serves one axis. It passes requests of the stream to
+/// the axis and returns the answers, keeps the movements of the axis, writes its tick log and
+/// reports its status. If the log cannot be written, the log ends and the motion continues.
 ///
-/// The arm of a later session resets a latched fault: the owner at the time of the fault cannot
-/// simply continue.
+/// A latched fault is reset when a later session arms a motion. The session that owned the axis at
+/// the time of the fault must reset it by a command.
 class AxisServer {
  public:
-  /// All references must outlive it. Throws InputError, and std::system_error for the log.
+  /// All references must outlive the server. `axis`: index of the axis in the machine. Throws
+  /// InputError for invalid options, and std::system_error if the log cannot be created.
   AxisServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
              std::size_t axis, Worker& worker);
 
-  /// One iteration: handles requests from the receiver, answers of the axis, and its ticks.
+  /// One iteration: handles the requests from the receiver, the answers of the axis, and its ticks.
   void turn();
 
-  /// Stops the axis, like an operator's stop, and rejects every later arm.
+  /// Stops the axis, as a stop by an operator does, and rejects every later arm.
   void retire();
 
   /// Handles all remaining items, and closes the log.
   void close();
 
+  /// The newest tick of the axis.
   [[nodiscard]] const Tick& last() const { return last_; }
+  /// True if the axis moves, or will move later without a further command (in_motion()).
   [[nodiscard]] bool moving() const { return in_motion(last_); }
-  /// True if it is at rest, and no command in transit could change that.
+  /// True if the axis is at rest and no command is in transit.
   [[nodiscard]] bool settled() const { return !moving() && !busy(); }
-  /// True if a command is in transit: its answer comes with one of the next cycles.
+  /// True if a command is in transit: its answer arrives after one of the next cycles.
   [[nodiscard]] bool busy() const { return !commands_.idle(); }
+  /// True if a session owns the axis.
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
-  /// True if the log ended before the run.
+  /// True if the log ended before the run, because it could not be written.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
+  /// The options of the axis.
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
+  /// The status message of the axis.
   [[nodiscard]] wire::Status status() const;
-  /// Changes of the outputs since the last call.
+  /// Returns the output changes since the last call.
   [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
  private:

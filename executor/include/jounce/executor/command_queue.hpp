@@ -12,38 +12,42 @@
 
 namespace jounce {
 
-/// The commands in transit to one axis, which takes one a tick, and the requests that wait for its
-/// answers.
+/// The commands in transit from the communication thread to one axis, which executes one in each
+/// tick, and the requests that wait for the answers of the axis.
 class CommandQueue {
  public:
-  /// Sender of a command.
+  /// The request of a client to which a command belongs.
   struct Request {
-    std::int64_t session = 0;
-    std::int32_t command = 0;
-    CommandKind kind = CommandKind::none;
+    std::int64_t session = 0;              ///< session of the client
+    std::int32_t command = 0;              ///< number of the request in its session
+    CommandKind kind = CommandKind::none;  ///< kind of the command
   };
-  /// Answer of the axis, with the request that waits for it, if any.
+  /// An answer of the axis, with the request that waits for it; nullopt: no request waits.
   struct Reply : Answer {
-    std::optional<Request> request = {};
+    std::optional<Request> request = {};  ///< the request that waits
   };
 
+  /// `axis` must outlive the queue.
   explicit CommandQueue(AxisExchange& axis) : exchange_(axis) {}
 
+  /// Sends a command for which no request waits.
   void send(Command command);
-  /// Sends a command whose request waits for the answer.
+  /// Sends a command for which a request waits.
   void send(const Command& command, const Request& request);
-  /// Cancels all commands that have not reached the axis, before a stop; but not those that end
-  /// more than a stop does. Returns the movements that will not begin.
+  /// Removes all commands that have not reached the axis, before a stop is sent. An abort and a
+  /// disable remain, since they do more than a stop. Returns the ids of the movements that will not
+  /// begin.
   [[nodiscard]] std::vector<std::uint64_t> clear();
-  /// Passes on as many commands as the axis can take.
+  /// Passes commands on, as many as the axis can take.
   void flush();
-  /// The next answer of the axis.
+  /// Returns the next answer of the axis; nullopt if there is none.
   [[nodiscard]] std::optional<Reply> take_answer();
 
+  /// True if no command waits or is in transit.
   [[nodiscard]] bool idle() const { return waiting_.empty() && under_way_ == 0; }
-  /// True if more commands wait than any streamer needs.
+  /// True if so many commands wait that further ones must be rejected.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
-  /// The kind of the last waiting command; none: no command waits.
+  /// Kind of the last waiting command; none if no command waits.
   [[nodiscard]] CommandKind last() const {
     return waiting_.empty() ? CommandKind::none : waiting_.back().kind();
   }

@@ -12,12 +12,12 @@
 
 namespace jounce {
 
-/// The command as the axis executes it; nullopt if it needs a movement (gears), or concerns a queue
-/// or the table of the axis.
+/// Returns a client's command in the form in which the axis executes it. Returns nullopt for a
+/// command that needs a movement (gears), or concerns a queue or the table of the axis.
 std::optional<AxisCommand> axis_command_of(const ClientCommand& command);
 
-/// Returns the movement of a gear command, for an axis at rest at `position`; null for other
-/// commands. Throws InputError for a spec out of range.
+/// Returns the movement of a gear command, for an axis at rest at `position`, u (unit of the axis);
+/// null for other commands. `id`: id of the movement. Throws InputError for a value out of range.
 std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id,
                                   const AxisConfig& config, double position);
 

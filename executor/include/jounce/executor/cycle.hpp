@@ -18,11 +18,13 @@
 
 namespace jounce {
 
-/// The clock of the cycle; a test provides its own. Nanoseconds since any fixed instant.
+/// The clock of the cycle. A test can provide its own.
 class Pacer {
  public:
   virtual ~Pacer() = default;
+  /// Time since a fixed instant, ns.
   [[nodiscard]] virtual std::int64_t now() = 0;
+  /// Waits until this time, ns.
   virtual void sleep_until(std::int64_t instant) = 0;
 
  protected:
@@ -31,47 +33,49 @@ class Pacer {
   Pacer& operator=(const Pacer&) = default;
 };
 
-/// CLOCK_MONOTONIC with absolute deadlines. A relative sleep would accumulate delay, and the other
-/// system clocks jump when the time is set.
+/// The system clock CLOCK_MONOTONIC, with absolute deadlines. Relative waits would accumulate
+/// delay, and other system clocks jump when the time is set.
 class MonotonicPacer final : public Pacer {
  public:
   [[nodiscard]] std::int64_t now() override;
   void sleep_until(std::int64_t instant) override;
 };
 
-/// The answer of the axis to a command, and returned movements, in one tick.
+/// Answer of an axis in one tick: the result of a command, and the movements that it returned.
 struct Answer {
-  std::uint64_t id = 0;  ///< id of the command; 0: none
-  std::optional<Refusal> refused{};
+  std::uint64_t id = 0;              ///< id of the command (Command::id); 0: no command
+  std::optional<Refusal> refused{};  ///< reason why it was rejected; nullopt: accepted
+  /// Movements that the axis no longer reads.
   decltype(Tick::handed_back) handed_back{};
 };
 
-/// The exchange between one axis in the cyclic thread and the communication thread. Ticks may be
-/// lost if no thread reads them for two thousand cycles. Answers may not: at most `most_commands`
-/// commands with a number may be unanswered.
+/// The exchange between one axis in the cyclic thread and the communication thread. If the
+/// communication thread does not read ticks for about two thousand cycles, ticks are lost. Answers
+/// are not lost, because at most `most_commands` commands with an id may be unanswered.
 struct AxisExchange {
-  static constexpr std::size_t most_commands = 8;
-  static constexpr std::size_t most_ticks = 2048;
-  Ring<Command, most_commands> commands;
-  Ring<Answer, 4 * most_commands> answers;
-  Ring<Tick, most_ticks> ticks;
-  std::atomic<std::int64_t> lost{0};   ///< ticks dropped because the ring was full
-  std::atomic<std::uint64_t> rows{0};  ///< number of the last row for its queues
+  static constexpr std::size_t most_commands = 8;  ///< commands in transit
+  static constexpr std::size_t most_ticks = 2048;  ///< ticks that are kept
+  Ring<Command, most_commands> commands;           ///< from the communication thread
+  Ring<Answer, 4 * most_commands> answers;         ///< from the cyclic thread
+  Ring<Tick, most_ticks> ticks;                    ///< from the cyclic thread
+  std::atomic<std::int64_t> lost{0};   ///< ticks that were dropped because the ring was full
+  std::atomic<std::uint64_t> rows{0};  ///< number of the last available row of the axis's queues
 };
 
-/// The state of the cycle, and the heartbeat of the communication thread.
+/// State of the cycle, and the heartbeat of the communication thread.
 struct CycleStatus {
+  /// Value of `start` before the first tick.
   static constexpr std::int64_t not_started = std::numeric_limits<std::int64_t>::min();
-  std::atomic<std::int64_t> start{not_started};  ///< ns, by the pacer's clock: time of tick 0
-  std::atomic<std::uint64_t> alive{0};  ///< heartbeat: incremented by the communication thread
-  std::atomic<std::int64_t> late{0};    ///< cycles that began a period or more after their instant
-  Histogram lateness;                   ///< lateness of wake-up: relative to the time of the tick
-  Histogram computing;                  ///< time from wake-up to the output of the setpoints
+  std::atomic<std::int64_t> start{not_started};  ///< time of tick 0 by the clock of the Pacer, ns
+  std::atomic<std::uint64_t> alive{0};  ///< heartbeat: the communication thread increments it
+  std::atomic<std::int64_t> late{0};    ///< number of cycles that began a period or more too late
+  Histogram lateness;                   ///< time from the instant of each tick to the wake-up
+  Histogram computing;                  ///< time from each wake-up to the output of the setpoints
 };
 
-/// The exchange of a whole machine between the two threads: that of each axis, the last value of
-/// each master, and the state of the cycle.
+/// The exchange of a whole machine between its two threads.
 struct MachineExchange {
+  /// Numbers of axes and of masters.
   explicit MachineExchange(std::size_t of_axes, std::size_t of_masters = 0)
       : axes(of_axes), masters(of_masters) {
     for (auto& one : axes) one = std::make_unique<AxisExchange>();
@@ -80,54 +84,58 @@ struct MachineExchange {
       one->write({});
     }
   }
-  std::vector<std::unique_ptr<AxisExchange>> axes;
-  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;
-  CycleStatus cycle;
+  std::vector<std::unique_ptr<AxisExchange>> axes;             ///< exchange of each axis
+  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;  ///< last value of each master
+  CycleStatus cycle;                                           ///< state of the cycle
 };
 
-/// Timing statistics of the cycle.
+/// Timing statistics of a cycle.
 struct CycleCounts {
-  std::int64_t ticks = 0;        ///< steps made
-  std::int64_t late = 0;         ///< steps that began a period or more after their instant
-  std::int64_t skipped = 0;      ///< tick numbers skipped because of that
-  std::int64_t latest_ns = 0;    ///< the longest delay of a step
-  std::int64_t computed_ns = 0;  ///< the longest computation of a step
-  std::int64_t lost = 0;         ///< ticks dropped because their ring was full
+  std::int64_t ticks = 0;        ///< number of steps
+  std::int64_t late = 0;         ///< steps that began a period or more too late
+  std::int64_t skipped = 0;      ///< ticks that were skipped for this reason
+  std::int64_t latest_ns = 0;    ///< greatest delay of a step, ns
+  std::int64_t computed_ns = 0;  ///< longest computation of a step, ns
+  /// Ticks that were dropped because the ring to the communication thread was full.
+  std::int64_t lost = 0;
 };
 
 class RecordBuffer;
 
-/// Parts of a cycle besides the machine; all of them must outlive the cycle.
+/// Parts of a cycle in addition to the machine. All of them must outlive the cycle.
 struct CycleOptions {
-  std::vector<AxisDrive*> drives = {};  ///< one per axis, or null; empty: none
-  std::vector<Master*> masters = {};    ///< all masters of the machine
-  std::int64_t patience = 0;            ///< cycles, see Watchdog; 0: no watchdog
-  RecordBuffer* record = nullptr;       ///< receives the record; null: no record
+  /// One for each axis; null: no drive; an empty list: no drives at all.
+  std::vector<AxisDrive*> drives = {};
+  std::vector<Master*> masters = {};  ///< all masters of the machine, in its order
+  std::int64_t patience = 0;          ///< limit of the watchdog, cycles, see Cycle; 0: no watchdog
+  RecordBuffer* record = nullptr;     ///< receives the record of the run; null: no record
 };
 
-/// The real-time loop: waits for the next tick, reads commands and feedback, evaluates the masters
-/// at that time (in s since tick 0), steps the machine once, sends the setpoints to the drives, and
-/// hands over the outputs.
+/// The real-time loop of a machine. In each tick it waits for the instant of the tick, reads
+/// commands and feedback, computes the masters (their time is in s from tick 0), steps the machine
+/// once, sends the setpoints to the drives, and passes the outputs to the communication thread.
 ///
 ///     MachineExchange exchange(machine.size());
 ///     Cycle cycle(machine, pacer, exchange);
 ///     while (!quit) cycle.once();
 ///
-/// Tick k belongs to the instant start + k * period. A cycle that wakes up late continues with the
-/// tick of the present time, and the axes skip the ticks before: never a burst of steps. Each axis
-/// executes one command a tick.
+/// The instant of tick k is start + k * period. A cycle that wakes up too late continues with the
+/// tick of the present time, and the axes skip the ticks before it. Steps are therefore never
+/// repeated in a burst. Each axis executes at most one command in a tick.
 ///
-/// **Watchdog.** Without a heartbeat of the communication thread for `patience` cycles, each axis
+/// **Watchdog.** If the communication thread sends no heartbeat for `patience` cycles, each axis
 /// receives Inputs::watchdog, because no client could stop it any more. The watchdog counts cycles,
-/// not time: a pause of the whole computer does not trigger it.
+/// not time, so a pause of the whole computer does not trigger it.
 ///
 /// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the cycle, and have as many axes and masters as the machine.
   Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options = {});
 
+  /// Waits for the next tick and computes it.
   void once();
+  /// Timing statistics so far.
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
 
  private:

@@ -15,39 +15,47 @@
 
 namespace jounce {
 
-/// The work of the communication thread: it passes requests from one link to all axes of a machine
-/// and returns their answers. Each axis has its own name, its own sessions and its own AxisServer.
+/// The communication thread of an executor. It passes requests from one link to all axes of a
+/// machine, and returns their answers. Each axis has its own name, its own sessions and its own
+/// AxisServer.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, exchange);
 ///     while (...) dispatcher.turn(2ms);
 ///     dispatcher.close();
 class Dispatcher {
  public:
-  /// `axes` as in the machine; `link` and `exchange` must outlive it. `claim`: claim to the axes'
-  /// names, maintained from now on; nullopt: no check for other executors. Throws InputError, and
-  /// std::system_error for a log.
+  /// `axes`: in the order of the machine. `link` and `exchange` must outlive the dispatcher.
+  /// `clock`: the clock of the cycle's Pacer. `masters`: the masters of the machine. `claim`: the
+  /// claim to the names of the axes, which the dispatcher maintains; nullopt: other executors of
+  /// the same name are not detected. Throws InputError, and std::system_error if a log cannot be
+  /// created.
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, MachineExchange& exchange,
              Clock clock = steady_now, std::vector<MachineMaster> masters = {},
              std::optional<Claim> claim = {});
 
-  /// One iteration: waits for the link for at most `timeout`, does all pending work, and sends a
+  /// One iteration: waits for messages for at most `timeout`, does all pending work, and sends a
   /// heartbeat to the cycle.
   void turn(Nanos timeout);
 
-  /// Stops all axes, like an operator's stop, and rejects every later arm.
+  /// Stops all axes, as a stop by an operator does, and rejects every later arm.
   void retire();
 
-  /// Writes all remaining ticks into the logs, and closes them.
+  /// Writes all remaining ticks into the logs, and closes the logs.
   void close();
 
+  /// The masters of the machine.
   [[nodiscard]] const MasterServer& masters() const { return masters_; }
+  /// The server of an axis.
   [[nodiscard]] const AxisServer& server(std::size_t axis = 0) const { return servers_[axis]; }
+  /// Number of axes.
   [[nodiscard]] std::size_t size() const { return servers_.size(); }
+  /// The newest tick of an axis.
   [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return servers_[axis].last(); }
-  [[nodiscard]] bool moving() const;   ///< any axis
-  [[nodiscard]] bool settled() const;  ///< all axes: see AxisServer
-  [[nodiscard]] bool owned() const;    ///< any axis
-  /// A name of this executor that another executor owns: this one must leave. Empty: none.
+  [[nodiscard]] bool moving() const;   ///< true if any axis moves
+  [[nodiscard]] bool settled() const;  ///< true if all axes are settled, see AxisServer
+  [[nodiscard]] bool owned() const;    ///< true if a session owns any axis
+  /// A name of this executor that another executor also owns, so that this one must end; "" if
+  /// there is none.
   [[nodiscard]] std::string lost_name() const;
 
  private:
@@ -68,7 +76,7 @@ class Dispatcher {
   Worker worker_;  // last: its work must end before the rest is destroyed
 };
 
-/// The axes as the machine needs them, each with the name of its receiver.
+/// Returns the axes in the form that Machine needs, each with the name of its receiver.
 std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes);
 
 }  // namespace jounce

@@ -10,19 +10,20 @@
 
 namespace jounce {
 
-/// State of the outputs of an axis.
+/// The positions at which the outputs of an axis switch.
 struct OutputsOf {
-  SwitchesOf switches = SwitchesOf::position;
-  SwitchesOf compare = SwitchesOf::position;
+  SwitchesOf switches = SwitchesOf::position;  ///< for the cam switches
+  SwitchesOf compare = SwitchesOf::position;   ///< for the position compare
 };
 
-/// Output changes of an axis between two of its ticks, cam switches and position compare, as
-/// messages. Each has its instant, s before the later tick, and the position of the axis (or of its
-/// master, or its drive) at that instant. Ascending in time; counted from `last_count` on.
+/// Returns the output changes of an axis between two of its ticks (cam switches and position
+/// compare) as messages, in chronological order. Each message has its instant, s before the later
+/// tick, and the position of the axis (or of its master, or its drive) at that instant. The
+/// messages are numbered from last_count + 1.
 ///
-/// The position is on the cubic through both ticks with their velocities, like the instant
-/// (jounce/profiles/curve/cycle_motion.hpp); an actual position is on a straight line. `period`: ns
-/// of a tick.
+/// Instants and positions are those of the cubic through both ticks and their velocities
+/// (jounce/profiles/curve/cycle_motion.hpp). An actual position is interpolated linearly. `period`:
+/// duration of a tick, ns.
 std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,
                                    std::int64_t period, std::int64_t last_count);
 

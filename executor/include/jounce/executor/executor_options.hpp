@@ -19,23 +19,24 @@ class Recorder;
 
 /// Options of one axis of an executor.
 struct ExecutorOptions {
-  AxisConfig axis;
-  AxisSwitches switches = {};
-  AxisCompare compare = {};
-  Follow follow = {};                     ///< its live master
-  std::shared_ptr<AxisDrive> drive = {};  ///< receives the setpoints; null: no drive
-  Units units{};               ///< units of the axis: a table in others is rejected; empty: any
-  ReceiverOptions receiver{};  ///< includes the name of the axis
-  bool enable = true;          ///< at the start; otherwise a command enables it
-  std::optional<StoredTable> table = {};  ///< over time; played by the command `start`
-  bool adopt_start =
-      false;  ///< at standstill, the start of an armed table defines the position of the axis
-  bool stop_when_silent = true;  ///< stops a motion whose session times out
-  /// Tables of more knots become jobs in a separate thread: a stop does not wait for them.
+  AxisConfig axis;                        ///< configuration
+  AxisSwitches switches = {};             ///< cam switches
+  AxisCompare compare = {};               ///< position compare
+  Follow follow = {};                     ///< live master of the axis
+  std::shared_ptr<AxisDrive> drive = {};  ///< drive that receives the setpoints; null: no drive
+  Units units{};  ///< units of the axis; tables in other units are rejected; empty: not checked
+  ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
+  bool enable = true;          ///< true: enabled at the start; false: a command must enable it
+  std::optional<StoredTable> table = {};  ///< table over time that StartTable plays; nullopt: none
+  /// True: at standstill, arming a table sets the position of the axis to the start of the table.
+  bool adopt_start = false;
+  bool stop_when_silent = true;  ///< true: stop a motion if its session times out
+  /// Tables with more knots than this are prepared in a separate thread, so that a stop need not
+  /// wait for them.
   std::size_t build_apart = std::size_t{1} << 62U;
-  Nanos status_period = std::chrono::milliseconds(50);
-  std::optional<std::filesystem::path> log{};               ///< CSV of all ticks
-  std::function<void(const std::string& notice)> notify{};  ///< events as text
+  Nanos status_period = std::chrono::milliseconds(50);      ///< time between two status messages
+  std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none
+  std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
 };
 

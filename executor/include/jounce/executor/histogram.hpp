@@ -8,8 +8,9 @@
 
 namespace jounce {
 
-/// Durations counted in bins of powers of two: bin 0 below 1 us, bin k in [2^(k-1), 2^k) us, the
-/// last one from 2^14 us (16.4 ms) on. One thread adds, any thread reads; neither waits.
+/// A histogram of durations in bins of powers of two. Bin 0 is below 1 us, bin k is [2^(k-1), 2^k)
+/// us, the last bin begins at 2^14 us (16.4 ms). One thread adds, any thread reads, and neither
+/// waits.
 ///
 ///     Histogram lateness;
 ///     lateness.add(woken - due);                        // ns, the cyclic thread
@@ -17,19 +18,21 @@ namespace jounce {
 ///     upper_bound(lateness.counts(), 0.999)             // us: 99.9 % were shorter
 class Histogram {
  public:
-  static constexpr std::size_t bins = 16;
+  static constexpr std::size_t bins = 16;  ///< number of bins
   using Counts = std::array<std::int32_t, bins>;
 
-  /// A negative duration counts as 0. A full bin stays full.
+  /// Adds a duration, ns. A negative one counts as 0. The count of a bin does not overflow: it
+  /// stays at its maximum.
   void add(std::int64_t ns) noexcept;
+  /// The counts of all bins.
   [[nodiscard]] Counts counts() const noexcept;
 
  private:
   std::array<std::atomic<std::int32_t>, bins> counts_{};
 };
 
-/// The upper end, us, of the bin in which the given share (0 to 1) of all durations is reached;
-/// infinite for the last bin, 0 for an empty histogram.
+/// Returns the upper end of the bin, us, up to which the given share (0 to 1) of all durations
+/// lies. Returns infinity for the last bin, and 0 for an empty histogram.
 double upper_bound(const Histogram::Counts& counts, double share);
 
 }  // namespace jounce

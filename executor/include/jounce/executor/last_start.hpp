@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// The last start that a stream requested, and its outcome: the answer of the axis, then the ticks
-/// decide it.
+/// The last start that a client requested, and its outcome, which follows from the answer and the
+/// ticks of the axis.
 ///
 ///     LastStart start;
 ///     start.request(session, command, movement);
@@ -20,15 +20,18 @@ namespace jounce {
 ///     start.report(status, session, "mm");
 class LastStart {
  public:
-  /// `movement`: id of the armed movement.
+  /// A start was requested. `movement`: id of the armed movement.
   void request(std::int64_t session, std::int32_t command, std::uint64_t movement);
-  /// The answer of the axis to a start; without effect for another one than the last.
+  /// The axis has answered a start. Without effect if it is not the last one.
   void answer(std::int64_t session, std::int32_t command, const std::optional<Refusal>& refused);
-  /// An accepted start begins, or its armed movement is gone.
+  /// Updates the outcome after a tick: an accepted start has begun, or its armed movement was
+  /// dropped.
   void follow(const Tick& before, const Tick& now);
 
+  /// Outcome of the start.
   [[nodiscard]] wire::StartOutcome outcome() const { return outcome_; }
-  /// Sets the fields of the start in the status for this session. `unit` is that of the positions.
+  /// Sets the fields of the start in a status message for this session. `unit`: unit of the
+  /// positions.
   void report(wire::Status& status, std::int64_t session, const std::string& unit) const;
 
  private:

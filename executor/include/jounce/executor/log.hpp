@@ -11,28 +11,31 @@
 
 namespace jounce {
 
-/// The log of an axis: one line of CSV a tick, doubles in the shortest form that reads back
-/// identically. The first line names the columns with their units; there are no other lines.
+/// The tick log of an axis: a CSV file with one line for each tick. Numbers have the shortest form
+/// that is read back exactly. The first line contains the names and units of the columns.
 ///
 ///     TickLog log("run.csv", {.x = "deg", .position = "mm"});
 ///     log.add(tick);
 ///     log.close();
 ///
-/// The log is written under a temporary name, and close() renames it, so that a file of the final
-/// name is complete. A log that was never closed is removed. Throws std::system_error if the file
-/// cannot be created. If writing fails later (a full disk), all complete lines remain as
-/// run.csv.truncated: motion does not depend on a disk.
+/// The log is written under a temporary name. close() renames it, so a file with the final name is
+/// complete. The destructor removes a log that was not closed. If writing fails (a full disk), the
+/// complete lines remain in run.csv.truncated, and the motion continues.
 class TickLog {
  public:
+  /// Throws std::system_error if the file cannot be created. `units`: those of the master and of
+  /// the position.
   TickLog(std::filesystem::path path, const Units& units);
   ~TickLog();
   TickLog(const TickLog&) = delete;
   TickLog& operator=(const TickLog&) = delete;
 
+  /// Adds a line.
   void add(const Tick& tick);
+  /// Completes the file and renames it.
   void close();
 
-  /// Reason why the log ended before the run; empty: it did not.
+  /// Reason why the log ended before the run; "" if it did not.
   [[nodiscard]] const std::string& truncated() const { return truncated_; }
 
  private:

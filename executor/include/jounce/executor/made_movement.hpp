@@ -11,24 +11,24 @@
 
 namespace jounce {
 
-/// Parts of a movement, for the record.
+/// The parts from which a movement was made, for the record.
 struct MadeFrom {
-  RecordedJob job;
-  StoredTable time;
-  std::optional<StoredTable> cam = {};
+  RecordedJob job;                      ///< arguments of its constructor
+  StoredTable time;                     ///< table over time; for a cam on a live master, the cam
+  std::optional<StoredTable> cam = {};  ///< cam over a virtual master; nullopt: none
 };
 
-/// A movement made of tables, with its start and end position, u, if available.
+/// A movement made from tables.
 struct MadeMovement {
-  std::shared_ptr<Movement> movement = {};
-  std::optional<double> first = {};
-  std::optional<double> last = {};
-  std::optional<MadeFrom> source = {};
+  std::shared_ptr<Movement> movement = {};  ///< null: the tables do not fit together
+  std::optional<double> first = {};         ///< start position, u (unit of the axis), if known
+  std::optional<double> last = {};          ///< end position, u, if known
+  std::optional<MadeFrom> source = {};      ///< parts of the movement
 };
 
-/// Builds the movement of an arm, for an axis with this period, ns, that stands at `position`, u,
-/// when it begins; without a movement if the tables do not fit. Its duration is proportional to the
-/// size of the tables.
+/// Makes the movement for an arm request. `id`: id of the movement. `period`: tick of the axis, ns.
+/// `position`: position of the axis at the start, u. The result has no movement if the tables do
+/// not fit together. The duration of the call is proportional to the size of the tables.
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
                          double position);
 

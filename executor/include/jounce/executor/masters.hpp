@@ -16,15 +16,16 @@
 
 namespace jounce {
 
-/// A master of a machine, as an option of its executor. Follow::index counts these.
+/// A master of a machine, in the options of an executor. Follow::index is its index in the list of
+/// masters.
 struct MachineMaster {
-  std::string name;  ///< an ExternalMaster receives the channel of this name
-  std::string unit;  ///< unit of its position
-  std::shared_ptr<Master> source;
+  std::string name;                ///< name; an ExternalMaster receives the channel of this name
+  std::string unit;                ///< unit of its position
+  std::shared_ptr<Master> source;  ///< computes the position
 };
 
-/// The work of the communication thread for the masters: receives samples of external ones, and
-/// reports the state of each in the cycle.
+/// The part of the communication thread that serves the masters. It receives the samples of
+/// external masters, and reports the state of each master in the cycle.
 ///
 ///     MasterServer masters({{"line", "mm", line}}, {0}, pump, exchange, clock);
 ///     pump.run(2ms);                   // passes new samples to the cycle
@@ -32,26 +33,31 @@ struct MachineMaster {
 ///     masters.publish(axis);           // with the status of this axis
 class MasterServer {
  public:
+  /// Options of the masters of a machine.
   struct Options {
-    std::vector<MachineMaster> masters = {};
-    std::vector<Follow> follows = {};  ///< masters of the axes, whose statuses report them
-    bool keyed = false;                ///< see MasterIntake
-    std::function<void(const std::string& notice)> notify{};
+    std::vector<MachineMaster> masters = {};  ///< the masters of the machine
+    /// For each axis, the master that it follows; its status reports that master.
+    std::vector<Follow> follows = {};
+    bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake
+    std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   };
-  /// Subscribes. `pump` and `exchange` must outlive it, and `clock` must be the one of the cycle's
-  /// pacer.
+  /// Subscribes to the channels of the masters. `pump` and `exchange` must outlive the server.
+  /// `clock`: the clock of the cycle's Pacer.
   MasterServer(Options options, ReceiverPump& pump, MachineExchange& exchange, Clock clock);
   MasterServer(const MasterServer&) = delete;  // the pump keeps its address
   MasterServer& operator=(const MasterServer&) = delete;
 
+  /// Reports masters that were lost or have returned.
   void turn();
-  /// Publishes the masters that this axis follows; for the first axis also those without a
-  /// follower.
+  /// Publishes the state of the masters that this axis follows. With the first axis, also publishes
+  /// the masters that no axis follows.
   void publish(std::size_t axis);
 
+  /// Number of masters.
   [[nodiscard]] std::size_t size() const { return masters_.size(); }
-  /// Value in the last cycle.
+  /// The value of a master in the last cycle.
   [[nodiscard]] const MasterSight& last(std::size_t master) const { return masters_[master].last; }
+  /// The status message of a master.
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 
  private:

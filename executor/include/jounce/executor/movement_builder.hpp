@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// Builds the movements of arms: small ones at once, a large one in the worker's thread, at most
-/// one at a time. An arm that arrives meanwhile waits; a later one replaces it.
+/// Makes the movements for arm requests: a small one at once, a large one in the thread of a
+/// worker. One is made at a time. A request that arrives meanwhile waits; a later one replaces it.
 ///
 ///     MovementBuilder builder(worker, most_knots);
 ///     if (builder.busy()) builder.wait(arm);
@@ -21,29 +21,33 @@ namespace jounce {
 ///     if (const auto done = builder.take()) ...                  // often
 class MovementBuilder {
  public:
+  /// A movement that is ready, with its request.
   struct Built {
     ArmRequested arm;
     MadeMovement made;
   };
-  /// The end of a build in the worker's thread.
+  /// The end of a build in the thread of the worker.
   struct Done {
-    std::optional<Built> built;        ///< nullopt: it was canceled
-    std::optional<ArmRequested> next;  ///< the arm that waited for it
+    std::optional<Built> built;        ///< the movement; nullopt: the build was canceled
+    std::optional<ArmRequested> next;  ///< the request that has waited for the end; nullopt: none
   };
 
-  /// `most_knots`: tables of more knots are built in the worker's thread. `worker` must outlive it.
+  /// `most_knots`: tables with more knots are built in the thread of the worker. `worker` must
+  /// outlive the builder.
   MovementBuilder(Worker& worker, std::size_t most_knots)
       : worker_(worker), most_knots_(most_knots) {}
 
+  /// True if a build is in progress.
   [[nodiscard]] bool busy() const { return building_.has_value(); }
-  /// For the arguments see movement_of(). nullopt: it is built in the worker's thread. Only if it
-  /// is not busy.
+  /// Builds the movement of a request; see movement_of(). Returns nullopt if it is built in the
+  /// thread of the worker. Only if the builder is not busy.
   [[nodiscard]] std::optional<Built> build(const ArmRequested& arm, std::uint64_t id,
                                            std::int64_t period, double position);
+  /// Keeps a request until the present build ends.
   void wait(const ArmRequested& arm) { next_ = arm; }
-  /// nullopt: no build has ended.
+  /// Returns the result of a build that has ended; nullopt if none has.
   [[nodiscard]] std::optional<Done> take();
-  /// Cancels the present build and the waiting arm.
+  /// Cancels the present build, and drops the waiting request.
   void cancel();
 
  private:

@@ -8,7 +8,8 @@
 
 namespace jounce {
 
-/// Changes of an axis between two of its ticks, as sentences: "started at tick 1600". `unit` is that of its positions.
+/// Returns the changes of an axis between two of its ticks as sentences: "started at tick 1600".
+/// `unit`: unit of its positions.
 std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit);
 
 }  // namespace jounce

@@ -19,34 +19,38 @@
 
 namespace jounce {
 
-/// A change of the FIFOs of a queue, with a number for its axis: the axis sees it in ticks with
-/// Inputs::rows at or above this number.
+/// A change of the FIFOs of a queue. It has a number: the axis sees the change in all ticks in
+/// which Inputs::rows is not below this number.
 struct HandedOver {
-  static constexpr std::size_t most_rows = 32;
+  static constexpr std::size_t most_rows = 32;  ///< greatest number of rows in one change
+  /// Kind of a change.
   enum class Kind : std::uint8_t {
-    rows,
-    queue_switch,  ///< the other bank continues
+    rows,          ///< adds rows
+    queue_switch,  ///< continues with the other bank
     clear,         ///< empties the bank
-    begin,         ///< the queue is armed, and this bank begins
-    end,           ///< no more rows follow
+    begin,         ///< the queue is armed and will begin with this bank
+    end,           ///< ends the stream: no more rows follow
   };
-  std::uint64_t movement = 0;
-  std::uint64_t number = 0;
-  Kind kind = Kind::rows;
-  int bank = 0;
-  std::vector<SegmentRow> rows = {};  ///< at most `most_rows`
+  std::uint64_t movement = 0;         ///< id of the movement of the queue
+  std::uint64_t number = 0;           ///< number of the change
+  Kind kind = Kind::rows;             ///< kind of the change
+  int bank = 0;                       ///< bank that changes, 0 or 1
+  std::vector<SegmentRow> rows = {};  ///< added rows, at most `most_rows`
 };
 
 /// The movement of a queue, with the FIFOs for its rows.
 class QueueMovement {
  public:
-  /// Throws InputError for an invalid queue.
+  /// Throws InputError for an invalid queue. `id`: id of the movement.
   QueueMovement(const wire::Queue& queue, std::uint64_t id, const AxisConfig& config);
 
+  /// The movement.
   [[nodiscard]] const std::shared_ptr<Movement>& movement() const { return movement_; }
+  /// Its FIFOs.
   [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
+  /// Selects the bank with which the movement begins.
   void choose(int bank) const { choose_(bank); }
-  /// Repeats a recorded change; returns false if it is not accepted now.
+  /// Repeats a recorded change. Returns false if the FIFOs do not accept it.
   [[nodiscard]] bool take(const HandedOver& what) const;
 
  private:
@@ -55,46 +59,51 @@ class QueueMovement {
   std::function<void(int)> choose_;
 };
 
-/// The queues of rows that an axis's owner has opened (protocol page, "Queues"). Arriving rows go
-/// into the FIFOs of a movement, which the axis plays at the same time; played rows free their
-/// space.
+/// The queues of rows that the owner of an axis has opened (see "Queues" in
+/// docs/stream-protocol.md). Rows that arrive are put into the FIFOs of a movement, while the axis
+/// plays the movement; rows that were played free their space.
 ///
-/// Every change has a number, and the axis sees it completely from the next tick on. Its motion
-/// depends only on the changes and the numbers in its ticks, so a replay of a record of both is
-/// identical to the last bit.
+/// Each change of the FIFOs has a number, and the axis sees the whole change from the next tick on.
+/// Its motion depends only on the changes and on the numbers in its ticks. From a record of these,
+/// a replay is therefore identical to the last bit.
 class Queues {
  public:
+  /// Receives each change for the record.
   using Record = std::function<void(const HandedOver&)>;
 
-  /// `last`: the last number, read by the cycle; must outlive this. `record` is called before it is
-  /// set.
+  /// `last`: number of the last change, which the cycle reads; it must outlive the queues. `record`
+  /// is called before `last` is set.
   explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
       : last_(last), record_(std::move(record)) {}
 
-  /// Creates the movement, with this id, or rejects the queue and returns false.
+  /// Opens a queue: makes its movement with this id. Returns false if the queue is rejected.
   bool open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
             Receiver& receiver);
-  /// Passes rows on; rejects a row that violates a rule, which is then never played.
+  /// Adds the rows that have arrived. A row that breaks a rule is rejected and never played.
   void take(const RowsArrived& arrived, Receiver& receiver);
-  /// The armed movement; null if the queue is not open.
+  /// Returns the movement of a queue; null if the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
-  /// u, required position of the axis; nullopt if rows are relative to the position of the axis.
+  /// Returns the required position of the axis at the start, u (unit of the axis); nullopt if rows
+  /// are relative to its position.
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
-  /// Selects the bank that it begins with. Not while the axis has it.
+  /// Selects the bank with which a queue begins. Only while the axis does not have its movement.
   void begin_with(std::uint32_t queue, int bank);
-  /// The axis no longer reads it: cuts off rows that were not played to their end.
+  /// The axis no longer reads this movement: rows that were not played are dropped.
   void handed_back(std::uint64_t movement) const;
-  /// Reports the progress of each.
+  /// Sends the progress of each queue.
   void report(const Tick& last, Receiver& receiver) const;
 
+  /// Continues with the other bank at the end of the pass. Returns false if that is not possible.
   bool queue_switch(std::uint32_t queue);
+  /// Empties a bank. Returns false if that is not possible.
   bool clear(std::uint32_t queue, int bank);
-  /// Marks the stream as complete; returns false if it has no rows, or does not end at rest.
+  /// Marks a stream as complete. Returns false if it has no rows, or does not end at rest.
   bool end(std::uint32_t queue);
-  /// The session has ended. The active queue continues with its rows.
+  /// Closes all queues: their session has ended. The queue that is played continues with its rows.
   void close() { open_.clear(); }
 
-  /// Waiting rows and capacity of the queue with this movement; 0, 0: none.
+  /// Returns the number of waiting rows and the capacity of the queue with this movement; 0, 0 if
+  /// there is none.
   [[nodiscard]] std::array<std::uint32_t, 2> fill(std::uint64_t movement) const;
 
  private:
@@ -116,7 +125,7 @@ class Queues {
   Record record_;
 };
 
-/// Converts to the enumeration of the wire.
+/// Converts a progress to the enumeration of the wire format.
 wire::Progress on_wire(Progress progress);
 
 }  // namespace jounce

@@ -19,130 +19,138 @@
 
 namespace jounce {
 
-/// Parts of the record of a run: one event each, in chronological order. A record is an LCM log:
-/// `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
-/// docs/executor/replay.md describes it for users. Ticks are its only time: the events' time stamps
-/// are tick * period in us, independent of the clock.
+/// The parts of the record of a run. Each part is an event, in chronological order. A record is an
+/// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
+/// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
+/// stamp of an event is tick * period in us, independent of the clock.
+///
+/// Indices of axes and masters count from 0. Units: u is the unit of the axis, m that of its
+/// master.
 
-/// Configuration of an axis; precedes all other events of that axis.
+/// Configuration of an axis. It precedes all other events of the axis.
 struct RecordedAxis {
-  std::size_t axis = 0;  ///< counted from 0
-  std::string name = {};
-  Units units = {};  ///< x: the master's
-  AxisConfig config = {};
-  bool whole = true;          ///< false: a black box, which begins in the middle of a run
-  bool switches = false;      ///< it has outputs that are not in the record: no replay
-  AxisSwitches outputs = {};  ///< follow as RecordedOutput
-  AxisCompare compare = {};   ///< likewise
+  std::size_t axis = 0;    ///< index of the axis
+  std::string name = {};   ///< name of the axis
+  Units units = {};        ///< units of the master (x) and of the position
+  AxisConfig config = {};  ///< its configuration
+  bool whole = true;       ///< false: a black box, which begins in the middle of a run
+  /// True: it has outputs that are not in the record, so a replay is not possible.
+  bool switches = false;
+  AxisSwitches outputs = {};  ///< its cam switches; recorded as RecordedOutput events
+  AxisCompare compare = {};   ///< its position compare; recorded as RecordedOutput events
 };
 
-/// A table, or a part of a large one: 200 knots per event.
+/// A table, or a part of a large table: at most 200 knots in an event.
 struct RecordedTable {
-  Sha256 hash{};
-  Units units = {};
-  Domain over = Domain::time;
-  Interpolation rule = Interpolation::linear;
-  Extrapolation outside = Extrapolation::hold;
-  std::size_t knots = 0;
-  std::size_t first = 0;
-  Columns columns = {};  ///< columns of this part
+  Sha256 hash{};                                ///< hash of the whole table
+  Units units = {};                             ///< units of the table
+  Domain over = Domain::time;                   ///< variable of the table
+  Interpolation rule = Interpolation::linear;   ///< interpolation rule
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
+  std::size_t knots = 0;                        ///< number of knots of the whole table
+  std::size_t first = 0;                        ///< index of the first knot of this part
+  Columns columns = {};                         ///< columns of this part
 };
 
-/// Parts of a Job or a LiveCam; its tables by their hashes.
+/// The arguments of a Job or a LiveCam. Its tables are identified by their hashes.
 struct RecordedJob {
-  std::size_t axis = 0;
-  std::uint64_t id = 0;
-  Sha256 time{};  ///< live: hash of the cam
-  std::optional<Sha256> cam = {};
-  bool live = false;  ///< the cam follows the axis's live master
-  double tick = 1e-3;
-  CouplingSpec coupling = {};
-  double position = 0;
-  CamEnd end = CamEnd::brake;  ///< for a live cam
+  std::size_t axis = 0;            ///< index of the axis
+  std::uint64_t id = 0;            ///< id of the movement
+  Sha256 time{};                   ///< hash of the table over time; for a live cam, of the cam
+  std::optional<Sha256> cam = {};  ///< hash of the cam over a virtual master; nullopt: none
+  bool live = false;               ///< true: a cam that follows the live master of the axis
+  double tick = 1e-3;              ///< length of a tick, s
+  CouplingSpec coupling = {};      ///< coupling of the cam
+  double position = 0;             ///< position of the slave at the start, u
+  CamEnd end = CamEnd::brake;      ///< behavior at the end of a live cam
 };
 
-/// Parts of the movement of a gear: its command (gear_of()) and the position of the slave.
+/// The arguments of the movement of a gear: see gear_of().
 struct RecordedGear {
-  std::size_t axis = 0;
-  std::uint64_t id = 0;
-  ClientCommand gear = command::GearIn{};
-  double position = 0;
+  std::size_t axis = 0;                    ///< index of the axis
+  std::uint64_t id = 0;                    ///< id of the movement
+  ClientCommand gear = command::GearIn{};  ///< the command, GearIn or GearInPos
+  double position = 0;                     ///< position of the slave, u
 };
 
-/// A queue that was opened: those fields of the wire's queue that define its movement.
+/// A queue that was opened: the fields of the message that define its movement.
 struct RecordedQueue {
-  std::size_t axis = 0;
-  std::uint64_t id = 0;
-  wire::Queue queue = {};
+  std::size_t axis = 0;    ///< index of the axis
+  std::uint64_t id = 0;    ///< id of the movement
+  wire::Queue queue = {};  ///< the message that opened it
 };
 
-/// Rows passed to a queue; many rows make several of these.
+/// Rows that were added to a queue, or another change of the queue. A large number of rows makes
+/// several events.
 struct RecordedRows {
-  std::size_t axis = 0;
-  HandedOver what = {};
+  std::size_t axis = 0;  ///< index of the axis
+  HandedOver what = {};  ///< the change
 };
 
-/// One axis in one tick: its command, inputs and outputs. The command's movement is identified by
-/// its number; `tick` does not contain the edges of its switches or the returned movements.
+/// One axis in one tick: its command, inputs and outputs. `tick` contains neither the edges of the
+/// cam switches nor the returned movements.
 struct RecordedCycle {
-  std::size_t axis = 0;
-  Command command = {};
-  std::uint64_t movement = 0;
-  Inputs inputs = {};
-  Tick tick = {};
+  std::size_t axis = 0;        ///< index of the axis
+  Command command = {};        ///< command of the tick
+  std::uint64_t movement = 0;  ///< id of the movement of the command; 0: none
+  Inputs inputs = {};          ///< inputs of the tick
+  Tick tick = {};              ///< outputs of the tick
 };
 
-/// A master of the machine at its start; comes after the axes.
+/// A master of the machine at the start of the run. Recorded after the axes.
 struct RecordedMaster {
-  std::size_t master = 0;  ///< counted from 0
-  std::string name = {};
-  std::string unit = {};
-  std::uint64_t followers = 0;  ///< bit i: axis i follows it
+  std::size_t master = 0;       ///< index of the master
+  std::string name = {};        ///< name of the master
+  std::string unit = {};        ///< unit of its position
+  std::uint64_t followers = 0;  ///< bit i: axis i follows the master
+  /// Source of the master.
   enum class Made : std::uint8_t {
-    elsewhere,  ///< not in the record: its value is an input
-    samples,    ///< an ExternalMaster
-    readings,   ///< an EncoderMaster
+    elsewhere,  ///< not in the record: its values are inputs of the replay
+    samples,    ///< an ExternalMaster, which the replay computes from its samples
+    readings,   ///< an EncoderMaster, which the replay computes from its readings
   };
-  Made made = Made::elsewhere;
-  TrackerSpec tracker = {};  ///< unused for `elsewhere`
+  Made made = Made::elsewhere;  ///< source of the master
+  TrackerSpec tracker = {};     ///< options of its filter; unused for `elsewhere`
 };
 
-/// Input of the next value of a master: one of its samples, or its reading.
+/// An input for the next value of a master: a sample or a reading.
 struct RecordedSample {
-  std::size_t master = 0;
-  MasterSample sample = {};
+  std::size_t master = 0;    ///< index of the master
+  MasterSample sample = {};  ///< the input
 };
 
-/// State of a master in a cycle, before the axes of the same tick.
+/// Value of a master in a cycle. Recorded before the axes of the same tick.
 struct RecordedSight {
-  std::size_t master = 0;
-  MasterSight sight = {};
+  std::size_t master = 0;  ///< index of the master
+  MasterSight sight = {};  ///< the value
 };
 
-/// Cycles that are missing at this point.
+/// Cycles that are missing at this place in the record.
 struct RecordedLoss {
-  std::int64_t cycles = 0;
+  std::int64_t cycles = 0;  ///< number of missing cycles
 };
 
+/// Any event of a record.
 using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
                                  RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
                                  RecordedMaster, RecordedSight, RecordedOutput, RecordedSample>;
 
-/// The channel of an event, "JOUNCE.cycle", and its bytes by LCM's rules.
+/// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);
+/// Returns the bytes of an event in the encoding of LCM.
 std::string encoded(const RecordEvent& event);
-/// Returns nullopt for a channel of another program. Throws InputError for bytes that are not an
-/// event.
+/// Decodes an event. Returns nullopt for a channel of another program. Throws InputError for bytes
+/// that are not an event of this channel.
 std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes);
 
-/// A field in which two ticks differ, to the last bit.
+/// A field in which a recorded and a replayed tick differ, even by the last bit.
 struct TickDifference {
-  std::string field;  ///< "position", "state", ..., like in cycle_t
-  double recorded = 0;
-  double replayed = 0;
+  std::string field;    ///< name of the field as in cycle_t: "position", "state", ...
+  double recorded = 0;  ///< value in the record
+  double replayed = 0;  ///< value of the replay
 };
-/// Returns the first one, in the order of cycle_t. `switches`: also compares outputs and the
-/// instants of their edges.
+/// Returns the first difference, in the order of the fields of cycle_t; nullopt if the ticks are
+/// identical. `switches`: also compares the outputs and the instants of their edges.
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches = true);
 

@@ -20,18 +20,22 @@
 
 namespace jounce {
 
-/// The ring from the cyclic thread to the record: cycles, and the number of lost ones.
+/// A ring buffer from the cyclic thread to the recorder. It contains cycles, and the number of lost
+/// ones.
 ///
 ///     buffer.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
 class RecordBuffer {
  public:
-  static constexpr std::size_t capacity = 16384;  ///< 16 s of one axis at 1 kHz, 0.25 s of 64
+  /// Number of items: 16 s of one axis at 1 kHz, 0.25 s of 64 axes.
+  static constexpr std::size_t capacity = 16384;
 
-  /// Does not allocate or wait; if the ring is full, a cycle is lost and counted.
+  /// Adds a cycle of an axis. Does not allocate or wait. If the ring is full, the cycle is lost,
+  /// and the loss is counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// Adds inputs of a master in the step, then its value; before its axes.
+  /// Adds an input of a master in a cycle. Call it before the add() of the value of that cycle.
   void add(std::size_t master, const MasterSample& sample) noexcept;
+  /// Adds the value of a master in a cycle. Call it before the add() of the axes of that cycle.
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
  private:
@@ -50,54 +54,58 @@ class RecordBuffer {
   std::int64_t lost_ = 0;  // since the last stored item; used by the cyclic thread
 };
 
+/// Files of a recorder.
 struct RecorderOptions {
-  std::optional<std::filesystem::path> log = {};        ///< log of the whole run; nullopt: none
-  std::optional<std::filesystem::path> black_box = {};  ///< written at a fault; nullopt: none
-  std::size_t black_box_cycles = 2000;                  ///< cycles of each axis in the black box
-  std::function<void(const std::string&)> notify = {};  ///< events as text
+  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; nullopt: none
+  /// Black box, written at a fault; nullopt: none.
+  std::optional<std::filesystem::path> black_box = {};
+  std::size_t black_box_cycles = 2000;  ///< number of cycles of each axis in the black box
+  std::function<void(const std::string&)> notify = {};  ///< receives notices as text
 };
 
-/// Writes the record of the cyclic thread, in the communication thread:
+/// Writes the record of a run, in the communication thread:
 ///
 ///     Recorder recorder({.log = "run.lcmlog", .black_box = "fault.lcmlog"}, axes, buffer);
 ///     recorder.job({.axis = 0, .id = id}, time_table);       // before its arm is sent to the axis
 ///     recorder.turn();                                       // often: empties the buffer
 ///     recorder.close();
 ///
-/// **The log** grows as LOG.part and gets its name when it is closed. After an executor was killed,
-/// LOG.part is still a record, cut off at some point. An existing path that is not a regular file
-/// is written directly. A full disk ends the log, with one `notify`, and nothing else: the motion
+/// **The log** is written as LOG.part, and gets its name when it is closed. If the executor is
+/// killed, LOG.part is a valid record up to some point. An existing path that is not a regular file
+/// is written directly. If the disk is full, the log ends with one notice, and the motion
 /// continues.
 ///
-/// **The black box** has the last cycles of every axis. It is written at a fault of an axis (each
-/// new fault replaces it; its last cycle is that of the fault), under a temporary name first: if
-/// the disk fails, the previous one stays unchanged, and `notify` reports the failure once.
+/// **The black box** contains the last cycles of every axis. It is written at a fault of an axis,
+/// and ends with the cycle of the fault. A new fault replaces the file. The file is first written
+/// under a temporary name: if this fails, the previous file stays unchanged, and one notice reports
+/// the failure.
 ///
-/// Cycles that did not fit the buffer are recorded as lost: a replay ends there.
+/// Cycles that did not fit into the buffer are recorded as lost. A replay ends there.
 class Recorder {
  public:
-  /// Throws InputError for a black box of 0 cycles, std::system_error if the log or the black box
-  /// cannot be created.
+  /// Throws InputError for a black box of 0 cycles, and std::system_error if the log or the black
+  /// box cannot be created. `buffer` must outlive the recorder.
   Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, RecordBuffer& buffer,
            std::vector<RecordedMaster> masters = {});
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records the parts of a Job, the arguments of its constructor; the hashes of its tables come
-  /// from their stores. Writes each table once.
+  /// Records the arguments of a Job; the hashes of its tables are taken from `time` and `cam`. Each
+  /// table is written only once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
-  /// Records parts of another movement, and its rows.
+  /// Records the arguments of another movement, or a change of a queue.
   void note(const RecordEvent& event) { write(event, now_); }
+  /// Writes the content of the buffer.
   void turn();
-  /// Takes all remaining items and gives the log its name. If never called, LOG.part stays.
+  /// Writes all remaining items, and gives the log its name. Without this call, LOG.part remains.
   void close();
 
-  /// Reason why the first file could not be written; empty: none.
+  /// Reason why a file could not be written (the first such failure); "" if there was none.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
-  /// Failed files: bits of wire::Unwritten.
+  /// Files that could not be written: bits of wire::Unwritten.
   [[nodiscard]] std::uint8_t unwritten() const { return unwritten_; }
-  [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< cycles
+  [[nodiscard]] std::int64_t lost() const { return lost_; }  ///< number of lost cycles
 
  private:
   /// The last encoded cycles of one axis, or sights of one master.

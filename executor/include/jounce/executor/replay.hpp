@@ -15,54 +15,57 @@ namespace jounce {
 
 /// Result of the replay of a record.
 struct Replay {
-  /// The first tick with a different result.
+  /// The first difference between the record and its replay.
   struct Difference {
-    std::size_t axis = 0;  ///< counted from 0; or the master
-    std::int64_t tick = 0;
-    TickDifference what = {};
-    bool of_master = false;
+    std::size_t axis = 0;      ///< index of the axis or of the master
+    std::int64_t tick = 0;     ///< tick of the difference
+    TickDifference what = {};  ///< field and values
+    bool of_master = false;    ///< true: index of a master
   };
 
-  std::vector<RecordedAxis> axes = {};
-  /// State of a master.
+  std::vector<RecordedAxis> axes = {};  ///< the axes in the record
+  /// A master in the record.
   struct Master : RecordedMaster {
-    std::int64_t cycles = 0;
-    std::int64_t lost = 0;  ///< cycles without the master
+    std::int64_t cycles = 0;  ///< number of cycles
+    std::int64_t lost = 0;    ///< cycles in which the master was lost
   };
-  std::vector<Master> masters = {};
-  std::int64_t cycles = 0;    ///< in the record, of all axes together
-  std::int64_t compared = 0;  ///< cycles executed again
+  std::vector<Master> masters = {};  ///< the masters in the record
+  std::int64_t cycles = 0;           ///< number of cycles in the record, of all axes together
+  std::int64_t compared = 0;         ///< number of cycles that were computed again
+  /// nullopt: no difference.
   std::optional<Difference> difference = {};
-  /// Reason, as a sentence, why a part was not executed again; empty: all was, or there is a
-  /// difference.
+  /// Reason, as a sentence, why a part of the record was not computed again; "" if everything was,
+  /// or if there is a difference.
   std::string shorter = {};
+  /// First tick of the record; nullopt: it has no cycles.
   std::optional<std::int64_t> first_tick = {};
-  std::int64_t last_tick = 0;
+  std::int64_t last_tick = 0;  ///< last tick of the record
 
-  /// True if executed to its end, and equal to the last bit.
+  /// True if the whole record was computed again, with identical results.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
 };
 
-/// Executes a record again: every axis, a pure function of its commands and inputs, in every tick,
-/// and compares its outputs bit for bit.
+/// Replays a record: steps every axis again with its recorded commands and inputs, in every tick,
+/// and compares the outputs bit for bit.
 ///
 ///     std::ifstream file("run.lcmlog", std::ios::binary);
 ///     const Replay r = replay(file, "run.lcmlog");
 ///     if (r.difference) std::cerr << r.difference->what.field;
 ///
-/// External masters are executed again from their samples and readings ("master_position", ...).
-/// The value of the master in every follower is compared, too ("live_master").
+/// External masters are computed again from their samples and readings ("master_position", ...).
+/// The value of the master in each follower is compared, too ("live_master").
 ///
-/// `watch` is called with every cycle of the record, even after a difference, and for a black box,
-/// which begins in the middle of a run and cannot be executed again. A record is read as a stream:
-/// its length does not matter.
+/// `name`: name of the file for errors. `watch` is called for every cycle in the record, even after
+/// a difference. It is also called for a black box, which begins in the middle of a run and cannot
+/// be computed again. `watch_master` is called for every value of a master. The record is read as a
+/// stream, so its length does not matter.
 ///
-/// Lost cycles, a movement that is not in the record (a custom program has not recorded it), and a
-/// truncated file end the execution early, but not the reading.
+/// Lost cycles, a movement that is not in the record (a custom program did not record it), and a
+/// truncated file end the computation early, but not the reading.
 ///
-/// Throws InputError, with the event's number and position, for a file that is not an LCM log, a
-/// damaged one, one without Jounce events, tables with a wrong hash, and an axis that cannot be
-/// configured as recorded.
+/// Throws InputError, with the number and the position of the event, for a file that is not an LCM
+/// log, a damaged file, a file without events of Jounce, a table with a wrong hash, and an axis
+/// whose recorded configuration is invalid.
 Replay replay(std::istream& in, const std::string& name,
               const std::function<void(const RecordedCycle&)>& watch = {},
               const std::function<void(const RecordedSight&)>& watch_master = {});

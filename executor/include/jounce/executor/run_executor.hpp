@@ -15,49 +15,56 @@ namespace jounce {
 
 /// Options of run_executor().
 struct RunOptions {
-  std::optional<double> seconds{};  ///< > 0; omitted: until a signal
-  std::vector<MachineMaster> masters =
-      {};                  ///< masters of the axes; their notices go to the first axis's
-  bool once = false;       ///< ends after a motion has ended for any reason, and all axes rest
-  Realtime realtime = {};  ///< realtime of the cyclic thread
-  /// s: if the communication thread hangs for longer, the cycle stops all axes; 0: never.
+  std::optional<double> seconds{};  ///< duration of the run, s, > 0; nullopt: until a signal
+  /// Masters of the machine; their notices are sent to the first axis's `notify`.
+  std::vector<MachineMaster> masters = {};
+  /// True: ends when a motion has ended, for any reason, and all axes are at rest.
+  bool once = false;
+  Realtime realtime = {};  ///< real-time requests of the cyclic thread
+  /// Limit of the watchdog, s: if the communication thread does not respond for longer, all axes
+  /// stop. 0: no watchdog.
   double watchdog = 0.5;
-  RecorderOptions record = {};  ///< files of the record; its notices go to those of the first axis
-  /// Called once it owns the names of the axes and its files are open: it accepts commands.
+  /// Files of the record; its notices are sent to the first axis's `notify`.
+  RecorderOptions record = {};
+  /// Called when the executor owns the names of its axes, its files are open, and it accepts
+  /// commands.
   std::function<void()> up = {};
 };
 
 /// Result of one axis.
 struct AxisSummary {
-  std::string name;
-  std::uint64_t finished = 0;  ///< motions that reached their end
-  std::uint64_t stopped = 0;   ///< motions that a stop brought to rest
-  Cause fault = Cause::none;   ///< latched at the end
-  double position = 0;         ///< position of the axis
-  bool log_truncated = false;  ///< the log ended before the run
+  std::string name;            ///< name of the axis
+  std::uint64_t finished = 0;  ///< number of motions that reached their end
+  std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest
+  Cause fault = Cause::none;   ///< fault that is latched at the end
+  double position = 0;         ///< position at the end, u (unit of the axis)
+  bool log_truncated = false;  ///< true if the log ended before the run
 };
 
-/// Result of a run.
+/// Result of run_executor().
 struct ExecutorSummary {
-  std::vector<AxisSummary> axes;
-  CycleCounts cycle;
-  Histogram::Counts lateness{};   ///< lateness of waking up
-  Histogram::Counts computing{};  ///< computing time of a cycle
-  std::string realtime;           ///< result of make_realtime(); empty without a request
-  std::string record_trouble;     ///< reason why the record is incomplete; empty: it is complete
-  std::int64_t record_lost = 0;   ///< cycles that are missing from the record
-  std::string lost_name;          ///< name that another executor owns, so that this one left
+  std::vector<AxisSummary> axes;  ///< result of each axis
+  CycleCounts cycle;              ///< timing statistics of the cycle
+  Histogram::Counts lateness{};   ///< lateness of the wake-ups
+  Histogram::Counts computing{};  ///< duration of the computations
+  std::string realtime;           ///< result of make_realtime(); "" without a request
+  std::string record_trouble;     ///< reason why the record is incomplete; "": it is complete
+  std::int64_t record_lost = 0;   ///< number of cycles that are missing in the record
+  /// Name that another executor owns, so that this executor ended; "": none.
+  std::string lost_name;
 };
 
-/// The executor behind `jounce run`: the cyclic thread steps all axes, the calling thread
-/// communicates over `link`, until its time is over, one motion is over, or SIGINT or SIGTERM
-/// arrives. It first stops active motions on their paths; a second signal does not wait for them.
+/// Runs an executor (`jounce run`). The cyclic thread steps all axes; the calling thread
+/// communicates over `link`. The run ends after the given time, after one motion, or at SIGINT or
+/// SIGTERM. Before it ends, axes in motion stop on their paths. A second signal ends it without
+/// waiting for them.
 ///
-/// Before it opens a file, it claims the names of its axes (Claim), all at once, in 0.3 s. If two
-/// executors with one name meet later (two networks were joined), one of them leaves.
+/// Before the executor opens a file, it claims the names of its axes, all at once, in 0.3 s
+/// (Claim). If two running executors with the same name meet later, because two networks were
+/// connected, one of them ends.
 ///
-/// Throws InputError for bad options and for a name that another executor owns, TransportError, and
-/// std::system_error for a log.
+/// Throws InputError for invalid options and for a name that another executor owns, TransportError
+/// for the link, and std::system_error if a log cannot be created.
 ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>& axes,
                              const RunOptions& run);
 

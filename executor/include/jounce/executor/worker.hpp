@@ -13,17 +13,18 @@
 namespace jounce {
 
 /// A thread that executes tasks one after another, for work that would delay the communication
-/// thread: a job of millions of knots takes seconds to build.
+/// thread. For example, building a job of millions of knots takes seconds.
 ///
 ///     Worker worker;
 ///     auto job = worker.ask([table] { return std::make_unique<Job>(1, table); });
 ///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or throws
 ///
-/// The destructor waits for the present task and drops the rest.
+/// The destructor waits for the present task, and drops the others.
 class Worker {
  public:
   Worker() : thread_([this](const std::stop_token& leave) { run(leave); }) {}
 
+  /// Adds a task. The future receives its result or its exception.
   template <class Make>
   [[nodiscard]] auto ask(Make make) -> std::future<std::invoke_result_t<Make>> {
     auto task = std::make_shared<std::packaged_task<std::invoke_result_t<Make>()>>(std::move(make));

@@ -8,8 +8,9 @@
 
 namespace jounce {
 
-/// The exact curve as JSON, for other programs: for each segment its length, the coefficients of
-/// its polynomial in s = u / length, and its sine terms [amplitude, angle, phase] (see Segment).
+/// Returns an exact curve as JSON, for other programs. Each segment has its length, the
+/// coefficients of its polynomial in s = u / length, where u is the distance from its start, and
+/// its sine terms [amplitude, angle, phase] (see Segment).
 template <class Over>
 std::string curve_json(const Curve<Over>& curve, const Units& units);
 

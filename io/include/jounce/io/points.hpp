@@ -8,47 +8,50 @@
 
 namespace jounce {
 
-/// One column of points: its name and unit from the header.
+/// One column of points, with the name and the unit from the header.
 struct PointColumn {
-  std::string name;  ///< lower case: "time", "position", "geo_velocity", "type"
-  std::string unit;  ///< "" if the header has none
-  std::vector<double> values = {};
-  std::vector<std::string> words =
-      {};  ///< cells of a column of words, such as "type"; `values` is then empty
+  std::string name;                 ///< lower case: "time", "position", "geo_velocity", "type"
+  std::string unit;                 ///< "" if the header has no unit
+  std::vector<double> values = {};  ///< numbers of the column
+  /// Cells of a column of words, such as "type"; `values` is then empty.
+  std::vector<std::string> words = {};
 };
 
-/// Points as a spreadsheet, a measuring device or another program writes them: CSV with a header that
-/// names columns and units.
+/// Points from a spreadsheet, a measuring device or another program: CSV with a header that names
+/// the columns and their units.
 ///
 ///     time [ms]; position [mm]; type
 ///     0;         0;             normal
 ///     16;        0,25;          even
 ///
-/// **Separators**: comma, semicolon or tab, whichever the header has. **Decimals**: a point; or a
-/// comma, if it cannot be a separator (semicolons, tabs) and no number of the file has a point.
-/// **Ignored**: empty lines, lines that begin with `#`, spaces around cells, a byte order mark.
+/// **Separator**: comma, semicolon or tab, as in the header. **Decimals**: a point. A decimal comma
+/// is accepted if the separator is not a comma and no number of the file has a point. **Ignored**:
+/// empty lines, lines that begin with `#`, spaces around cells, a byte order mark.
 ///
-/// Reads all or nothing: throws InputError with file, line, key (the column's name), value and rule
-/// for a missing header, a name twice, an unknown unit, a row of another length, an empty cell,
-/// text that is not a finite number, decimal commas together with points, and a file without
-/// points.
+/// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
+/// value and rule. Errors are a missing header, a repeated name, an unknown unit, a row of another
+/// length, an empty cell, text that is not a finite number, decimal commas together with points,
+/// and a file without points.
 struct Points {
-  std::string document;
-  std::vector<PointColumn> columns;
-  std::vector<std::uint32_t> lines;  ///< lines of the document, for each point
+  std::string document;              ///< name of the file
+  std::vector<PointColumn> columns;  ///< the columns, in the order of the file
+  std::vector<std::uint32_t> lines;  ///< line in the file of each point
 
+  /// Number of points.
   [[nodiscard]] std::size_t size() const { return lines.size(); }
-  /// The column of that name, or nullptr.
+  /// Returns the column of this name; null if there is none.
   [[nodiscard]] const PointColumn* find(std::string_view name) const;
-  /// Its values in `unit` (a header without a unit is assumed to use it). Throws InputError,
-  /// placed, if there is no such column or its unit does not convert.
+  /// Returns the values of a column in `unit`. If the header has no unit, they are already in
+  /// `unit`. Throws InputError with file and line if there is no such column, or if its unit does
+  /// not convert.
   [[nodiscard]] std::vector<double> in_unit(std::string_view name, const std::string& unit) const;
 };
 
+/// Reads points from a file, or from a text with the name `document`.
 Points read_points(const std::string& path);
 Points parse_points(std::string_view text, const std::string& document);
 
-/// True if the text begins like points: two or more columns, each named by letters.
+/// True if the text begins like points: two or more columns, whose names contain letters.
 bool begins_as_points(std::string_view text);
 
 }  // namespace jounce

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// A table as the segments of a controller that plays PT or follow tables, and as CSV that the kinds
-/// "pt" and "follow" read (`points`):
+/// A table as the segments of a controller that plays PT or follow tables, and as the CSV that the
+/// spec kinds "pt" and "follow" read (key `points`):
 ///
 ///     Sampled table = reduced(move, target_of(*controller_table("googol_pt"), {"ms", "pulse"}));
 ///     write_file("pt.csv", points_text({table.table, {"ms", "pulse"}, {}}));
@@ -18,12 +18,14 @@ namespace jounce {
 ///     time [ms],position [pulse],type
 ///     16,0.6,normal
 ///
-/// Numbers are relative to the first knot, which is not a point. Straight lines are `even`;
-/// quadratic pieces (reduce.hpp) are `normal`, the first one over a master is `continue` if it
-/// begins at a ratio.
+/// Numbers are relative to the first knot, which is not a point. A piece of constant velocity
+/// becomes a point of the type `even`, one of linear velocity (reduce.hpp) of the type `normal`.
+/// Over a master, the first one becomes `continue` if it begins at a nonzero ratio.
 ///
-/// Throws InputError for pieces that are neither, and over time for a table that begins at a velocity.
+/// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
+/// over time that begins at a nonzero velocity.
 std::vector<PtPoint> points_of(const Table& table);
+/// The same as CSV.
 std::string points_text(const TableFile& file);
 
 }  // namespace jounce

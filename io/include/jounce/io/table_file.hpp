@@ -8,45 +8,48 @@
 
 namespace jounce {
 
-/// Origin of a table. Not part of its identity.
+/// Origin of a table. It is not part of the table's identity (content_hash()).
 struct Provenance {
   std::string spec;         ///< name of the spec file; may be empty
-  std::string spec_sha256;  ///< hash of its text; may be empty
-  std::string made_by;      ///< "jounce 0.1.0"
+  std::string spec_sha256;  ///< SHA-256 of the spec's text, hexadecimal; may be empty
+  std::string made_by;      ///< program and version: "jounce 0.1.0"
 };
 
-/// A table with units and provenance, as in a file.
+/// A table with its units and its origin, as in a file.
 struct TableFile {
-  Table table;
-  Units units;
-  Provenance provenance;
+  Table table;            ///< the table
+  Units units;            ///< units of its columns
+  Provenance provenance;  ///< its origin
 };
 
-/// "jounce 0.1.0".
+/// Returns the name and version of this program: "jounce 0.1.0".
 std::string made_by();
 
-/// CSV: a head of `# key: value` lines (schema version, rule, knots, SHA-256, provenance), a line
-/// of column names with units, one line for each knot. JSON: the same as an object. Doubles are
-/// written in their shortest form that reads back the same, so both formats are bit-exact.
+/// Returns the table as CSV: a head of `# key: value` lines (version of the format, rule, knots,
+/// SHA-256, origin), a line of column names with units, and one line for each knot. Numbers have
+/// the shortest form that is read back exactly.
 std::string to_csv(const TableFile& file);
+/// Returns the same content as JSON.
 std::string to_json(const TableFile& file);
 
-/// Reads either format, recognized by the first character. Throws InputError with file, line, key,
-/// value and rule: wrong schema or version, a missing or unknown head line, a wrong number of rows
-/// or columns, text that is not a finite number, knots that do not ascend, an unknown unit, a hash
-/// that does not match the content.
+/// Reads a table from either format, which is recognized by the first character. `name`: name of
+/// the file for errors. Throws InputError with file, line, key, value and rule for a wrong schema
+/// or version, a missing or unknown head line, a wrong number of rows or columns, text that is not
+/// a finite number, knots that do not ascend, an unknown unit, and a hash that does not match the
+/// content.
 TableFile parse_table(const std::string& text, const std::string& name);
+/// The same for a file.
 TableFile read_table(const std::string& path);
 
-/// True if the text is a table file rather than a spec.
+/// True if the text is a table file; false for a spec.
 bool is_table(const std::string& text);
 
-/// CSV, or JSON if the path ends in ".json". Throws InputError if a unit is missing, as in a table
-/// of another maker: the file could not be read back.
+/// Returns the text of a table file: JSON if the path ends in ".json", otherwise CSV. Throws
+/// InputError if a unit is missing, as in a table from another maker's tool, since the file could
+/// not be read again.
 std::string table_text(const std::string& path, const TableFile& file);
 
-/// Writes CSV, or JSON if the path ends in ".json". Writes the whole file or none; "-" is standard
-/// output.
+/// Writes table_text() to the path: the whole file or nothing. "-" is standard output.
 void write_table(const std::string& path, const TableFile& file);
 
 }  // namespace jounce

@@ -13,31 +13,36 @@
 
 namespace jounce {
 
-/// The accepted versions of files: a folder with the same structure, or a revision of a git repository.
+/// The accepted versions of files, in a folder of the same structure or in a revision of a git
+/// repository.
 ///
-/// A file has its accepted version under its own path (relative to the current folder, or to the root of the
-/// repository). In a folder, that version may also be a table: `cams/feeder.csv` or `.json` for `cams/feeder.toml`.
+/// The accepted version of a file has the same path as the file, relative to the current folder or,
+/// for a revision, to the root of the repository. In a folder, the accepted version of a spec may
+/// also be a table: `cams/feeder.csv` or `.json` for `cams/feeder.toml`.
 ///
-/// A revision is written into a temporary folder, which the destructor removes; the repository and its index are not
-/// changed.
+/// A revision is extracted into a temporary folder, which the destructor removes. The repository
+/// and its index stay unchanged.
 class AcceptedVersions {
  public:
-  /// Throws InputError (key "--baseline") for a text that is not a folder or a revision,
+  /// Throws InputError (key "--baseline") for a text that is neither a folder nor a revision, and
   /// std::system_error if git cannot be run.
   explicit AcceptedVersions(std::string folder_or_revision);
   ~AcceptedVersions();
   AcceptedVersions(const AcceptedVersions&) = delete;
   AcceptedVersions& operator=(const AcceptedVersions&) = delete;
 
+  /// The text that the constructor received.
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// The folder that contains the accepted versions.
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// True for a revision of a git repository.
   [[nodiscard]] bool is_revision() const { return !temporary_.empty(); }
 
-  /// Path of a file relative to the folder.
+  /// Returns the path of a file relative to the folder.
   [[nodiscard]] std::filesystem::path relative(const std::string& file) const;
-  /// The path that an accepted version has among the files, relative to the current folder.
+  /// Returns the path that the file of an accepted version has, relative to the current folder.
   [[nodiscard]] std::string file_of(const std::filesystem::path& version) const;
-  /// The accepted version of a file; nothing if there is none.
+  /// Returns the path of the accepted version of a file; nullopt if there is none.
   [[nodiscard]] std::optional<std::filesystem::path> version_of(const std::string& file) const;
 
  private:
@@ -47,38 +52,42 @@ class AcceptedVersions {
   std::filesystem::path temporary_;  ///< empty for a folder
 };
 
-/// The change of one file.
+/// The difference between a file and its accepted version.
 struct FileChange {
   enum class What { same, changed, added, removed, renamed };
-  What what = What::same;
-  std::string file;                          ///< "" if removed
-  std::string before = {};                   ///< name of the accepted version
-  std::vector<Comparison> comparisons = {};  ///< for each axis
+  What what = What::same;   ///< kind of the difference
+  std::string file;         ///< path of the file; "" if it was removed
+  std::string before = {};  ///< name of the accepted version; "" if the file was added
+  std::vector<Comparison> comparisons = {};  ///< comparison of each axis
   std::vector<Tolerance> tolerances = {};    ///< tolerance of each comparison
-  std::vector<Diagnostic> diagnostics = {};  ///< rules baseline/...
-  std::vector<std::string> pictures = {};    ///< names of the two pictures of each comparison
+  std::vector<Diagnostic> diagnostics = {};  ///< findings of the rules baseline/...
+  std::vector<std::string> pictures = {};    ///< names of two pictures for each comparison
   std::vector<Output> files = {};            ///< the pictures, named without a folder
 };
 
+/// Options of compare_with().
 struct AcceptedOptions {
-  /// Tolerance for the numbers of an axis with these labels.
+  /// Returns the tolerance for the values of the axis with these labels.
   std::function<Tolerance(const Labels&)> tolerance = [](const Labels&) { return Tolerance{}; };
-  bool pictures = false;  ///< draws each change: before, and after over before
+  bool pictures = false;  ///< true: draws each change, before and after
 };
 
-/// Compares files with their accepted versions, on all cores: first the files in their order, then the removed ones
-/// among `names` (folders and patterns, as find_files() takes them). A motion is compared exactly, a table with a
-/// table; a file without a motion by its text. A file that is new here and whose bytes or whose `name` an accepted
-/// file has that is gone is renamed.
+/// Compares files with their accepted versions, on all cores. The result contains the files in
+/// their order, then the removed ones: accepted files among `names` (folders and patterns, see
+/// find_files()) that no longer exist. A motion is compared exactly, a table with a table, and a
+/// file without a motion by its text. A new file counts as renamed if a removed file has the same
+/// bytes, or the same `name` in its spec.
 std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
                                      const std::vector<std::string>& files,
                                      const std::vector<std::string>& names,
                                      const AcceptedOptions& options = {});
 
-/// "compared with main: 1 changed, 1 added, 38 the same", then the changes as text.
+/// Returns a summary ("compared with main: 1 changed, 1 added, 38 the same") and the changes as
+/// text. `name`: name of the accepted versions.
 std::string to_text(const std::vector<FileChange>& changes, const std::string& name);
 
-/// The same as Markdown for a pull request, with the pictures in the folder of the text.
+/// Returns the same as Markdown for a pull request. The pictures are expected in the folder of the
+/// text.
 std::string to_markdown(const std::vector<FileChange>& changes, const std::string& name);
 
 }  // namespace jounce

@@ -10,12 +10,13 @@
 
 namespace jounce {
 
-/// Examines the motions of one file: one report for each axis, in their order. May throw InputError, for example for a
-/// limit that does not fit the axis. Called by several threads at once.
+/// Examines the motions of one file. Returns one report for each axis, in the order of `axes`. It
+/// may throw InputError, for example for a limit that does not suit the axis. Several threads call
+/// it at the same time.
 using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 
-/// Reads a file of any kind, examines its motions, and returns all findings and errors, each with its
-/// place. It throws no InputError: bad input is a result.
+/// Reads a file of any kind, examines its motions, and returns all findings and errors, each with
+/// its place in the file. Throws no InputError, since an error in the input is part of the result.
 ///
 ///     const FileResult result = lint_file("cam.toml", [](std::vector<Input>& axes) {
 ///       std::vector<Report> reports;
@@ -23,23 +24,24 @@ using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 ///       return reports;
 ///     });
 ///
-/// A kind without a motion is read as far as it can be without a machine: an axis with its drive, a machine with the
-/// specs of its axes, a drive with the stability of its loop, a sweep with its spec, a path without commands, a key
-/// file with its rights. `machine` is the path spec for a G-code program.
+/// Files without a motion are checked as follows: an axis with its drive, a machine with the specs
+/// of its axes, a drive with the stability of its loop, a sweep with its spec, a path without
+/// commands, a key file with its access rights. `machine`: for a G-code program, the path of the
+/// path spec.
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "");
 
-/// The same for many files, on all cores; the results are in the order of the files. `progress` receives the share
-/// that is done.
+/// The same for many files, on all cores. The results have the order of the files. `progress`
+/// receives the share that is done, 0 to 1.
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine = "",
                                    const std::function<void(double)>& progress = {});
 
-/// True if the file is one of Jounce that has no motion to examine. False for a file that cannot be read.
+/// True for a file of Jounce that has no motion to examine. False for a file that cannot be read.
 bool is_without_motion(const std::string& path);
 
-/// The path relative to the root of the git repository that it is in, as CI systems need it; outside a repository the
-/// path relative to the current folder.
+/// Returns the path relative to the root of the git repository that contains the file, as CI
+/// systems need it. Outside a repository, returns the path relative to the current folder.
 std::string repository_path(const std::string& path);
 
 }  // namespace jounce

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// The drive that a spec names, for an axis with this configuration. Throws InputError, with keys of
-/// [drive], and std::system_error where the machine has no shared memory.
+/// Makes the drive that a spec describes, for an axis with this configuration. Throws InputError
+/// with keys of [drive], and std::system_error if the system has no shared memory for it.
 std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis);
 
 }  // namespace jounce

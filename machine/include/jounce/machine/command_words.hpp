@@ -9,40 +9,42 @@
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/commands.hpp"
 
-/// Commands in words, as `jounce order` takes them: "move --to 120mm --velocity 200mm/s". The
-/// words, their options and units come from the table of the commands.
+/// Commands in words, as in `jounce order`: "move --to 120mm --velocity 200mm/s". The words,
+/// options and units come from the table of commands (command_table.hpp).
 ///
 ///     const CommandWords words{.what = "move", .options = {{"to", "120mm"}}};
 ///     require_taken(words);
 ///     send_command(*link, "feeder", command_of(words, units));
 namespace jounce {
 
-/// The words after the name of the executor. An option is named without its dashes.
+/// The words after the name of the executor.
 struct CommandWords {
-  std::string what;
-  std::string value = {};
-  std::map<std::string, std::string> options = {};  ///< texts; empty: not given
-  std::map<std::string, bool> flags = {};
+  std::string what;        ///< the command: "move"
+  std::string value = {};  ///< its value; "": not given
+  /// Options with a text, by their name without dashes; "": not given.
+  std::map<std::string, std::string> options = {};
+  std::map<std::string, bool> flags = {};  ///< options without a text, by their name without dashes
 };
 
-/// All words: "enable", "move", ...
+/// Returns the words of all commands: "enable", "move", ...
 const std::vector<std::string>& command_words();
 
-/// An option of some words, from a field of their commands.
+/// An option of one or more commands, made from a field of these commands.
 struct CommandOption {
-  std::string name;  ///< without dashes
-  std::string help;
-  FieldRange range = FieldRange::finite;  ///< flag: it has no text
+  std::string name;  ///< name without dashes
+  std::string help;  ///< help text
+  /// Permitted values; FieldRange::flag: the option has no text.
+  FieldRange range = FieldRange::finite;
 };
-/// Each option once; those of "move" come first.
+/// Returns all options, each one once. The options of "move" come first.
 std::vector<CommandOption> command_options();
 
-/// Throws InputError, with the option in dashes ("--to") or VALUE as key, for a value or an option
-/// that the word does not take.
+/// Throws InputError for a value or an option that the command does not have. The key of the error
+/// is the option with its dashes ("--to"), or VALUE.
 void require_taken(const CommandWords& words);
 
-/// The command, with its values in the units of the axis. Throws InputError, as require_taken(),
-/// for a bad or missing value.
+/// Returns the command, with its values converted to the units of the axis. Throws InputError like
+/// require_taken(), and for an invalid or missing value.
 ClientCommand command_of(const CommandWords& words, const Units& units);
 
 }  // namespace jounce

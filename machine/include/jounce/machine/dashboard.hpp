@@ -6,7 +6,8 @@
 
 #include "jounce/machine/watch.hpp"
 
-/// The screen of `jounce monitor`, independent of any terminal: axes in, rows of text out.
+/// The screen of `jounce monitor`, independent of any terminal: it turns states of axes into rows
+/// of text.
 ///
 ///     Watch watch(*link, {.names = {"feeder"}});
 ///     View view{.width = 80, .height = 24, .now = steady_now()};
@@ -14,38 +15,44 @@
 ///     const Action action = press(view, watch.axes(), Key{'s'});     // asks first
 namespace jounce::dashboard {
 
-/// Tone of a text: its meaning, not a colour.
+/// Meaning of a text, from which a terminal selects its color.
 enum class Tone { plain, faint, strong, rests, moves, waits, wrong, chosen };
 
+/// A text with one tone.
 struct Span {
   std::string text;
   Tone tone = Tone::plain;
 };
+/// A row of the screen.
 using Row = std::vector<Span>;
 
-/// View of the operator.
+/// State of the screen.
 struct View {
-  int width = 80;
-  int height = 24;
-  bool ascii = false;  ///< no other characters
-  /// By name, since others come and go: the axis in detail, which the keys are for; else the first.
+  int width = 80;      ///< columns of the screen
+  int height = 24;     ///< rows of the screen
+  bool ascii = false;  ///< true: use ASCII characters only
+  /// Name of the axis that is shown in detail and that the keys command; "", or an unknown name:
+  /// the first axis.
   std::string chosen = {};
-  bool asks = false;      ///< a stop waits for its confirmation
+  bool asks = false;      ///< true: a stop waits for its confirmation
   std::string note = {};  ///< result of the last key
-  Nanos now{};
-  Nanos silence = std::chrono::seconds(3);  ///< from then on an axis is called silent
+  Nanos now{};            ///< present time, by the clock of Watched::received
+  /// An axis without a message for this time is shown as silent.
+  Nanos silence = std::chrono::seconds(3);
 };
 
-/// At most view.height rows of at most view.width columns: the axes, the chosen one in detail, keys.
+/// Returns at most view.height rows of at most view.width columns: the axes, the details of the
+/// chosen axis, the keys.
 std::vector<Row> rows_of(const std::vector<Watched>& axes, const View& view);
 
-/// A key that was pressed: a character, or an arrow.
+/// A key that was pressed: the code of a character, or an arrow.
 enum class Key : int { up = 256, down = 257 };
 
-/// Requested action for view.chosen.
+/// The action that a key requests for the axis view.chosen.
 enum class Action { nothing, quit, hold, resume, stop };
 
-/// A stop is asked for twice: `s`, then `y`; every other key but `q` takes it back.
+/// Processes a key and returns the requested action. A stop needs two keys, `s` and then `y`. Any
+/// other key cancels it, except `q`, which quits.
 Action press(View& view, const std::vector<Watched>& axes, Key key);
 
 }  // namespace jounce::dashboard

@@ -11,35 +11,38 @@
 
 namespace jounce {
 
-/// The specs of a machine, and how its axes run.
+/// The spec files of a machine, and options for all its axes.
 struct MachineOptions {
-  std::vector<std::string> files = {};  ///< specs of kind "axis", or one of kind "machine"
-  std::string log = {};                 ///< tick log, see log_of(); empty: none
-  bool adopt_start = false;             ///< ExecutorOptions::adopt_start
-  bool finish_when_silent = false;      ///< not ExecutorOptions::stop_when_silent
-  bool enable = false;                  ///< ExecutorOptions::enable
-  std::function<void(const std::string& notice)> notify =
-      {};  ///< the axes' notices, with their name if there are several
+  std::vector<std::string> files = {};  ///< specs of the kind "axis", or one of the kind "machine"
+  std::string log = {};                 ///< name of the tick log, see log_of(); "": none
+  bool adopt_start = false;             ///< see ExecutorOptions::adopt_start
+  /// True: a motion continues if its session times out (not ExecutorOptions::stop_when_silent).
+  bool finish_when_silent = false;
+  bool enable = false;  ///< see ExecutorOptions::enable
+  /// Receives the notices of all axes, with the name of the axis if there are several.
+  std::function<void(const std::string& notice)> notify = {};
 };
 
-/// The log of one axis: run.csv of one, run.feeder.csv, run.knife.csv of several.
+/// Returns the name of the tick log of an axis: `log` itself if there is one axis; run.feeder.csv,
+/// run.knife.csv, ... if there are several.
 std::string log_of(const std::string& log, const std::string& axis, std::size_t axes);
 
 /// The axes and masters of one executor.
 struct MachineParts {
-  std::vector<ExecutorOptions> axes = {};  ///< masters that play a table are the last of them
-  std::vector<MachineMaster> masters = {};
-  std::optional<double> watchdog = {};  ///< s, as RunOptions::watchdog, if the spec has one
+  /// All axes; virtual masters that play a table are the last ones.
+  std::vector<ExecutorOptions> axes = {};
+  std::vector<MachineMaster> masters = {};  ///< all other masters
+  std::optional<double> watchdog = {};      ///< RunOptions::watchdog, s; nullopt: not in the spec
 };
 
-/// The axes and masters of the specs:
+/// Reads the specs of a machine and makes its axes and masters:
 ///
 ///     auto [axes, masters, watchdog] = machine_parts({.files = {"machine.toml"}});
 ///     run_executor(*link, axes, {.masters = masters});
 ///
-/// Throws InputError, with file, line and key if there is one, for a file of another kind, a bad
-/// configuration, a leader that does not exist, and different units. Throws std::system_error if
-/// there is no shared memory for a drive.
+/// Throws InputError with file, line and key for a file of another kind, an invalid configuration,
+/// an axis that follows an unknown axis or master, and units that do not match. Throws
+/// std::system_error if there is no shared memory for a drive.
 MachineParts machine_parts(const MachineOptions& options);
 
 }  // namespace jounce

@@ -11,49 +11,57 @@
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 
-/// Makes the plans of a streamer from the inputs of a design: whole tables, rows of one long table,
-/// two banks.
+/// Plans for a streamer, made from the inputs of a design: whole tables, the rows of one long
+/// table, or tables in two banks.
 namespace jounce {
 
-/// The way in which an axis plays an input.
+/// Options for playing an input on an axis.
 struct PlayOptions {
-  bool live = false;  ///< it follows the live master of the axis
-  std::optional<TableFile> master =
-      {};  ///< table of the master over time; nullopt: [master] of the spec
-  bool at_next_cut =
-      false;  ///< live: begins at the end of the present pass, wherever the master is then
-  bool keep_velocity =
-      false;  ///< live: keeps the velocity at the end of the cam instead of braking
+  bool live = false;  ///< true: the cam follows the live master of the axis
+  /// Motion of a virtual master over time; nullopt: [master] of the spec.
+  std::optional<TableFile> master = {};
+  /// For a live cam: it takes over at the end of the present pass, at any position of the master.
+  bool at_next_cut = false;
+  /// For a live cam: the axis keeps the velocity at the end of the cam, and does not brake.
+  bool keep_velocity = false;
 };
 
-/// The plan that plays this input alone.
+/// Returns the plan that plays this input on one executor.
 StreamPlan stream_plan(const std::string& executor, const Input& input, const PlayOptions& options);
 
-/// Adds an input that continues in motion at the end of the one before.
+/// Adds an input to the plan. It takes over, in motion, at the end of the previous one.
 void add_swap(StreamPlan& plan, const Input& input, const PlayOptions& options);
 
-/// True for a follow spec: an axis plays it from two banks behind its live master (follow_bank_plan()).
+/// True for a follow spec. An axis plays it from two banks on its live master, see
+/// follow_bank_plan().
 bool is_follow(const Input& input);
-/// The position of the live master at which a follow spec begins; nullopt: it has none.
+/// Returns the position of the live master at which a follow spec begins; nullopt if it begins at
+/// once.
 std::optional<double> pass_position(const Input& input);
 
-/// The tables, passes and event of a follow spec in two banks. `relative`: from the position of the axis.
+/// Returns the plan for a follow spec: its tables, passes and event in two banks. `relative`:
+/// positions count from the position of the axis.
 BankPlan follow_bank_plan(const Input& input, bool relative);
 
-/// The table of an input as a bank: over a master unchanged, over time in seconds.
+/// Returns the table of an input for a bank: unchanged over a master, in s over time.
 TableFile bank_of(const Input& input);
-/// True if both banks are over the same quantity, in the same units.
+/// True if both tables are over the same variable, in the same units, so that one queue can contain
+/// both.
 bool fit_in_one_queue(const TableFile& first, const TableFile& second);
-/// The first bank once, then the second `loops` times.
+/// Returns the plan that plays the first table once, then the second one `loops` times. `relative`:
+/// positions count from the position of the axis.
 BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t loops,
                    bool relative);
 
-/// The rows of a table over time, in seconds. The queue starts with `ahead` rows and holds twice as many.
+/// Returns the plan that sends a table over time row by row, in s. The motion starts when `ahead`
+/// rows have arrived; the queue holds twice as many. `relative`: positions count from the position
+/// of the axis.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
-/// The axes of a file for these executors: its only axis for all of them; otherwise each gets the
-/// axis of its name, or the one in its place if there are as many. `path` is the name of the file.
-/// Throws InputError (key "to").
+/// Returns the axis of a file for each of these executors. If the file has one axis, every executor
+/// gets it. Otherwise each executor gets the axis of its name, or, if the numbers are equal, the
+/// axis at its place in the list. `path`: name of the file for errors. Throws InputError (key
+/// "to").
 std::vector<Input> inputs_for(const std::vector<std::string>& executors,
                               const std::vector<Input>& axes, const std::string& path);
 

@@ -8,29 +8,33 @@
 #include "jounce/executor/replay.hpp"
 #include "jounce/plot/figure.hpp"
 
-/// A record of an executor and its replay as text, JSON and figure.
+/// The record of an executor and its replay, as text, JSON and a figure.
 namespace jounce {
 
-/// The axis of this name in the record `file`, or its first one. Reads the whole file. Throws
-/// InputError (key "axis") for an unknown name, and like replay().
+/// Returns the axis with this name in the record `file`; "" means the first axis. Reads the whole
+/// file. Throws InputError (key "axis") for an unknown name, and like replay().
 RecordedAxis recorded_axis(const std::string& file, const std::string& name = "");
 
-/// Axes, cycles and masters of a record, and the first difference of its replay. `file` is its name.
+/// Returns the axes, cycles and masters of a record, and the first difference of its replay, as
+/// text. `file`: name of the record.
 std::string replay_text(const Replay& replay, const std::string& file);
 
-/// The same as a JSON object.
+/// Returns the same as a JSON object.
 std::string replay_json(const Replay& replay);
 
-/// The last ticks of one axis of a record, at most `most`.
+/// Collects the last ticks of one axis from a record.
 class LastTicks {
  public:
+  /// `axis`: index of the axis. `most`: number of ticks that are kept.
   LastTicks(std::size_t axis, std::size_t most) : axis_(axis), most_(most) {}
 
+  /// Adds a cycle; ignores other axes.
   void add(const RecordedCycle& cycle) {
     if (cycle.axis != axis_) return;
     kept_.push_back(cycle.tick);
     if (kept_.size() > most_) kept_.pop_front();
   }
+  /// The ticks, the oldest first.
   [[nodiscard]] const std::deque<Tick>& kept() const { return kept_; }
 
  private:
@@ -39,8 +43,8 @@ class LastTicks {
   std::deque<Tick> kept_;
 };
 
-/// Set and actual position, velocity, following error and torque over time, with a mark at each
-/// fault. Without the quantities that the drive does not report.
+/// Returns a figure over time: setpoint and actual position, velocity, following error and torque,
+/// with a mark at each fault. Quantities that the drive does not report are omitted.
 Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis);
 
 }  // namespace jounce

@@ -8,14 +8,15 @@
 
 namespace jounce {
 
-/// The summary of a run for people: motions and fault of each axis, lateness of the cycle.
+/// Returns the summary of a run as text: motions and fault of each axis, lateness of the cycle.
 std::string summary_text(const ExecutorSummary& summary);
 
-/// The same as a JSON object, with both histograms.
+/// Returns the same as a JSON object, with both histograms.
 std::string summary_json(const ExecutorSummary& summary);
 
-/// Sentences on what a run has lost: its name to another executor, ticks of its tick log `log`
-/// (MachineOptions::log; empty: it has none), cycles of its record. Empty: nothing.
+/// Returns sentences about what is missing after a run: the name that another executor owns, ticks
+/// of the tick log, cycles of the record. `log`: MachineOptions::log; "": none. Empty if nothing is
+/// missing.
 std::vector<std::string> missing_parts(const ExecutorSummary& summary, const std::string& log);
 
 }  // namespace jounce

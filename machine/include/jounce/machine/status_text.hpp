@@ -6,20 +6,24 @@
 
 #include "jounce/stream/message/message.hpp"
 
-/// Statuses of an executor in one line of text or JSON, without a line end.
+/// Returns the status of an axis in one line of text, without a line end.
 namespace jounce {
 
 std::string status_text(const std::string& axis, const wire::Status& status);
+/// Returns the status of an axis as JSON in one line.
 std::string status_json(const std::string& axis, const wire::Status& status);
 
-/// The state of a master that the axis follows.
+/// Returns the state of a master that the axis follows, in one line of text.
 std::string status_text(const std::string& axis, const wire::MasterStatus& master);
+/// Returns the state of a master as JSON in one line.
 std::string status_json(const std::string& axis, const wire::MasterStatus& master);
 
-/// A master in a few words: position, velocity and age of the measurement; or that it is lost.
+/// Returns the position, the velocity and the age of the measurement of a master in a few words, or
+/// that the master is lost. `ascii`: uses ASCII characters only.
 std::string master_text(const wire::MasterStatus& master, bool ascii);
 
-/// "log, black box": the files that could not be written, from wire::Status::unwritten.
+/// Returns the names of the files that could not be written, from wire::Status::unwritten: "log,
+/// black box".
 std::string unwritten_files(std::uint8_t files);
 
 }  // namespace jounce

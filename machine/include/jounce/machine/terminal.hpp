@@ -11,23 +11,24 @@
 
 namespace jounce::dashboard {
 
-/// True if there is a terminal to draw on and keys to read.
+/// True if standard output is a terminal and standard input can read keys.
 bool is_screen();
 
-/// True if the locale draws more than ASCII.
+/// True if the locale can show characters beyond ASCII.
 bool is_utf8();
 
-/// Rows as bytes for a terminal: from its upper left corner on, everything else cleared.
+/// Returns the bytes that draw these rows from the upper left corner of a terminal, and clear
+/// everything else.
 std::string drawn(const std::vector<Row>& rows);
 
-/// The whole screen of standard output and the keys of standard input, during its lifetime:
+/// Takes over the screen of standard output and the keys of standard input, until it is destroyed:
 ///
 ///     Terminal terminal;
 ///     terminal.measure(view);
 ///     terminal.show(rows_of(watch.axes(), view));
 ///     while (const auto key = terminal.key()) press(view, watch.axes(), *key);
 ///
-/// Signals that would end the program end the reading instead.
+/// Signals that would end the program make key() return 'q' instead.
 class Terminal {
  public:
   Terminal();
@@ -35,10 +36,12 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Columns and rows into the view.
+  /// Sets width and height of the view to those of the terminal.
   void measure(View& view) const;
+  /// Draws the rows, if they have changed.
   void show(const std::vector<Row>& rows);
-  /// The next key that was pressed, at once; 'q' for Ctrl-C, a signal, or a terminal that is gone.
+  /// Returns the next key without waiting; nullopt if there is none. Returns 'q' for Ctrl-C, for a
+  /// signal, and if the terminal is closed.
   std::optional<Key> key();
 
  private:

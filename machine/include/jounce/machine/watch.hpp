@@ -13,36 +13,41 @@
 #include "jounce/stream/transport/link.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
-/// State of the axes of executors, from their messages.
+/// The state of the axes of executors, from their messages.
 namespace jounce::dashboard {
 
-/// An axis by its messages.
+/// The state of one axis.
 struct Watched {
-  static constexpr std::size_t traced = 240;       ///< positions that are kept
-  static constexpr std::size_t most_masters = 64;  ///< without a key, any sender can invent some
+  static constexpr std::size_t traced = 240;  ///< greatest length of `trace`
+  /// Greatest number of masters; without a key, any program can send messages about others.
+  static constexpr std::size_t most_masters = 64;
 
-  std::string name;
-  std::optional<wire::Status> status = std::nullopt;  ///< the newest; none: no message yet
-  Nanos received{};                                   ///< its arrival
-  std::deque<double> trace = {};                      ///< positions every 100 ms, the newest last
-  Nanos traced_at{};                                  ///< arrival of the newest of them
-  std::vector<wire::MasterStatus> masters = {};       ///< state of each, by name
+  std::string name;  ///< name of the axis
+  /// The newest status; nullopt: no message yet.
+  std::optional<wire::Status> status = std::nullopt;
+  Nanos received{};                              ///< time of its arrival
+  std::deque<double> trace = {};                 ///< positions every 100 ms, the newest last
+  Nanos traced_at{};                             ///< time of the newest position in `trace`
+  std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
 };
 
-/// Stores a status; a new axis gets its place by name.
+/// Stores a status in the list, which is sorted by name. Adds the axis if it is new.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::Status& status,
           Nanos now);
 
-/// Stores the state of a master in an axis; without effect before the first status of the axis. If
-/// there are too many, drops the one of the earliest cycle.
+/// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
+/// there are too many masters, drops the one whose cycle is the earliest.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
+/// Options of Watch.
 struct WatchOptions {
-  std::vector<std::string> names = {};  ///< the executors, sorted; empty: all that send messages
-  std::optional<wire::Key> key = {};    ///< their key; nullopt: none
+  /// Names of the axes, sorted; empty: all that send messages.
+  std::vector<std::string> names = {};
+  /// Key with which the executors authenticate messages; nullopt: none.
+  std::optional<wire::Key> key = {};
 };
 
-/// Receives the statuses of executors:
+/// Receives the status messages of executors:
 ///
 ///     Watch watch(*link, {});
 ///     for (;;) {
@@ -52,20 +57,22 @@ struct WatchOptions {
 ///     }
 class Watch {
  public:
-  /// Subscribes. The link must outlive it.
+  /// Subscribes to the messages. `link` must outlive the object.
   Watch(Transport& link, WatchOptions options);
 
-  /// Receives for this time. Calls the functions, if given, with each status of an axis and of a master.
+  /// Receives for this time. Calls `status` and `master`, if given, with each message about an axis
+  /// and about a master.
   void run(
       Nanos time,
       const std::function<void(const std::string& axis, const wire::Status&)>& status = {},
       const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {});
 
-  /// The name of an executor in the options that has sent no message for this time, or "every
-  /// executor"; "": none.
+  /// Returns the name of an axis in the options that has sent no message for this time. Returns
+  /// "every executor" if no axis at all has sent one for this time; "" otherwise.
   [[nodiscard]] std::string silent(Nanos patience) const;
+  /// True if a message has arrived.
   [[nodiscard]] bool has_received() const;
-  /// Sorted by name.
+  /// The axes, sorted by name.
   [[nodiscard]] const std::vector<Watched>& axes() const { return axes_; }
 
  private:

@@ -7,42 +7,48 @@
 
 namespace jounce {
 
-/// A interval of a cam between two knots that cannot change: how long, how far, and the derivatives
-/// by master at its ends. An acceleration left out is free.
+/// An interval of a cam between two knots that cannot change: its length, its displacement, and the
+/// derivatives with respect to the master at both ends. Units: u is the unit of the slave, m that
+/// of the master.
 struct KnotInterval {
-  double length = 1;        ///< m, > 0
-  double displacement = 0;  ///< u
-  double v0 = 0;            ///< u/m
-  double v1 = 0;
-  std::optional<double> a0;  ///< u/m^2
-  std::optional<double> a1;
+  double length = 1;         ///< length, m, > 0
+  double displacement = 0;   ///< displacement of the slave, u
+  double v0 = 0;             ///< geo_velocity at the start, u/m
+  double v1 = 0;             ///< geo_velocity at the end, u/m
+  std::optional<double> a0;  ///< geo_acceleration at the start, u/m^2; nullopt: free
+  std::optional<double> a1;  ///< geo_acceleration at the end, u/m^2; nullopt: free
 };
 
-/// The least max |f''| of any function over the interval, optionally with |f'| <= velocity_limit;
-/// infinite if no function keeps that limit. Attained by full acceleration, coast, full
-/// deceleration; from rest to rest 4 h / L^2. End accelerations do not matter: they can be changed
-/// at once.
+/// Returns the least possible max |f''| of any function f over the interval, u/m^2; with
+/// `velocity_limit` (u/m), under the condition |f'| <= velocity_limit. Infinite if no function
+/// keeps that limit. The least peak is reached by full acceleration, constant velocity, full
+/// deceleration; from rest to rest it is 4 h / L^2 (h: displacement, L: length). Accelerations at
+/// the ends have no influence, since a function may change its acceleration at once.
 double least_peak_acceleration(const KnotInterval& interval,
                                std::optional<double> velocity_limit = {});
 
-/// The least max |f'''| of any function over the interval: that of the perfect spline, whose third
-/// derivative is +-J with as many switches as end accelerations are given. From rest to rest with
-/// accelerations 0: 32 h / L^3.
+/// Returns the least possible max |f'''| of any function over the interval, u/m^3. The perfect
+/// spline reaches it: its third derivative is +J or -J, with as many switches as accelerations are
+/// given at the ends. From rest to rest with accelerations 0, it is 32 h / L^3.
 double least_peak_jerk(const KnotInterval& interval);
 
-/// The least integral of f''^2: that of the cubic. From rest to rest 12 h^2 / L^3.
+/// Returns the least possible integral of f''^2. The cubic reaches it; from rest to rest it is 12
+/// h^2 / L^3.
 double least_square_acceleration(const KnotInterval& interval);
 
-/// The least max |f' f''|, the peak power of a pure inertia: that of constant power, which is put in and
-/// then taken out again (9/4 h^2 / L^3 from rest to rest). End accelerations do not matter.
+/// Returns the least possible max |f' f''|, the peak power of a pure inertia. A motion reaches it
+/// that first adds and then removes energy at constant power; from rest to rest it is 9/4 h^2 /
+/// L^3. Accelerations at the ends have no influence.
 double least_peak_power(const KnotInterval& interval);
 
-/// Bound for every choice of the free quantities, and for all laws between the fixed
-/// knots: the cam is cut at the knots whose master, slave and geo_velocity are fixed; each interval
-/// has the bound above, or that of the places it passes where their slave is fixed; each segment without
-/// freedom has its exact value. A first or last interval whose
-/// outer end is free counts zero. Infinite if the velocity limit cannot be kept (for
-/// peak_acceleration only). Holds for each objective alone.
+/// Returns a lower bound of the objective for all values of the free quantities, and for all laws
+/// between the fixed knots. It holds for each objective alone.
+///
+/// The cam is divided at the knots whose master, slave and geo_velocity are fixed. The bound of
+/// each interval is the least value above. If the slave is fixed at knots within the interval, the
+/// bound for passing these points is used. A segment without free quantities has its exact value. A
+/// first or last interval whose outer end is free counts as 0. The result is infinite if the
+/// velocity limit cannot be kept (for peak_acceleration only).
 double lower_bound(const CamProblem& problem, Objective objective);
 
 }  // namespace jounce

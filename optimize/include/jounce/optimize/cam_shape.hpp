@@ -10,77 +10,85 @@
 
 namespace jounce {
 
-/// The jerk at the ends of a run.
+/// Condition for the jerk at the ends of a run of free segments (CamShapeProblem).
 enum class EndJerk {
-  as_given,  ///< that of the given cam, unless it has a step there: its law decides
-  free,      ///< it may step there
-  zero,
+  /// That of the given cam; if the cam has a jerk step there, the law of the segment decides.
+  as_given,
+  free,  ///< any value: it may step
+  zero,  ///< 0
 };
 
 /// A segment of a cam whose law is only the start of the search: any shape may replace it.
 struct FreeShape {
-  std::size_t segment = 0;   ///< counted from 0
-  std::size_t pieces = 100;  ///< polynomials
-  int continuity = 4;        ///< continuous derivatives inside, 2 to 6; the degree is one more
-  bool monotone = false;     ///< the slave never turns back within the segment
-  EndJerk end_jerk = EndJerk::as_given;  ///< if a run begins or ends with this segment
+  std::size_t segment = 0;   ///< index of the segment, from 0
+  std::size_t pieces = 100;  ///< number of polynomials
+  /// Continuous derivatives between the polynomials, 2 to 6; their degree is one more.
+  int continuity = 4;
+  bool monotone = false;                 ///< true: the slave must not reverse within the segment
+  EndJerk end_jerk = EndJerk::as_given;  ///< used if a run begins or ends with this segment
 };
 
-/// A cam of which some segments may take any shape.
+/// A cam in which some segments may take any shape.
 ///
 ///     CamShapeProblem problem{.cam = cam, .shapes = {{.segment = 1}}};
 ///     problem.minimize = {{{PeakOf{derivative_of_shape(3)}}}};
 ///     CamShapeOutcome outcome = optimize_cam_shapes(problem);
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
-/// **Runs.** Free segments that follow one another, over the seam of a periodic cam too, are one
-/// *run*: one function, as smooth at the knots between them as inside. Runs are optimized one
-/// after another; a figure is that of one run.
+/// **Runs.** Successive free segments form one *run*, even across the end of the period of a
+/// periodic cam. A run is one function, which is as smooth at its inner knots as between them. Runs
+/// are optimized one after another, and a figure refers to one run.
 ///
-/// **Knots.** At the two ends of a run, slave, geo_velocity and geo_acceleration stay as in the
-/// given cam. So does geo_jerk if the given cam has no step of it there, unless the shape's
-/// end_jerk requires otherwise; `active` of the run then lists it as "kept/geo_jerk". The values in
-/// `knots` are free within their bounds, which may be infinite: at knots inside a run, and at the
-/// start and the end of a cam that is not periodic. Masters are never free. Everything else of the
-/// cam stays as it is, exactly.
+/// **Knots.** At both ends of a run, slave, geo_velocity and geo_acceleration stay as in the given
+/// cam. geo_jerk stays, too, if the given cam has no step of it there, unless end_jerk of the shape
+/// requires otherwise; `active` then contains "kept/geo_jerk". The values in `knots` are free
+/// within their bounds, which may be infinite. They may belong to knots inside a run, and to the
+/// start and the end of a cam that is not periodic. Master positions are never free. All other
+/// parts of the cam stay exactly as they are.
 ///
-/// **Order.** Each entry of `minimize` is a weighted sum; where there are several, each is one figure
-/// alone, and none that was minimized before may get worse by more than `concession` (relative).
+/// **Order.** Each entry of `minimize` is a weighted sum. If there are several entries, each must
+/// consist of one figure. They are minimized one after another, and no earlier figure may get worse
+/// by more than `concession` (relative).
 ///
-/// **Units.** x is the master: quantities depend on the slave's derivatives by master.
+/// **Units.** The independent variable x is the master: quantities depend on the derivatives with
+/// respect to the master.
 struct CamShapeProblem {
-  CamSpec cam = {};
-  std::vector<FreeShape> shapes = {};  ///< ascending; at least one
-  std::vector<FreeKnot> knots = {};    ///< without masters
-  Limits limits = {};                  ///< per master unit
-  std::vector<Corridor> corridors =
-      {};                              ///< from, to in the cam's master; cut to the runs they meet
-  std::vector<Ceiling> ceilings = {};  ///< ceilings of each run
-  std::vector<std::vector<WeightedFigure>> minimize = {};  ///< most important first
-  bool refine = false;
-  OptimizeOptions options = {};  ///< those of every run; the time is for all of them
-  double concession = 1e-3;
+  CamSpec cam = {};                    ///< the given cam
+  std::vector<FreeShape> shapes = {};  ///< free segments, in ascending order; at least one
+  std::vector<FreeKnot> knots = {};    ///< free values at knots, without masters
+  Limits limits = {};                  ///< limits of the derivatives with respect to the master
+  /// Corridors over the master; only their parts within runs count.
+  std::vector<Corridor> corridors = {};
+  std::vector<Ceiling> ceilings = {};  ///< greatest values of figures, for each run
+  /// Objectives, the most important first; see Order.
+  std::vector<std::vector<WeightedFigure>> minimize = {};
+  bool refine = false;           ///< true: add knots where the optimum switches (see ShapeProblem)
+  OptimizeOptions options = {};  ///< options for each run; budget.seconds is for all runs together
+  double concession = 1e-3;      ///< permitted relative loss of earlier objectives; see Order
 };
 
-/// Throws InputError (keys like "segment[2].free.shape") unless the problem is well posed: a valid cam,
-/// an objective, shapes that exist, one continuity in a run, knots that a shape reaches.
+/// Throws InputError (keys like "segment[2].free.shape") unless the problem is complete and
+/// consistent: a valid cam, an objective, existing segments, one continuity in each run, free knots
+/// that belong to a run.
 void require_valid(const CamShapeProblem& problem);
 
-/// Outcome of one run.
+/// Result of one run.
 struct CamRunOutcome {
-  std::vector<std::size_t> segments;  ///< segments of the spec, in the order of the master
-  /// Shape of the last entry of `minimize`. Its figures are those of all entries, then of the ceilings.
+  std::vector<std::size_t> segments;  ///< indices of its segments, in the order of the master
+  /// The result of the last entry of `minimize`. Its figures are those of all entries, then those
+  /// of the ceilings.
   ShapeOutcome shape;
 };
 
-/// The cam `best` has laws `hermite` in place of the free ones. Status and reason are those of the worst run;
-/// figures, active constraints and counts are those of all runs in turn. `limits` is check(best, limits),
-/// with segments of the spec counted from 0.
+/// Result of optimize_cam_shapes(). In the cam `best`, laws `hermite` replace those of the free
+/// segments. Status and reason are those of the worst run. Figures, active constraints and counts
+/// are those of all runs, one after another. `limits` is check(best, limits), with segments counted
+/// from 0 as in the spec.
 struct CamShapeOutcome : Outcome<CamSpec> {
-  std::vector<CamRunOutcome> runs = {};
+  std::vector<CamRunOutcome> runs = {};  ///< result of each run
 };
 
-/// Throws InputError like require_valid().
+/// Optimizes the shapes. `keep_going`: see optimize(). Throws InputError like require_valid().
 CamShapeOutcome optimize_cam_shapes(const CamShapeProblem& problem,
                                     const KeepGoing& keep_going = {});
 

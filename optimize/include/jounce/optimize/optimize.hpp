@@ -6,13 +6,14 @@
 
 namespace jounce {
 
-/// Minimizes the objectives in order under the limits (method: docs/optimize.md). Exact: limits are
-/// checked and objectives reported by isolated extrema, not samples. If the given cam keeps the
-/// limits, the first objective is never worse than that of the given cam. Deterministic. Throws
-/// InputError like require_valid(CamProblem).
+/// Minimizes the objectives of a cam with free knots, one after another, under its limits (method:
+/// docs/optimize/README.md). Limits and objectives are exact: they are computed from isolated
+/// extrema, not from samples. If the given cam keeps the limits, the result is never worse in the
+/// first objective. The result is deterministic. `keep_going`: see KeepGoing. Throws InputError
+/// like require_valid(CamProblem).
 ///
-/// **Outcome.** `limits` is check(best, limits) with those of CamProblem::ramped; segments count from 0 in the
-/// spec. `value` and `bound` are those of the last objective.
+/// **Outcome.** `limits` is check(best, limits) with the limits of CamProblem::ramped; its segments
+/// count from 0 as in the spec. `value` and `bound` are those of the last objective.
 Outcome<CamSpec> optimize(const CamProblem& problem, const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -10,11 +10,11 @@
 
 #include "jounce/profiles/limits/limits.hpp"
 
-/// The types that all optimizers share. Each optimizer is one function
+/// The types that all optimizers share. Each optimizer is one function:
 ///
 ///     Outcome<T> outcome = optimize(problem, keep_going);
 ///
-/// of a problem with `options` and a function that receives the progress and may stop the run:
+/// A problem contains `options`; keep_going receives the progress and can stop the run.
 ///
 /// | function | problem | T |
 /// |---|---|---|
@@ -26,86 +26,95 @@
 /// | search() | any function of numbers | std::vector<double> |
 namespace jounce {
 
-/// Effort after which a run ends. It is then `stalled`, with its best result so far.
+/// Effort after which a run ends. Its status is then `stalled`, with the best result so far.
 struct Budget {
-  std::optional<int> evaluations = {};  ///< >= 1; none: the optimizer's own number
-  std::optional<double> seconds =
-      {};  ///< > 0, may be infinite; the result then depends on the machine
+  /// Greatest number, >= 1; nullopt: the default of the optimizer.
+  std::optional<int> evaluations = {};
+  /// Time limit, s, > 0; the result then depends on the speed of the computer.
+  std::optional<double> seconds = {};
 };
 
-/// Options of an optimizer. The same problem, options and evaluations give the same outcome.
+/// Options of an optimizer. With the same problem, options and number of evaluations, the outcome
+/// is the same.
 struct OptimizeOptions {
-  double tolerance = 1e-6;         ///< relative, of the objective; in [1e-9, 1]
-  std::uint64_t seed = 1;          ///< seed of random starts
-  std::optional<int> starts = {};  ///< >= 1; none: the optimizer's own number
-  Budget budget = {};
+  double tolerance = 1e-6;  ///< relative tolerance of the objective, 1e-9 to 1
+  std::uint64_t seed = 1;   ///< seed of the random starts
+  /// Number of starts, >= 1; nullopt: the default of the optimizer.
+  std::optional<int> starts = {};
+  Budget budget = {};  ///< limits of the effort
 };
 
-/// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value out of
-/// its range.
+/// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value
+/// out of its range. `greatest_tolerance`: upper end of the range of the tolerance.
 void require_valid(const OptimizeOptions& options, double greatest_tolerance = 1);
 
-/// State of a run.
+/// Progress of an optimizer.
 struct OptimizeProgress {
-  double done = 0;      ///< estimated share of the work, in [0, 1]
-  std::size_t run = 0;  ///< index of the run of free segments of a cam
-  std::size_t runs = 1;
-  std::size_t stage = 0;  ///< index into `minimize` of the problem
+  double done = 0;        ///< estimated share of the work, 0 to 1
+  std::size_t run = 0;    ///< index of the present run of free segments (CamShapeProblem)
+  std::size_t runs = 1;   ///< number of runs
+  std::size_t stage = 0;  ///< index of the present entry of `minimize`
   int round = 0;          ///< rounds of an exchange method so far
   int evaluations = 0;    ///< evaluations so far
-  std::optional<double> reached =
-      {};  ///< value of the objective so far; none: no feasible point yet
+  /// Value of the objective so far; nullopt: no feasible point yet.
+  std::optional<double> reached = {};
 };
 
-/// Receives the progress between evaluations. Return false to stop: the outcome is then `cancelled`, with the
-/// best so far.
+/// Receives the progress between evaluations. If it returns false, the optimizer stops: the outcome
+/// is `cancelled`, with the best result so far.
 using KeepGoing = std::function<bool(const OptimizeProgress&)>;
 
-/// The end of a run, from the best to the worst.
+/// Status at the end of a run, from the best to the worst.
 enum class OptimizeStatus {
-  optimal,     ///< every objective is within tolerance of its proven bound
-  converged,   ///< no step and no start improves any more; the gaps bound the remaining gain
-  stalled,     ///< the budget ran out, or the solver gave up: the best may still be improved
-  cancelled,   ///< stopped by the caller
-  infeasible,  ///< nothing that meets every constraint was found; `best` violates them least
+  optimal,  ///< each objective is within the tolerance of its proven bound
+  /// No further step or start improves the result; a gap limits the possible improvement.
+  converged,
+  stalled,     ///< the budget was used, or the solver gave up: a better result may exist
+  cancelled,   ///< stopped by keep_going
+  infeasible,  ///< no result that meets all constraints was found; `best` violates them least
 };
 
+/// Returns the name of a status: "optimal", ...
 const char* name(OptimizeStatus status);
 
-/// A figure that is minimized or limited.
+/// A figure that is minimized or limited, before and after.
 struct FigureResult {
-  std::string name;    ///< "peak geo_jerk"
+  std::string name;    ///< name with its kind: "peak geo_jerk"
   double given = 0;    ///< value of the given curve
-  double reached = 0;  ///< value of the best one
-  /// Proven: nothing within the constraints has less, if this figure alone is minimized; none: no bound is
-  /// known.
+  double reached = 0;  ///< value of the result
+  /// Proven lower bound: nothing that meets the constraints has a lower value, even if this figure
+  /// alone is minimized. nullopt: no bound is known.
   std::optional<double> bound = {};
 
-  /// The greatest share of `reached` that can still be saved: 0 at the bound; none: no bound is known.
+  /// Returns the share of `reached` by which it can still fall at most, 0 if it is at the bound;
+  /// nullopt: no bound is known.
   [[nodiscard]] std::optional<double> gap() const;
 };
 
-/// Result of an optimizer.
+/// Result of an optimizer. T: see the table above.
 template <class T>
 struct Outcome {
+  /// Status at the end of the run.
   OptimizeStatus status = OptimizeStatus::infeasible;
-  std::string reason = {};  ///< one sentence
-  T best = {};  ///< the best that meets every constraint, or the one that violates them least
-  bool feasible = false;  ///< `best` meets every constraint
+  std::string reason = {};  ///< the reason for the status, one sentence
+  /// The best that meets all constraints; if none does, the one that violates them least.
+  T best = {};
+  bool feasible = false;  ///< true if `best` meets all constraints
   double value = 0;  ///< objective of `best`: a figure, or the weighted sum that was minimized last
-  /// Proven: nothing within the constraints has a lower objective (optimize_shape(): no spline over its knots).
+  /// Proven lower bound of the objective: nothing that meets the constraints has a lower one
+  /// (optimize_shape(): no spline over its knots). nullopt: no bound is known.
   std::optional<double> bound = {};
-  std::vector<FigureResult> figures = {};  ///< those of `minimize`, then those that are limited
-  Report limits = {};  ///< constraints of `best`, judged independently of the solver
-  /// The reasons that stop further improvement: limits reached ("limit/..."), free quantities at a bound ("bound/..."),
-  /// places where a peak is attained ("objective/...").
+  std::vector<FigureResult> figures = {};  ///< figures of `minimize`, then figures that are limited
+  Report limits = {};  ///< constraints of `best`, checked independently of the solver
+  /// Obstacles to further improvement: limits that are reached ("limit/..."), free quantities at
+  /// their bounds ("bound/..."), places where a peak is reached ("objective/...").
   std::vector<Finding> active = {};
-  int evaluations = 0;
-  int starts = 0;    ///< starts of a multi-start that were tried
-  int agreeing = 0;  ///< starts that ended at `best`
-  int rounds = 0;    ///< rounds of an exchange method
+  int evaluations = 0;  ///< number of evaluations
+  int starts = 0;       ///< number of starts that were tried
+  int agreeing = 0;     ///< number of starts that ended at `best`
+  int rounds = 0;       ///< number of rounds of an exchange method
 
-  /// True if `best` can be used.
+  /// True if `best` meets all constraints.
   [[nodiscard]] bool usable() const { return feasible; }
 };
 

@@ -17,42 +17,44 @@ struct Bound {
   double upper = 0;
 };
 
-/// The quantities of one knot that may be changed; an omitted one stays as in the cam.
+/// The values at one knot that may change. A value without bounds stays as in the cam. Units: u is
+/// the unit of the slave, m that of the master.
 struct FreeKnot {
-  std::size_t knot = 0;  ///< 0: the start of the cam; i: the end of its i-th segment
-  std::optional<Bound> master;
-  std::optional<Bound> slave;
-  std::optional<Bound> geo_velocity;
-  std::optional<Bound> geo_acceleration;
+  std::size_t knot = 0;                   ///< 0: start of the cam; i: end of its i-th segment
+  std::optional<Bound> master;            ///< bounds of its position, m
+  std::optional<Bound> slave;             ///< bounds of its position, u
+  std::optional<Bound> geo_velocity;      ///< bounds, u/m
+  std::optional<Bound> geo_acceleration;  ///< bounds, u/m^2
 };
 
-/// Figures to minimize, over the whole cam and per master unit (u/m^2, u/m^3).
+/// Figures to minimize, over the whole cam, with respect to the master (u/m^2, u/m^3).
 enum class Objective {
   peak_acceleration,  ///< max |geo_acceleration|
-  peak_jerk,          ///< max |geo_jerk|, both sides of every knot
-  rms_acceleration,   ///< sqrt(integral of geo_acceleration^2 / length of the cam)
+  peak_jerk,          ///< max |geo_jerk|; at a knot, on both sides
+  rms_acceleration,   ///< root of (integral of geo_acceleration^2 / length of the cam)
 };
 
-/// "peak geo_acceleration", "peak geo_jerk", "rms geo_acceleration": the words of the spec.
+/// Returns the name in the spec: "peak geo_acceleration", "peak geo_jerk", "rms geo_acceleration".
 const char* name(Objective objective);
+/// Returns the objective with this name; nullopt if there is none.
 std::optional<Objective> objective_named(std::string_view name);
 
-/// The objective's value for a cam: exact extrema, respectively a quadrature exact to rounding.
+/// Returns the value of the objective for a cam: from exact extrema, or by a quadrature that is
+/// exact up to rounding.
 double value_of(Objective objective, const Cam& cam);
 
-/// The slave's limits behind a master that also accelerates. With ramp = a / w^2, a the master's greatest
-/// acceleration and w its speed,
+/// Limits of the slave when the master also accelerates. Let w be the speed of the master, a its
+/// greatest acceleration, and ramp = a / w^2. Then over the whole cam f
 ///
 ///     |f''| + ramp |f'| <= limits.acceleration,   |f'''| + 3 ramp |f''| <= limits.jerk
 ///
-/// hold over the whole cam, as in greatest_master_velocity()
-/// (jounce/cam/coupling/master_limits.hpp).
+/// See greatest_master_velocity() in jounce/cam/coupling/master_limits.hpp.
 struct RampedLimits {
-  double ramp = 0;     ///< 1/m, >= 0; 0: no limits of this kind
-  Limits limits = {};  ///< per master unit: acceleration and jerk alone are used
+  double ramp = 0;     ///< a / w^2, 1/m, >= 0; 0: no such limits
+  Limits limits = {};  ///< per master unit; only acceleration and jerk are used
 };
 
-/// A cam with free quantities, and the objectives for them.
+/// A cam with free knots, and the objectives for them.
 ///
 ///     CamProblem problem{.cam = cam};
 ///     problem.free = {{.knot = 3, .master = Bound{205, 355}, .geo_velocity = Bound{-3, 3}}};
@@ -61,30 +63,31 @@ struct RampedLimits {
 ///     const Outcome<CamSpec> outcome = optimize(problem);
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
-/// **Order.** The first objective is minimized; then the second among the cams whose first is
-/// within `tolerance` (relative) of what was reached; and so on. A larger tolerance gives the later
-/// objectives more slack.
+/// **Order.** The first objective is minimized. The second one is then minimized among all cams
+/// whose first objective is within `tolerance` (relative) of the value reached, and so on. A larger
+/// tolerance leaves more freedom for later objectives.
 ///
-/// **Periodic cams.** Start and last knot are one: whichever of the two is named, both change by
-/// the same amount. The masters of the two ends are never free.
+/// **Periodic cams.** The first and the last knot are one knot: if either of them is free, both
+/// change by the same amount. The master positions of the two ends are never free.
 ///
-/// **Laws.** A polynomial (quintic, septic, nonic) takes any free quantity at its ends. Beside a law
-/// that runs from rest to rest geo_acceleration is fixed, beside a dwell also geo_velocity and slave,
-/// beside a line or an R-U law everything. A cam with a law through points is not optimized.
+/// **Laws.** A polynomial (quintic, septic, nonic) accepts any free quantity at its ends. Next to a
+/// law from rest to rest, geo_acceleration is fixed. Next to a dwell, geo_velocity and slave are
+/// fixed, too. Next to a line or a law from rest to constant velocity, everything is fixed. A cam
+/// with a law through points cannot be optimized.
 struct CamProblem {
-  CamSpec cam;
-  std::vector<FreeKnot> free;
-  Limits limits;                    ///< per master unit; hold over the whole cam
-  std::vector<Objective> minimize;  ///< most important first; no duplicates
-  RampedLimits ramped = {};         ///< hold as well
-  /// 8 starts, of which the given cam is the first, and 50000 evaluations unless stated.
+  CamSpec cam;                 ///< the given cam
+  std::vector<FreeKnot> free;  ///< the free knots
+  Limits limits;  ///< limits of the derivatives with respect to the master, over the whole cam
+  std::vector<Objective> minimize;  ///< objectives, the most important first, no duplicates
+  RampedLimits ramped = {};         ///< additional limits
+  /// Defaults: 8 starts, of which the given cam is the first, and 50000 evaluations.
   OptimizeOptions options = {};
 };
 
 /// Throws InputError (keys like `segment[3].free.master`, `start.free.slave`, `tolerance`) unless
-/// the problem is well posed: a valid cam and limits, something free, each bound finite with
-/// lower <= upper and around the given value, nothing free that a law beside it fixes, masters that
-/// can be put in ascending order, an objective.
+/// the problem is complete and consistent: a valid cam and limits, an objective, at least one free
+/// quantity; bounds that are finite, with lower <= upper, and contain the given value; no free
+/// quantity that a neighboring law fixes; masters that can ascend.
 void require_valid(const CamProblem& problem);
 
 }  // namespace jounce

@@ -11,38 +11,44 @@
 
 namespace jounce {
 
-/// A number that may be chosen, lower <= start <= upper; lower == upper: it is fixed.
+/// A number that may vary, lower <= start <= upper. If lower == upper, it is fixed.
 struct SearchVariable {
-  std::string name = {};
+  std::string name = {};  ///< name for messages and findings
   double lower = 0;
   double upper = 0;
-  double start = 0;
+  double start = 0;  ///< initial value
 };
 
-/// Result of one choice of the numbers. An impossible choice (a rejected spec) is reported as such,
-/// not hidden in a number; an answer with a NaN or an infinity counts as impossible.
+/// Result for one choice of the numbers. A choice that is not possible (a rejected spec) is
+/// reported as such, and not expressed by a large objective. An answer with NaN or infinity counts
+/// as not possible.
 struct SearchAnswer {
-  double objective = 0;                  ///< to minimize
-  std::vector<double> constraints = {};  ///< each must be <= 0; always as many, if possible
-  bool possible = true;
-  std::string why = {};  ///< not possible: one sentence
+  double objective = 0;  ///< value to minimize
+  /// Each must be <= 0; their number must be the same in every possible answer.
+  std::vector<double> constraints = {};
+  bool possible = true;  ///< false: this choice is not possible
+  std::string why = {};  ///< reason why it is not possible, one sentence
 };
 
+/// The function that is minimized.
 using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>;
 
-/// The result of a search: `best` are the numbers. `status` is never `optimal`: a search proves nothing.
-/// `feasible` follows from one more evaluation at the end. `limits` has one finding "constraint/N" for each
-/// constraint, `active` those that are met to 1e-4 of their usual size, and "bound/NAME" of the variables at
-/// a bound.
+/// Result of search(). `best` contains the numbers. `status` is never `optimal`, since a search
+/// proves nothing. `feasible` comes from an additional evaluation at the end. `limits` has one
+/// finding "constraint/N" for each constraint. `active` contains the constraints that are met to
+/// 1e-4 of their usual size, and "bound/NAME" for each variable at a bound.
 struct SearchOutcome : Outcome<std::vector<double>> {
-  SearchAnswer answer = {};                ///< answer of the function at `best`
-  std::vector<std::size_t> at_bound = {};  ///< variables at a bound, except fixed ones
-  std::vector<std::size_t> met = {};       ///< constraints met to 1e-4 of their usual size
-  std::string beyond = {};  ///< why choices within 1e-3 of the ranges from `best` are not possible
+  SearchAnswer answer = {};  ///< answer of the function at `best`
+  /// Indices of the variables at a bound, except fixed ones.
+  std::vector<std::size_t> at_bound = {};
+  /// Indices of the constraints that are met to 1e-4 of their usual size.
+  std::vector<std::size_t> met = {};
+  /// Reason why choices near `best` (within 1e-3 of the ranges) are not possible; "": none.
+  std::string beyond = {};
 };
 
-/// Minimizes a function that is expensive and has no derivatives: the numbers of a spec, through
-/// everything that is computed from them.
+/// Minimizes a function that takes long to compute and has no derivatives, such as a result that
+/// depends on the numbers of a spec.
 ///
 ///     const auto f = [](const std::vector<double>& x) -> SearchAnswer {
 ///       return {x[0] + x[1], {1 - x[0] * x[1]}};               // least sum, product at least 1
@@ -50,29 +56,28 @@ struct SearchOutcome : Outcome<std::vector<double>> {
 ///     SearchOutcome best = search({{"a", 0.1, 10, 5}, {"b", 0.1, 10, 5}}, f);
 ///     if (best.usable()) ...                                   // {1, 1}
 ///
-/// **Global phase.** Local searches start from the best random places that are far from the paths
-/// of the others, until no more basins are expected (Boender and Rinnooy Kan) or half of the
-/// evaluations are used. Then (or at once, without this phase) the best is polished until nothing
-/// gains more than the tolerance: no probe in any direction, and no step of the linearized problem.
-/// The methods, and the measurements behind their choice: docs/optimize/parameters.md.
+/// **Several variables.** In the global phase, local searches start from the best of many random
+/// points, if these are far from the paths of earlier searches. The phase ends when no more minima
+/// are expected (Boender and Rinnooy Kan), or when half of the evaluations are used. The best point
+/// is then improved until nothing gains more than the tolerance: neither a probe in any direction,
+/// nor a step of the linearized problem. docs/optimize/parameters.md describes the methods and the
+/// measurements behind their choice. The search may end early if a constraint leaves only a very
+/// narrow feasible set, or if the best point is in a narrow curved valley. If this is detected, the
+/// status is `stalled`.
 ///
-/// **One variable** is evaluated at up to 257 equally spaced places; each edge of a feasible range
-/// is bisected to 1e-3 of the tolerance, and each minimum is narrowed down to the tolerance. The
-/// search does not need monotonicity or convexity; it can miss an island narrower than a 256th of
-/// the range.
+/// **One variable.** The function is computed at up to 257 equally spaced values. Each end of a
+/// feasible range is then bisected to 1e-3 of the tolerance, and each minimum is narrowed down to
+/// the tolerance. The function need not be monotone or convex. The search can miss a feasible range
+/// that is narrower than a 256th of the whole range.
 ///
-/// **Options.** 5000 evaluations unless stated, 1000000 at most; a tolerance up to 0.01, of the
-/// objective and of each range; `starts`: the greatest number of local searches in the global
-/// phase; 1 omits that phase.
+/// **Options.** Default: 5000 evaluations, at most 1000000. The tolerance is at most 0.01, and
+/// applies to the objective and to the range of each variable. `starts` is the greatest number of
+/// local searches in the global phase; 1 omits that phase.
 ///
-/// **Several variables**: the search may end early if a constraint leaves only a very narrow
-/// feasible set, or if the best is in a narrow curved valley. The status is `stalled` if that was
-/// detected.
-///
-/// Deterministic for a seed and a number of evaluations, unless `seconds` or keep_going end it. f
-/// is called from this thread only, with numbers within their bounds. Exceptions of f are passed on
-/// unchanged. keep_going is called after each evaluation. Throws InputError (keys
-/// `variable[1].lower`, `seconds`, ...) for variables or options out of range.
+/// **Calls.** The result is deterministic for a seed and a number of evaluations, unless `seconds`
+/// or keep_going end the search. `f` is called only from the calling thread, with numbers within
+/// their bounds; its exceptions are passed on. keep_going is called after each evaluation. Throws
+/// InputError (keys `variable[1].lower`, `seconds`, ...) for variables or options out of range.
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
                      const OptimizeOptions& options = {}, const KeepGoing& keep_going = {});
 

@@ -15,103 +15,109 @@
 
 namespace jounce {
 
-/// q = by[0] f + by[1] f' + ... + by[5] f^(5) + constant: a linear function of a shape f and its
-/// derivatives at one place. The torque of a load J a + B v + K s + F behind a master that turns at
-/// w is {"torque", {K, B w, J w^2}, F}.
+/// A linear function of a shape f and its derivatives at one place x: q = by[0] f + by[1] f' + ...
+/// + by[5] f^(5) + constant. For example, the torque of a load J a + B v + K s + F, with a master
+/// that turns at w, is {"torque", {K, B w, J w^2}, F}.
 struct LinearQuantity {
-  std::string name;  ///< in the user's words: "geo_acceleration", "torque"
-  std::array<double, 6> by{};
-  double constant = 0;
+  std::string name;            ///< name for the user: "geo_acceleration", "torque"
+  std::array<double, 6> by{};  ///< factors of f, f', ..., f^(5)
+  double constant = 0;         ///< constant term
 };
 
-/// f itself (0: "value"), geo_velocity (1), geo_acceleration (2), geo_jerk (3), geo_jounce (4),
-/// geo_crackle (5).
+/// Returns a derivative of the shape as a quantity: "value" (order 0), "geo_velocity" (1),
+/// "geo_acceleration" (2), "geo_jerk" (3), "geo_jounce" (4), "geo_crackle" (5).
 LinearQuantity derivative_of_shape(int order);
 
-// ---- what can be minimized or limited: over the whole shape -----------------------------------
+// ---- figures that can be minimized or limited, over the whole shape ---------------------------
 
-/// max |q|, at every place.
+/// Peak max |q| over all x, not only at samples.
 struct PeakOf {
   LinearQuantity quantity;
 };
 
-/// sqrt(integral of q^2 / length): also motor heating, energy in a winding.
+/// Rms value: root of (integral of q^2 / length). That of the torque determines the heat in a
+/// motor.
 struct RmsOf {
   LinearQuantity quantity;
 };
 
-/// The amplitude in u at which a mode (Mode, jounce/profiles/vibration/vibration.hpp) swings after the end,
-/// the worst over a band: frequencies in cycles per unit of x, damping ratios.
+/// Residual vibration: the amplitude, u (unit of the shape), with which a vibration mode swings
+/// after the end of the shape (Mode, jounce/profiles/vibration/vibration.hpp). The worst value over
+/// a band of frequencies and damping ratios counts.
 struct ResidualOf {
-  double low = 0;
-  double high = 0;  ///< low == high: one frequency
-  double damping_low = 0;
-  double damping_high = 0;
+  double low = 0;           ///< lowest frequency, cycles per unit of x
+  double high = 0;          ///< highest frequency; equal to low: one frequency
+  double damping_low = 0;   ///< lowest damping ratio
+  double damping_high = 0;  ///< highest damping ratio
 };
 
-/// max |force * velocity|, at every place: not convex.
+/// Peak power max |force * velocity| over all x, not only at samples. Not convex.
 struct PowerOf {
   LinearQuantity force;
   LinearQuantity velocity;
 };
 
-/// The torque of a load that the shape moves, if it is not linear in the shape f:
+/// The torque of a load that the shape f moves, if it is not a linear function of f:
 ///
 ///     (1)  T = linear + d/dx (J(x) f') + coulomb sign(f') + gravity sin(angle + turn f)
 ///
-/// Units are those of `linear`: T in N m if coulomb and gravity are in N m. An inertia kg m^2
-/// behind a master of w (unit of x)/s enters J with the factor w^2.
+/// All terms have the unit of `linear`: T is in N m if coulomb and gravity are in N m. With a
+/// master that moves at w (unit of x)/s, an inertia in kg m^2 must be multiplied by w^2 to give J.
 struct LoadTorque {
-  std::string name = "torque";
-  LinearQuantity linear = {};  ///< J f'' + B f' + K f + F
-  std::vector<Segment> inertia =
-      {};              ///< J(x) over the shape's interval, in addition to `linear`; no sines
+  std::string name = "torque";  ///< name for the user
+  LinearQuantity linear = {};   ///< the linear terms J f'' + B f' + K f + F
+  /// J(x) over the interval of the shape, in addition to the constant J of `linear`; no sines.
+  std::vector<Segment> inertia = {};
   double coulomb = 0;  ///< dry friction, >= 0
-  double gravity = 0;  ///< gravity of a lever: weight times its length
-  double turn = 0;     ///< rad/u
-  double angle = 0;    ///< rad, at f = 0; 0: hanging down
+  double gravity = 0;  ///< gravity of a lever: its weight times its length
+  double turn = 0;     ///< angle of the lever per unit of the shape, rad/u
+  double angle = 0;    ///< angle of the lever at f = 0, rad; at angle 0 it hangs down
 };
 
-/// max |T| at every place; at a change of sign of f', on both sides of it.
+/// Peak torque max |T| over all x, not only at samples; where f' changes its sign, on both sides.
 struct TorqueOf {
   LoadTorque load;
 };
 
-/// sqrt(integral of T^2 / length): it determines the heat in the motor.
+/// Rms torque: root of (integral of T^2 / length). It determines the heat in a motor.
 struct RmsTorqueOf {
   LoadTorque load;
 };
 
-/// The integral over x of the input power, T f' > 0, minus the recovered share of the returned
-/// power: 0 for a braking resistor, 1 for a drive without losses.
+/// Energy: the integral over x of the input power T f' where it is positive, minus the recovered
+/// share where it is negative.
 struct EnergyOf {
   LoadTorque load;
-  double recovered = 0;  ///< 0...1
+  double recovered = 0;  ///< 0 (braking resistor) to 1 (drive without losses)
 };
 
-/// max |y| of a list of numbers y that is any affine function of the shape, such as the torque of a
-/// drive at every millisecond. Sampled: only at the places of the list. Throws for a response that
-/// is not affine, not finite, or of varying size.
+/// max |y| over a list of numbers y that is an affine function of the shape, such as the torque of
+/// a drive at every millisecond. Only the numbers of the list count. Throws InputError for a
+/// function that is not affine, a result that is not finite, or a list of varying length.
 struct ResponseOf {
-  std::string name;
-  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+  std::string name;  ///< name for the user
+  /// Computes the list; its length must not vary.
+  std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// sqrt(mean of y^2) of such a list: the rms torque of a drive.
+/// Rms value of such a list: root of the mean of y^2, such as the rms torque of a drive.
 struct RmsResponseOf {
-  std::string name;
-  std::function<std::vector<double>(const Trajectory& shape)> of;  ///< always of the same size
+  std::string name;  ///< name for the user
+  /// Computes the list; its length must not vary.
+  std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex: docs/optimize/physics.md.
+/// Any figure. PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex, see
+/// docs/optimize/physics.md.
 using ShapeFigure = std::variant<PeakOf, RmsOf, ResidualOf, PowerOf, ResponseOf, TorqueOf,
                                  RmsTorqueOf, EnergyOf, RmsResponseOf>;
 
+/// Returns the name of a figure: "peak geo_jerk", ...
 std::string name(const ShapeFigure& figure);
 
 // ---- the problem ------------------------------------------------------------------------------
 
-/// Fixed values at one end; an omitted value is free.
+/// Fixed values at one end of a shape. A value that is not given is free.
 struct ShapeEnd {
   std::optional<double> value = {};         ///< u
   std::optional<double> velocity = {};      ///< u/x
@@ -120,35 +126,37 @@ struct ShapeEnd {
   std::optional<double> jounce = {};        ///< u/x^4
 };
 
-/// A bound that runs straight from its value at `from` to that at `to`.
+/// A bound that is linear in x, between two values.
 struct Edge {
-  double at_from = 0;
-  double at_to = 0;
+  double at_from = 0;  ///< bound at the start of the corridor
+  double at_to = 0;    ///< bound at the end of the corridor
 };
 
-/// A quantity held between two edges over a window of x: a limit, a keep-out zone, a monotone interval
-/// (geo_velocity, lower 0), a point to pass within a tolerance (from == to), a interval in step (value,
-/// lower == upper: kept exactly).
+/// A quantity that must stay between two bounds over a range of x. Examples: a limit; a keep-out
+/// zone; a monotone interval (geo_velocity with lower 0); a point that is passed within a tolerance
+/// (from == to); an interval in step (value with lower == upper, which is kept exactly).
 struct Corridor {
-  LinearQuantity quantity;
-  double from = 0;
-  double to = 0;
-  std::optional<Edge> lower = {};
-  std::optional<Edge> upper = {};
+  LinearQuantity quantity;         ///< the quantity
+  double from = 0;                 ///< start of the range, x
+  double to = 0;                   ///< end of the range, x
+  std::optional<Edge> lower = {};  ///< nullopt: no lower bound
+  std::optional<Edge> upper = {};  ///< nullopt: no upper bound
 };
 
-/// A figure that may not exceed a value.
+/// A figure that must not exceed a value.
 struct Ceiling {
   ShapeFigure figure;
-  double at_most = 0;
+  double at_most = 0;  ///< the greatest permitted value
 };
 
+/// A figure in a weighted sum.
 struct WeightedFigure {
   ShapeFigure figure;
-  double weight = 1;  ///< weight of figure / (its value for the given shape), > 0
+  /// > 0; the sum adds weight * figure / (value of the figure for the given shape).
+  double weight = 1;
 };
 
-/// A free function between two ends, and the objectives for its shape.
+/// A function between two ends that is free, and the objectives for its shape.
 ///
 ///     ShapeProblem problem;                                       // rest to rest, 0..1
 ///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
@@ -156,42 +164,44 @@ struct WeightedFigure {
 ///     problem.minimize = {{PeakOf{derivative_of_shape(3)}}};
 ///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
 ///
-/// The shape is a spline: `pieces` polynomials of `degree`, joined with degree - 1 continuous
-/// derivatives. Its knots are equidistant at first; `refine` adds more where the optimum switches.
+/// The shape is a spline: `pieces` polynomials of `degree`, with degree - 1 continuous derivatives
+/// between them. Their knots are equidistant at first. Unit u: the unit of the values of the shape.
 struct ShapeProblem {
-  double begin = 0;
-  double end = 1;
-  ShapeEnd from = {};
-  ShapeEnd to = {};
-  bool periodic = false;  ///< derivatives are equal at both ends
-  int degree = 5;         ///< 2 to 7
-  std::size_t pieces = 100;
-  bool refine = false;
-  std::vector<Segment> given =
-      {};  ///< to start from and compare with; omitted: the smoothest polynomial
-  std::vector<WeightedFigure> minimize = {};
-  std::vector<Corridor> corridors = {};
-  std::vector<Ceiling> ceilings = {};
-  /// A figure that is not convex has 3 starts and 2000 evaluations unless stated.
+  double begin = 0;          ///< start, x
+  double end = 1;            ///< end, x
+  ShapeEnd from = {};        ///< fixed values at the start
+  ShapeEnd to = {};          ///< fixed values at the end
+  bool periodic = false;     ///< true: all derivatives are equal at both ends
+  int degree = 5;            ///< 2 to 7
+  std::size_t pieces = 100;  ///< number of polynomials
+  bool refine = false;       ///< true: add knots where the optimum switches
+  /// Shape to start from and to compare with; empty: the smoothest polynomial.
+  std::vector<Segment> given = {};
+  std::vector<WeightedFigure> minimize = {};  ///< objective: the weighted sum of these figures
+  std::vector<Corridor> corridors = {};       ///< constraints at each x
+  std::vector<Ceiling> ceilings = {};         ///< constraints on figures
+  /// Defaults for a figure that is not convex: 3 starts and 2000 evaluations.
   OptimizeOptions options = {};
 };
 
-/// Result of optimize_shape(): `best` is the shape, from `begin` on.
+/// Result of optimize_shape(). `best` is the shape, from `begin` on.
 ///
-/// **Numbers.** A figure is exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or that of its
-/// places (ResponseOf). `value` is the weighted sum. `bound` follows by weak duality, for convex
-/// problems: no spline over these knots, of up to 1000 times the size of this one in every
-/// derivative, has a lower weighted sum. (A spline k times beyond that size could be better by at
-/// most k times the distance from the bound to `value`.)
+/// **Values.** Figures are exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or those of a
+/// list (ResponseOf). `value` is the weighted sum. For a convex problem, `bound` follows by weak
+/// duality: no spline over these knots has a lower weighted sum, if each of its derivatives is at
+/// most 1000 times that of the result. (A spline that exceeds this by a factor k could be better by
+/// at most k times the distance from the bound to `value`.)
 ///
-/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly; also
-/// "fixed/..." and "joint/..." if it misses a fixed value at an end, or a joint.
+/// **Limits.** Corridors and ceilings are checked on the result, independently and exactly.
+/// `limits` also has findings "fixed/..." or "joint/..." if the result misses a fixed value at an
+/// end, or a joint between pieces.
 using ShapeOutcome = Outcome<std::vector<Segment>>;
 
-/// Throws InputError like require_valid(). keep_going is called between two rounds and, with the
-/// same number, many times within one.
+/// Optimizes a shape. keep_going is called between two rounds, and many times within a round.
+/// Throws InputError like require_valid().
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going = {});
 
+/// Throws InputError unless the problem is complete and consistent.
 void require_valid(const ShapeProblem& problem);
 
 }  // namespace jounce

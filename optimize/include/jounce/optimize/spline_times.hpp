@@ -9,14 +9,15 @@
 
 namespace jounce {
 
-/// Problem of the best times of a spline.
+/// Objective for the times of a spline.
 enum class TimeObjective {
   shortest,           ///< least duration within the limits
-  least_peak_jerk,    ///< least max |jerk| over all joints, at a given duration
-  least_square_jerk,  ///< least sum over the joints of the integral of jerk^2, at a given duration
+  least_peak_jerk,    ///< least max |jerk| over all joints, for a given duration
+  least_square_jerk,  ///< least sum over all joints of the integral of jerk^2, for a given duration
 };
 
-/// A motion of several joints through points, from rest to rest, as cubic splines with common knots.
+/// A motion of several joints through points, from rest to rest, as cubic splines with common
+/// knots.
 ///
 ///     SplineTimesSpec spec;
 ///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};          // one entry a joint
@@ -25,49 +26,51 @@ enum class TimeObjective {
 ///     const SplineTimes best = spline_times(spec).best;
 ///     Trajectory joint1 = best.joints[0];                                // best.duration seconds
 ///
-/// **Vocabulary.** Each joint is a C2 cubic spline over the same knots: the points, and two
-/// *virtual* knots, the second and the last but one, whose positions make velocity and acceleration
-/// zero at both ends (Lin, Chang and Luh, IEEE TAC 28, 1983). The free quantities are the
-/// *intervals* between the knots, one more than there are points.
+/// **Splines.** Each joint is a cubic spline with continuous acceleration. All joints have the same
+/// knots: the points, and two *virtual* knots, the second one and the last but one. Their positions
+/// make velocity and acceleration zero at both ends (Lin, Chang and Luh, IEEE TAC 28, 1983). The
+/// *intervals* between the knots are free. There is one interval more than points.
 ///
-/// **Units.** u and s; limits u/s, u/s^2, u/s^3. Position limits are checked, not planned for.
+/// **Units.** Positions in u (unit of the joint), time in s, limits in u/s, u/s^2, u/s^3. Position
+/// limits are checked, but not taken into account by the search.
 ///
-/// **Throws** InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for fewer
-/// than two points or more than 60, points of different size, numbers that are not finite, joints
-/// that all stand still, an invalid limit, a joint without a jerk limit (shortest: its first and
-/// last interval would shrink to 0), a duration given to `shortest` or not given to the others.
+/// **Errors.** Throws InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) for
+/// fewer than two or more than 60 points, points of different size, numbers that are not finite,
+/// joints that all stand still, an invalid limit, a joint without a jerk limit (with `shortest`,
+/// its first and last interval would shrink to 0), and a duration that is given for `shortest` or
+/// missing for the other objectives.
 struct SplineTimesSpec {
-  std::vector<std::vector<double>>
-      points;  ///< u; at least two, each with one position for each joint
-  std::vector<Limits> limits =
-      {};  ///< one for each joint; for `shortest`, and checked for all objectives
-  TimeObjective objective = TimeObjective::shortest;
-  double duration = 0;           ///< s: of the other two objectives
-  OptimizeOptions options = {};  ///< 24 starts unless stated; no budget
+  /// Points, u: at least two, each with one position for each joint.
+  std::vector<std::vector<double>> points;
+  /// Limits of each joint: for `shortest`; checked for all objectives.
+  std::vector<Limits> limits = {};
+  TimeObjective objective = TimeObjective::shortest;  ///< objective of the search
+  double duration = 0;           ///< given duration for the other two objectives, s
+  OptimizeOptions options = {};  ///< default: 24 starts; the budget is not used
 };
 
-/// The times of a spline, and its joints.
+/// The times of a spline, and the motions of its joints.
 struct SplineTimes {
-  double duration = 0;             ///< s
-  std::vector<double> intervals;   ///< s, between knots
-  std::vector<Trajectory> joints;  ///< exact; each holds outside
+  double duration = 0;             ///< whole duration, s
+  std::vector<double> intervals;   ///< times between the knots, s
+  std::vector<Trajectory> joints;  ///< motion of each joint; constant before and after
 };
 
 /// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5. The search is local and proves
-/// nothing: it is `converged` if several starts agree on the best to 1e-6, and `stalled` if only
-/// one start reached it. `limits` checks all joints by exact extrema. `active`: limits met to 1e-6
-/// and peaks of the objective.
+/// nothing: the status is `converged` if several starts agree on the best result to 1e-6, and
+/// `stalled` if only one start reached it. `limits` checks all joints by exact extrema. `active`
+/// contains the limits that are reached to 1e-6, and the peaks of the objective.
 struct SplineTimesOutcome : Outcome<SplineTimes> {
-  double spread = 0;  ///< relative difference of the best two starts
+  double spread = 0;  ///< relative difference between the two best starts
 };
 
-/// The best times found from several starts. Uniform scaling of time is exact (velocity 1/s,
-/// acceleration 1/s^2, jerk 1/s^3), so the result of `shortest` keeps every limit, and one is met.
-/// keep_going is called after each start.
+/// Returns the best times from several starts. A change of the whole duration scales velocity,
+/// acceleration and jerk exactly, so the result of `shortest` keeps every limit and reaches one of
+/// them. keep_going is called after each start.
 SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going = {});
 
-/// The joints as C2 cubic splines with the given intervals (points + 1 of them, > 0 s);
-/// spline_times() varies these.
+/// Returns the joints as cubic splines with these intervals, s, > 0; there must be one more
+/// interval than points. spline_times() varies these intervals.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

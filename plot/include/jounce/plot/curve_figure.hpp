@@ -11,31 +11,35 @@
 
 namespace jounce {
 
-/// Options of the picture of a curve. All are optional.
+/// Options for the picture of a curve. All are optional.
 struct CurveLook {
-  std::string title{};
-  std::string axis{};           ///< name of the x axis; by default "time" or "master"
-  std::string axis_unit{};      ///< "s", "deg", ...; "deg" and "°" get angular ticks
-  std::string unit{};           ///< unit of the position: "mm"; the rates' units follow from both
-  std::string label = "curve";  ///< label of the curve and of the one before it, for the legend
-  std::string before = "before";
-  Limits limits{};
-  std::vector<Shade> shades{};
-  std::vector<std::vector<Shade>> strips{};    ///< rows of names above, as in a Figure
-  std::optional<std::vector<double>> knots{};  ///< thin vertical lines; by default all breaks
+  std::string title{};  ///< title above the plots
+  std::string axis{};   ///< name of the x axis; "": "time" or "master"
+  /// Unit of the x axis: "s", "deg", ...; "deg" and "°" give angular ticks.
+  std::string axis_unit{};
+  /// Unit of the position, "mm"; the units of its derivatives follow from both units.
+  std::string unit{};
+  std::string label = "curve";               ///< label of the curve in the legend
+  std::string before = "before";             ///< label of the curve before
+  Limits limits{};                           ///< limits that are drawn
+  std::vector<Shade> shades{};               ///< named ranges of the x axis
+  std::vector<std::vector<Shade>> strips{};  ///< rows of names above the plots, see Figure
+  /// Thin vertical lines; nullopt: at all breaks of the curve.
+  std::optional<std::vector<double>> knots{};
 };
 
-/// The curve with its three derivatives, stacked: position, velocity, acceleration, jerk over time,
-/// or position, geo_velocity, geo_acceleration, geo_jerk over the master.
+/// Returns the curve with its three derivatives, in panels above one another: position, velocity,
+/// acceleration, jerk over time; or position, geo_velocity, geo_acceleration, geo_jerk over the
+/// master.
 ///
-/// Lines are true to half a pixel at 800 px: beside a fixed step, every critical point is among the
-/// points, so that between neighbours the curve is monotone and at most half a pixel wide. Jumps
-/// are vertical. The exact least and greatest value of each panel are marked, and so is the worst
-/// point of the segments (at most eight a panel) that break a limit.
+/// At a width of 800 px, lines are true to half a pixel. The points have a fixed step, and include
+/// every critical point, so the curve is monotone between neighboring points. Jumps are vertical.
+/// Marks show the exact least and greatest value of each panel, and the worst point of each segment
+/// that breaks a limit (at most eight in a panel).
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const CurveLook& look);
 
-/// The same over a paler curve: before and after an optimisation, or two versions of a cam.
+/// The same over a pale curve `before`: the motion before an optimization, or another version.
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const Curve<Over>& before, const CurveLook& look);
 

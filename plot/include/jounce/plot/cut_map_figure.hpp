@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// Speed of the line and cuts per minute over the cut length, with the limit that binds, the marked lengths, and the
-/// shortest cut.
+/// Returns a figure of the greatest line speed and the cuts per minute over the cut length. It
+/// shows the limit that applies, the marked lengths, and the shortest possible cut.
 Figure cut_map_figure(const CutMap& map);
 
 }  // namespace jounce

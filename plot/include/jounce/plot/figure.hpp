@@ -7,79 +7,83 @@
 
 namespace jounce {
 
+/// Appearance of a series.
 enum class Style {
-  line,   ///< the curve itself
-  under,  ///< a wide pale line beneath the others: the previous version, or a reference
-  dots,   ///< the points alone: knots, measured values
+  line,   ///< a line
+  under,  ///< a wide pale line below the others: a previous version, or a reference
+  dots,   ///< points only: knots, measured values
 };
 
-/// One line of a plot. x and y are of equal size; a jump is two points at one x, and a point that
-/// is not finite leaves a gap.
+/// One line of a plot. x and y have the same size. A jump is given by two points at the same x. A
+/// point that is not finite makes a gap.
 struct Series {
-  std::string label{};  ///< for the legend, which appears if a figure has several labels
+  std::string label{};  ///< label in the legend, which is shown if a figure has several labels
   std::vector<double> x{};
   std::vector<double> y{};
-  Style style = Style::line;
+  Style style = Style::line;  ///< appearance
 };
 
-/// A point with a number beside it.
+/// A marked point with a text.
 struct Marker {
   double x = 0;
   double y = 0;
-  std::string text{};   ///< shown beside it if there is enough space
-  std::string hint{};   ///< shown when a pointer rests on it; may be empty
-  bool broken = false;  ///< beyond a limit
+  std::string text{};   ///< shown next to the point if there is space
+  std::string hint{};   ///< shown when the pointer is on the point; may be empty
+  bool broken = false;  ///< true: the point is beyond a limit
 };
 
-/// One plot of the stack.
+/// One plot of a figure.
 struct Panel {
-  std::string y_label{};  ///< includes the unit: "velocity [mm/s]"
-  std::vector<Series> series{};
-  std::optional<double> lower{};  ///< the allowed band: beyond it the plot is tinted
-  std::optional<double> upper{};
-  std::vector<Marker> markers{};  ///< the most important first
-  double noise = 0;               ///< a variation of no more than this is drawn as a flat line
+  std::string y_label{};          ///< label of the y axis, with its unit: "velocity [mm/s]"
+  std::vector<Series> series{};   ///< lines
+  std::optional<double> lower{};  ///< lower limit: the area below is tinted
+  std::optional<double> upper{};  ///< upper limit: the area above is tinted
+  std::vector<Marker> markers{};  ///< marked points, the most important first
+  double noise = 0;               ///< a smaller variation than this is drawn as a flat line
 };
 
-/// A stretch of the x axis with a name, such as the synchronous one of a cam.
+/// A range of the x axis with a name, such as a sync zone of a cam.
 struct Shade {
-  double from = 0;
-  double to = 0;
-  std::string label{};
+  double from = 0;      ///< start of the range
+  double to = 0;        ///< end of the range
+  std::string label{};  ///< name
 };
 
-/// Stacked plots over one x axis.
+/// Plots above one another, over one x axis.
 ///
 ///     Figure figure{.title = "feeder", .x_label = "time [s]"};
 ///     figure.panels.push_back({.y_label = "v [mm/s]", .series = {{"axis 1", time, velocity}}});
 ///     std::string file = svg(figure);
 ///
-/// Labels may hold any text; "^2" in them is shown as "²". A shade is named, and a knot numbered,
-/// if there is space; a pointer shows every name. A limit with a large margin is not drawn but
-/// noted above its panel.
+/// Labels may contain any text; "^2" is shown as "²". Names of shades and numbers of knots are
+/// shown if there is space; the pointer shows all names. A limit with a large margin is not drawn;
+/// a note above the panel gives its value.
 struct Figure {
-  std::string title{};
-  std::string x_label{};
-  std::vector<Panel> panels{};
-  std::vector<Shade> shades{};
-  /// Rows of names above the plots: segments, their laws. Those of the first row are cut to the
-  /// width of their stretch, the others are shown if they fit. A row without a name that fits is
-  /// omitted; if there is a row, shades are not named a second time.
+  std::string title{};          ///< title above the plots
+  std::string x_label{};        ///< name and unit of the x axis
+  std::vector<Panel> panels{};  ///< the plots, from top to bottom
+  std::vector<Shade> shades{};  ///< tinted ranges
+  /// Rows of names above the plots, such as the segments and their laws. Names in the first row are
+  /// cut to the width of their range; in other rows, a name is shown only if it fits. A row in
+  /// which no name fits is omitted. If there are rows, the names of shades are not shown.
   std::vector<std::vector<Shade>> strips{};
-  std::vector<double> knots{};  ///< thin vertical lines; if too dense, omitted with a note
-  bool degrees = false;         ///< x is an angle: ticks at 30, 45, 60, 90 deg, ...
-  bool decades =
-      false;  ///< x is a decimal logarithm: ticks at 1, 2, 5, 10, ... as the number itself
+  /// Thin vertical lines; if they are too dense, they are omitted with a note.
+  std::vector<double> knots{};
+  bool degrees = false;  ///< true: x is an angle, with ticks at 30, 45, 60, 90 deg, ...
+  /// True: x is a decimal logarithm, with ticks that show the numbers 1, 2, 5, 10, ...
+  bool decades = false;
 };
 
+/// Options of a picture.
 struct SvgOptions {
-  double width = 860;         ///< px
-  double panel_height = 120;  ///< px, of the plot proper
-  bool inlined = false;       ///< for html(), which has the style sheet and sets the size
+  double width = 860;         ///< width, px
+  double panel_height = 120;  ///< height of each plot without its labels, px
+  bool inlined = false;       ///< true: for html(), which has the style sheet and sets the size
 };
 
-/// The figure as a separate SVG document: plain text labels, no script, nothing loaded, light or
-/// dark as the viewer prefers (light without a preference). Equal figures give equal bytes.
+/// Returns the figure as an SVG document: labels are text, there is no script, and nothing is
+/// loaded. Colors are light or dark as the viewer prefers, light without a preference. Equal
+/// figures give equal bytes.
 std::string svg(const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce

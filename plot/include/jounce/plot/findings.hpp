@@ -9,11 +9,11 @@
 
 namespace jounce {
 
-/// Findings of a check, for a page: one row for each, in the report's order, the broken ones
-/// marked. Columns that are empty throughout (of, segment, unit, what to change) are omitted.
+/// Returns the findings of a check as a table for a page: one row for each, in the order of the
+/// report, with the broken ones marked. Columns without any entry are omitted.
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 
-/// "All 4 limits hold.", "2 of 5 findings are broken.", ...
+/// Returns a sentence with a mark: "All 4 limits hold.", "2 of 5 findings are broken.", ...
 Headline verdict(const Report& report);
 
 }  // namespace jounce

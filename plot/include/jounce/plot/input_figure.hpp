@@ -9,13 +9,13 @@
 
 namespace jounce {
 
-/// The exact curve of an input with its limits and the zones in which a slave is in step; over a paler curve of
-/// `before`, in the units of `input`. Throws InputError (key "before") if one runs over time and the other over a
-/// master.
+/// Returns the exact curve of an input with its limits and sync zones, over a pale curve of
+/// `before` if it is given. Units are those of `input`. Throws InputError (key "before") if one of
+/// them is over time and the other over a master.
 Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
 
-/// All axes in one figure, distinguished by color; a limit is drawn where all have the same. Throws InputError (key
-/// "axis") if they differ in their units.
+/// Returns all axes in one figure, in different colors. A limit is drawn if all axes have the same.
+/// Throws InputError (key "axis") if their units differ.
 Figure figure_of(const std::vector<Input>& axes);
 
 }  // namespace jounce

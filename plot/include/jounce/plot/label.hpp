@@ -6,13 +6,12 @@
 
 namespace jounce {
 
-/// Powers as they are written by hand: "mm/deg^2" becomes "mm/deg²", "s^-1" becomes "s⁻¹". Only a
-/// `^` between a letter, digit or `)` and an integer is touched.
+/// Returns the text with superscripts: "mm/deg^2" becomes "mm/deg²", "s^-1" becomes "s⁻¹". Only a
+/// `^` between a letter, digit or `)` and an integer is replaced.
 std::string superscripts(std::string_view text);
 
-/// A number for people, rounded to `digits` significant digits and as short as that allows, with a
-/// typographic minus: "−3.39227", "1.5×10¹²". Rounding only in the display: for machines use
-/// number().
+/// Returns a number for people, rounded to `digits` significant digits, in its shortest form, with
+/// a typographic minus: "−3.39227", "1.5×10¹²". For machines, use number().
 std::string short_number(double value, int digits = 6);
 
 }  // namespace jounce

@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// The motion of an optimized spec over the paler one of the given spec: position and derivatives,
-/// and the torque of its [load] if there is one. Both specs have one axis.
+/// Returns the motion of an optimized spec over the pale motion of the given spec: position and
+/// derivatives, and the torque if the spec has a [load]. Both specs must have one axis.
 Figure optimum_figure(const Spec& given, const Spec& optimized);
 
 }  // namespace jounce

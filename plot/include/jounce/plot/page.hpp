@@ -11,64 +11,69 @@
 
 namespace jounce {
 
-/// Text; an empty line begins a new paragraph.
+/// Text in a page. An empty line begins a new paragraph.
 struct Prose {
   std::string text{};
 };
 
-/// Names with their values: "stroke", "232.362 pulse".
+/// A list of names and values in a page: "stroke", "232.362 pulse".
 struct Facts {
   std::vector<std::pair<std::string, std::string>> rows{};
 };
 
-/// A table. Columns with numbers only are aligned right; a broken row is tinted and has a cross.
+/// A table in a page. Columns that contain only numbers are aligned to the right. A broken row is
+/// tinted and has a cross.
 struct DataTable {
   struct Row {
     std::vector<std::string> cells;  ///< one for each column; missing ones are empty
-    bool broken = false;
+    bool broken = false;             ///< true: the row shows a broken limit
   };
 
-  std::string caption{};
-  std::vector<std::string> columns{};  ///< "acceleration [mm/s^2]" is shown with ²
+  std::string caption{};               ///< text below the table
+  std::vector<std::string> columns{};  ///< headings; "^2" is shown as "²"
   std::vector<Row> rows{};
 };
 
-/// A figure and a line of text below it.
+/// A figure in a page, with a line of text below it.
 struct Chart {
   Figure figure{};
-  std::string caption{};
+  std::string caption{};  ///< text below the figure
 };
 
+/// Any part of a section.
 using Block = std::variant<Prose, Facts, DataTable, Chart>;
 
+/// A section of a page.
 struct Section {
   std::string heading{};
   std::vector<Block> blocks{};
 };
 
-/// Verdict at the top of the page: a sign, and a sentence.
+/// The verdict at the top of a page: a mark and a sentence.
 struct Headline {
-  bool ok = true;
+  bool ok = true;  ///< true: a good result
   std::string text{};
 };
 
+/// A page.
 struct Page {
   std::string title{};
   std::string subtitle{};
-  std::optional<Headline> verdict{};
+  std::optional<Headline> verdict{};  ///< nullopt: no verdict
   std::vector<Section> sections{};
-  std::string footer{};  ///< origin: version, hash of the table
+  std::string footer{};  ///< origin of the page: version of the program, hash of the table
 };
 
-/// The page as one self-contained HTML file. It has no script and loads nothing, and its
-/// Content-Security-Policy makes the browser refuse both; all text is escaped, so that a name in a
-/// spec cannot become markup. Light or dark as the reader prefers, legible on a phone (figures are
-/// drawn a second time for narrow windows), printed on white. Equal pages give equal bytes.
+/// Returns the page as one HTML file that needs no other file. It has no script and loads nothing,
+/// and its Content-Security-Policy makes the browser reject both. All text is escaped, so a name in
+/// a spec cannot become markup. Colors are light or dark as the reader prefers, and a print is
+/// white. Figures are included a second time for narrow windows, such as a phone. Equal pages give
+/// equal bytes.
 std::string html(const Page& page);
 
-/// The CSS of that page, for other pages with the same look: colours as variables (--paper, --ink,
-/// --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader prefers; its text
-/// and tables.
+/// Returns the CSS of that page, for other pages with the same appearance: colors as variables
+/// (--paper, --ink, --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader
+/// prefers, and the styles of text and tables.
 std::string page_style();
 
 }  // namespace jounce

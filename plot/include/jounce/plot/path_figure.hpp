@@ -8,22 +8,25 @@
 
 namespace jounce {
 
-/// A path in a plane, colored by the speed along it, at one scale for both axes.
+/// A path in a plane, with the same scale on both axes. Its color shows the speed along the path.
 struct PathFigure {
+  /// A marked point with a text.
   struct Mark {
     double x = 0, y = 0;
     std::string text{};
   };
 
   std::string title{};
-  std::string x_label{}, y_label{};  ///< include the unit: "x [mm]"
-  std::string speed_label{};         ///< label of the scale of colors: "speed [mm/s]"
-  std::vector<double> x{}, y{};      ///< points along the path, of equal size, at least two
-  std::vector<double> speed{};       ///< >= 0, at each point; the line between two has the mean
-  std::vector<Mark> marks{};
+  std::string x_label{}, y_label{};  ///< labels of the axes, with their units: "x [mm]"
+  std::string speed_label{};         ///< label of the color scale: "speed [mm/s]"
+  std::vector<double> x{}, y{};  ///< points along the path: at least two, x and y of the same size
+  /// Speed at each point, >= 0; a line between two points shows the mean of their speeds.
+  std::vector<double> speed{};
+  std::vector<Mark> marks{};  ///< marked points
 };
 
-/// The figure as an SVG document, as svg() of a Figure; `width` counts, `panel_height` does not.
+/// Returns the figure as an SVG document, like svg() of a Figure. `options.panel_height` is not
+/// used.
 std::string svg(const PathFigure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce

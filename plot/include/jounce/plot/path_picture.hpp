@@ -9,8 +9,10 @@
 
 namespace jounce {
 
-/// A path in the plane of two of its axes ("x,y"), colored by the speed of its path axes; the five places that cost
-/// most time are marked with their lines. Throws InputError (key "plane"): no path, other axes, two units.
+/// Returns the path in the plane of two of its axes, such as "x,y", colored by its speed. Marks
+/// show the five places that cost most time, with their lines in the program. Throws InputError
+/// (key "plane") if there is no path, if an axis does not exist, or if the axes have different
+/// units.
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane);
 
 }  // namespace jounce

@@ -6,16 +6,16 @@
 
 namespace jounce {
 
-/// A complete sweep as a picture, which depends on the request:
+/// Returns a picture of a finished sweep. Its kind depends on the request:
 ///
-/// - two objectives or more: the first one along x, the others stacked; every possible case is a
-///   dot, the Pareto front a line, and the spec as given is marked;
-/// - otherwise, with random parameters: each figure over the share of cases that do not exceed it
-///   (the distribution function with its axes exchanged), with its limit; one line for each of up
-///   to four combinations of the listed values;
-/// - otherwise the figures over the first parameter.
+/// - with two or more objectives, the first one is x, and the others have a panel each. Every
+///   possible case is a dot, the Pareto front is a line, and the case of the given spec is marked;
+/// - otherwise, with random parameters, each figure is drawn over the share of cases that do not
+///   exceed it (a distribution function with exchanged axes), with its limit. There is one line for
+///   each of up to four combinations of the listed values;
+/// - otherwise, each figure is drawn over the first parameter.
 ///
-/// Figures that are the same in all cases are omitted, as are those beyond the first eight.
+/// Figures that are the same in all cases are omitted. At most eight figures are drawn.
 Figure sweep_figure(const SweepSpec& spec, const SweepResult& result, const SweepSummary& summary);
 
 }  // namespace jounce

@@ -7,19 +7,22 @@
 
 namespace jounce {
 
-/// Torque and following error over time, with their limits.
+/// Returns torque and following error of a drive over time, with their limits. `unit`: unit of the
+/// position.
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit);
 
-/// The run in the plane of speed and torque, in the envelope of the motor: peak torque, which falls from the rated to
-/// the greatest velocity; the continuous torque; the point of mean speed and rms torque.
+/// Returns the run in the plane of speed and torque, with the limits of the motor: the peak torque,
+/// which falls between the rated and the greatest velocity, and the continuous torque. The point of
+/// mean speed and rms torque is marked.
 Figure torque_speed_figure(const DriveResult& run, const Drive& drive);
 
-/// Residual vibration of a mode after the motion over the frequency of the mode, undamped and damped, in dB of the
-/// travel; `unit` of the position. The modes of the drive are marked. Exact at each frequency shown.
+/// Returns the residual vibration of a mode after the motion, over the frequency of the mode,
+/// without and with damping, in dB relative to the travel. The modes of the drive are marked.
+/// Values are exact at each frequency shown. `unit`: unit of the position.
 Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::string& unit);
 
-/// The figure with this name of `jounce plot --drive`: response, torque-speed, spectrum. Throws InputError for an input
-/// without a [drive].
+/// Returns the figure with this name of `jounce plot --drive`: "response", "torque-speed" or
+/// "spectrum". Throws InputError for an input without a [drive].
 Figure drive_figure(const Input& input, const std::string& which);
 
 }  // namespace jounce

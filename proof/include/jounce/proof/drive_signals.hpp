@@ -8,12 +8,13 @@
 
 namespace jounce {
 
-/// The samples of a drive's run as a file: CSV, or NPY (one structured array) if `path` ends in .npy. The columns have
-/// the names that `jounce identify` reads: time, command (the reference), feedback (the motor), load, velocity (of the
-/// motor), following error, torque, and current where the motor has a torque constant.
+/// Returns the samples of a drive's run as the text of a file: NPY (one structured array) if `path`
+/// ends in .npy, otherwise CSV. The columns have the names that `jounce identify` reads: time,
+/// command (the reference), feedback (position of the motor), load, velocity (of the motor),
+/// following error, torque, and current if the motor has a torque constant.
 std::string signals_file(const DriveResult& run, const Input& input, const std::string& path);
 
-/// Throws InputError with this key unless the path ends in .csv or .npy, or is - (CSV).
+/// Throws InputError with this key unless the path ends in .csv or .npy, or is "-" (CSV).
 void require_signals(const std::string& key, const std::string& path);
 
 }  // namespace jounce

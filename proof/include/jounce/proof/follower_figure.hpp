@@ -9,10 +9,12 @@
 
 namespace jounce {
 
-/// The input's table as lift of the [follower] of its spec. Throws InputError for an input without one.
+/// Returns the run of the [follower] of a spec, with the table of the input as its lift. `samples`:
+/// number of equally spaced samples; 0: none. Throws InputError for an input without a [follower].
 FollowerResult followed(const Input& input, std::size_t samples = 0);
 
-/// Lift of cam and mass, and the contact force with its limits. Flights of the follower are shaded.
+/// Returns the lift of the cam and of the mass, and the contact force with its limits. Times
+/// without contact are shaded. `unit`: unit of the position.
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
                        const std::string& unit);
 

@@ -7,21 +7,22 @@
 #include "jounce/spec/spec.hpp"
 #include "jounce/validate/identify.hpp"
 
-/// The result of identify() as text, JSON, figure and drive file. `unit` is that of the position.
+/// The result of identify() as text, JSON, a figure and a drive file. `unit`: unit of the position.
 namespace jounce {
 
-/// Start, fitted value and 95 % interval of each number, and the residual of each quantity.
+/// Returns start, fitted value and 95 % interval of each parameter, and the residual of each
+/// quantity, as text.
 std::string identification_text(const Identification& found, const std::string& unit);
 
-/// The same as a JSON object, every number in full.
+/// Returns the same as a JSON object, with all digits of each number.
 std::string identification_json(const Identification& found);
 
-/// Each recorded quantity over the fitted model, and the residual below.
+/// Returns a figure: each recorded quantity over that of the fitted model, with the residual below.
 Figure identification_figure(const Identification& found, const Recording& run,
                              const std::string& title, const std::string& unit);
 
-/// The text of a spec of kind "drive" with the fitted numbers; a comment beside each gives its
-/// interval and its start. `remark` is the comment of the first line.
+/// Returns the text of a spec of kind "drive" with the fitted values. A comment next to each value
+/// gives its interval and its start. `remark`: comment in the first line.
 std::string fitted_drive_text(const Identification& found, DriveSpec drive, const Units& units,
                               const std::string& remark);
 

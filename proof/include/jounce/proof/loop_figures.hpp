@@ -6,13 +6,15 @@
 
 namespace jounce {
 
-/// Magnitude and phase of the drive's loop over frequency (Bode), with its margins.
+/// Returns the Bode diagram of the drive's loop: magnitude and phase over frequency, with its
+/// margins.
 Figure bode_figure(const Drive& drive);
 
-/// The loop in the complex plane (Nyquist), about the unit circle and -1.
+/// Returns the Nyquist diagram of the loop: the loop in the complex plane, with the unit circle and
+/// the point -1.
 Figure nyquist_figure(const Drive& drive);
 
-/// Height of the plot, px, at which nyquist_figure() has equal scales.
+/// Height of the plot at which nyquist_figure() has the same scale on both axes, px.
 inline constexpr double nyquist_height = 560;
 
 }  // namespace jounce

@@ -13,49 +13,55 @@
 
 namespace jounce {
 
-/// One tick of a motion, from the log of an axis.
+/// One tick of a motion, from the tick log of an axis. Unit u: the unit of the axis.
 struct PlayedTick {
-  std::int64_t tick = 0;
-  double time = 0;      ///< s, since the motion's first tick
-  double position = 0;  ///< commanded, u
-  double clock = 0;     ///< s, since the log's tick 0: `time` contains its rounding
+  std::int64_t tick = 0;  ///< number of the tick
+  double time = 0;        ///< time since the first tick of the motion, s
+  double position = 0;    ///< commanded position, u
+  double clock = 0;       ///< time since tick 0 of the log, s: it determines the rounding of `time`
 };
 
-/// The ticks of the last motion in a tick log (see TickLog), from the log's text. Throws InputError
-/// with `name`, line and key for a text that is not a tick log, or has no motion.
+/// Returns the ticks of the last motion in a tick log (TickLog). `csv`: text of the log. `name`:
+/// name of the log for errors. Throws InputError with name, line and key for a text that is not a
+/// tick log, or contains no motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
-/// Reference of a motion. Times are s since its start.
+/// The reference of a motion. Times are in s from its start.
 struct Designed {
   std::function<Motion(double)> table;    ///< the interpolated table
-  std::function<double(double)> curve{};  ///< u, the exact curve; empty: only the table exists
-  double tolerance = 0;                   ///< u: permitted deviation of the table from the curve
-  double duration = 0;                    ///< s
+  std::function<double(double)> curve{};  ///< the exact curve, u; empty: there is only a table
+  double tolerance = 0;                   ///< permitted deviation of the table from the curve, u
+  double duration = 0;                    ///< duration of the motion, s
 };
 
-/// Greatest deviation of the setpoints from a reference.
+/// The greatest deviation of the setpoints from a reference.
 struct Deviation {
-  double error = 0;  ///< the greatest, u
-  double where = 0;  ///< s since the start
-  double limit = 0;  ///< u
+  double error = 0;  ///< greatest deviation, u
+  double where = 0;  ///< time since the start, s
+  double limit = 0;  ///< permitted deviation, u
 };
 
-/// Deviation of the setpoints from the design.
+/// Result of compare_played().
 struct Played {
-  std::size_t ticks = 0;
-  Deviation table{};
-  std::optional<Deviation> curve{};  ///< if there is a curve besides the table
-  /// "played/table": against the rounding of the arithmetic. "played/curve": against the tolerance
-  /// of the table, and that rounding. "played/gap": the most ticks missing in one place, against a
-  /// tenth of a second (a late cycle skips some, a log with a gap more). "played/complete": broken
-  /// if the log ends before the motion.
+  std::size_t ticks = 0;             ///< number of ticks compared
+  Deviation table{};                 ///< deviation from the table
+  std::optional<Deviation> curve{};  ///< deviation from the curve, if there is one
+  /// Findings:
+  /// - "played/table": deviation from the table, limited by the rounding of the arithmetic.
+  /// - "played/curve": deviation from the curve, limited by the tolerance of the table plus
+  ///   rounding.
+  /// - "played/gap": greatest number of missing ticks at one place, limited to a tenth of a second.
+  ///   (A late cycle skips some ticks; a log with a gap lacks more.)
+  /// - "played/complete": broken if the log ends before the motion.
   Report report;
 };
 
-/// Compares every tick. The rounding is `most_roundings` units in the last place of the greatest
-/// position, and of the distance that the fastest tick would travel in the time of the log: a
-/// position is computed from a time, and a rounded time shifts it by the velocity.
+/// Compares every tick with the design. The permitted rounding is `most_roundings` units in the
+/// last place of the greatest position, plus `most_roundings` units in the last place of the
+/// distance that the fastest tick would travel during the time of the log. (A position is computed
+/// from a time, and the rounding of the time shifts the position.)
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
+/// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;
 
 }  // namespace jounce

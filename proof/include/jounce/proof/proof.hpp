@@ -15,41 +15,44 @@
 
 namespace jounce {
 
-/// The proof of an input: what `jounce validate` computes, and `jounce report` shows.
+/// The proof of an input: the result of `jounce validate`, which `jounce report` also shows.
 ///
 ///     const Input input = read_inputs("cam.toml").front();
 ///     const Proof proof = prove(input);
 ///     if (!proof.report.ok()) print(full_text(proof.report, input.labels));
 struct Proof {
-  Witness curve;                     ///< witness of the exact curve
-  Witness table;                     ///< witness of the table as the executor interpolates it
-  std::optional<DriveResult> drive;  ///< if the spec has a [drive]
-  std::optional<Played> played;      ///< if a tick log was given
+  Witness curve;                     ///< integration of the exact curve
+  Witness table;                     ///< integration of the table, as the executor interpolates it
+  std::optional<DriveResult> drive;  ///< result of the drive, if the spec has a [drive]
+  std::optional<Played> played;      ///< comparison with a tick log, if one was given
   Report report;                     ///< all findings, with their units, sorted
-  std::optional<ToleranceResult> tolerances = {};  ///< if the spec has [drive.tolerances]
-  std::optional<FollowerResult> follower = {};     ///< if the spec has a [follower]
+  /// Result of [drive.tolerances], if the spec has them.
+  std::optional<ToleranceResult> tolerances = {};
+  /// Result of the follower, if the spec has a [follower].
+  std::optional<FollowerResult> follower = {};
 };
 
-/// Receives the share of the work that is done, from 0 to 1.
+/// Receives the share of the work that is done, 0 to 1.
 using ProofProgress = std::function<void(double share)>;
 
+/// Options of prove().
 struct ProofOptions {
   std::string log = {};  ///< file with the tick log of an executor; "": none
-  std::size_t drive_samples =
-      0;  ///< samples of drive and follower, equally spaced; 0: the figures alone
-  ProofProgress progress =
-      {};  ///< called by the calling thread while [drive.tolerances] is computed
+  /// Number of equally spaced samples of drive and follower; 0: only the summary figures.
+  std::size_t drive_samples = 0;
+  /// Called by the calling thread while [drive.tolerances] is computed.
+  ProofProgress progress = {};
 };
 
-/// Integrates the curve and its table, drives the [drive] and the [follower] with the table, and compares the log with
-/// both. Throws InputError for a cam with a [drive] or a [follower] without a [master], and for a log that is not a
-/// tick log.
+/// Proves an input: integrates its curve and its table, runs the [drive] and the [follower] with
+/// the table, and compares the tick log with both. Throws InputError for a cam that has a [drive]
+/// or a [follower] but no [master], and for a file that is not a tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
-/// The answer of `jounce validate` for one input, without the findings.
+/// Returns the text of `jounce validate` for one input, without the findings.
 std::string proof_text(const Proof& proof, const Input& input);
 
-/// The answer with all findings as a JSON object, every number in full.
+/// Returns the result with all findings as a JSON object, with all digits of each number.
 std::string proof_json(const Proof& proof, const Input& input);
 
 }  // namespace jounce

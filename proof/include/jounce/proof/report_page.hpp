@@ -8,14 +8,15 @@
 
 namespace jounce {
 
-/// The page of `jounce report`, and all findings on it.
+/// The page of `jounce report`, and all findings on the page.
 struct ReportPage {
-  Page page;
-  Report findings;  ///< findings of the exact check, then of the proof
+  Page page;        ///< the page
+  Report findings;  ///< findings of the exact check, then those of the proof
 };
 
-/// The page: curve (over a paler one of `before`), extrema of each segment, limits and joints, proof, table. Throws
-/// InputError as prove() does, and (key "before") if one input runs over time and the other over a master.
+/// Returns the page: the curve (over a pale curve of `before`, if given), the extrema of each
+/// segment, limits and joints, the proof, the table. Throws InputError like prove(), and with the
+/// key "before" if one input is over time and the other over a master.
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
                        const ProofOptions& options);
 

@@ -5,37 +5,45 @@
 
 #include "jounce/report/diagnostic.hpp"
 
-/// A run of many files in the formats of CI systems. Equal runs give equal bytes. Sources: "Workflow commands" and
-/// "SARIF support" of the GitHub documentation, SARIF 2.1.0 (OASIS), "Code Quality report format" of the GitLab
-/// documentation. JUnit has no standard: Jenkins, GitLab and GitHub read these elements.
+/// The result of a run over many files in the formats of CI systems. Equal runs give equal bytes.
+///
+/// Sources: "Workflow commands" and "SARIF support" of the GitHub documentation; SARIF 2.1.0
+/// (OASIS); "Code Quality report format" of the GitLab documentation. JUnit has no standard: these
+/// functions write the elements that Jenkins, GitLab and GitHub read.
+///
+/// `quiet`: omits warnings. `strict`: counts a warning as a broken limit.
 namespace jounce {
 
-/// Lines FILE:LINE:COLUMN: SEVERITY: MESSAGE [RULE], as compilers print them; `quiet`: without the warnings.
+/// Returns one line for each statement, in the form that compilers print: FILE:LINE:COLUMN:
+/// SEVERITY: MESSAGE [RULE].
 std::string to_text(const RunResult& run, bool quiet = false);
 
-/// "40 files: 38 good, 1 with broken limits, 1 wrong; 3 warnings".
+/// Returns a summary: "40 files: 38 good, 1 with broken limits, 1 wrong; 3 warnings".
 std::string summary_line(const RunResult& run);
 
-/// {"ok": ..., "status": ..., "files": [{"file": ..., "findings": [...]}]}, every number in full. It contains every
-/// finding, those that hold included. A number that is not finite is null.
+/// Returns JSON: {"ok": ..., "status": ..., "files": [{"file": ..., "findings": [...]}]}, with all
+/// digits of each number. It contains every finding, including those that hold. A number that is
+/// not finite is null.
 std::string to_json(const RunResult& run, bool strict = false);
 
-/// One file of it: {"file": ..., "kind": ..., "ok": ..., "status": ..., "findings": [...]}.
+/// Returns the JSON of one file: {"file": ..., "kind": ..., "ok": ..., "status": ..., "findings":
+/// [...]}.
 std::string to_json(const FileResult& file, bool strict = false);
 
-/// GitHub workflow commands, the worst first: GitHub shows ten errors and ten warnings of a step. Notes and limits that
-/// hold are left out, here and in the next two formats.
+/// Returns GitHub workflow commands, the worst first, since GitHub shows only ten errors and ten
+/// warnings of a step. This format and the next two omit notes and limits that hold.
 std::string to_github(const RunResult& run, bool quiet = false);
 
-/// GitLab Code Quality.
+/// Returns a GitLab Code Quality report.
 std::string to_gitlab(const RunResult& run, bool quiet = false);
 
-/// SARIF 2.1.0, with the rules that occur, their meaning and their remedy. The fingerprint of a result does not depend
-/// on its line or on its numbers: an alert stays the same alert while the file changes around it.
+/// Returns SARIF 2.1.0, with the meaning and the remedy of each rule that occurs. The fingerprint
+/// of a result does not depend on its line or its numbers, so an alert remains the same when other
+/// parts of the file change.
 std::string to_sarif(const RunResult& run, bool quiet = false);
 
-/// JUnit XML: a suite for each file, a case for each rule at each place, those that hold included. Jenkins keeps one
-/// failure of a case.
+/// Returns JUnit XML: a suite for each file, and a case for each rule at each place, including
+/// those that hold. If a case has several failures, Jenkins shows only one.
 std::string to_junit(const RunResult& run, bool strict = false);
 
 }  // namespace jounce

@@ -13,71 +13,74 @@
 
 namespace jounce {
 
-/// One of two versions of a curve, with its properties: a spec, a table, or anything made in
-/// a program.
+/// One of two versions of a curve, with its properties: from a spec, from a table, or made by a
+/// program.
 struct Version {
-  std::string name;
-  std::variant<Cam, Trajectory> curve;
-  Labels labels;
-  std::vector<double> knots = {};            ///< places on the axis; empty: the breaks of the curve
-  std::vector<std::string> knot_names = {};  ///< one for each, "end of 2 in step"; may be empty
-  std::optional<Limits> limits = {};         ///< none: a kind without limits, such as a table
+  std::string name;                     ///< name of the version, such as its file
+  std::variant<Cam, Trajectory> curve;  ///< the curve
+  Labels labels;                        ///< its units and the names of its segments
+  std::vector<double> knots = {};       ///< places of the knots; empty: the breaks of the curve
+  /// A name for each knot, "end of 2 in step"; may be empty.
+  std::vector<std::string> knot_names = {};
+  std::optional<Limits> limits = {};  ///< nullopt: a kind without limits, such as a table
 };
 
-/// Tolerances for equal versions.
+/// Tolerances within which two versions count as equal.
 ///
-/// By default only rounding. A share refers to the range of each quantity. A quantity with its own
-/// number, in its unit, may differ by that. If there is such a number, quantities without a number
-/// and without a share are shown but not judged.
+/// Without any value, only rounding is permitted. `share` permits a share of the range of each
+/// quantity. `of` permits a difference of one quantity, in its unit. If `of` has a value for any
+/// quantity, and there is no share, the other quantities are shown but not judged.
 struct Tolerance {
-  std::optional<double> share = {};
-  std::array<std::optional<double>, 4> of = {};  ///< position, velocity, acceleration, jerk
+  std::optional<double> share = {};              ///< share of the range of each quantity
+  std::array<std::optional<double>, 4> of = {};  ///< for position, velocity, acceleration, jerk
 };
 
-/// Greatest difference of a quantity (0 position to 3 jerk) that a tolerance permits, in the unit of the quantity:
-/// rounding if there is no tolerance; nothing if the quantity is not judged.
+/// Returns the greatest permitted difference of a quantity (order: 0 position to 3 jerk), in its
+/// unit. Without a tolerance, this is rounding. Returns nullopt if the quantity is not judged.
 std::optional<double> permitted(const Change& change, std::size_t order,
                                 const Tolerance& tolerance);
 
-/// A property in which two versions differ: "periodic", "unit of position",
-/// "limit geo_velocity". An empty text: not given.
+/// A property in which two versions differ: "periodic", "unit of position", "limit geo_velocity".
+/// An empty text means that a version does not have it.
 struct Remark {
-  std::string what;
-  std::string before;
-  std::string after;
+  std::string what;    ///< name of the property
+  std::string before;  ///< value in the earlier version
+  std::string after;   ///< value in the later version
 };
 
-/// Changes from one version to another. Numbers are in the units of `after`.
+/// The differences between two versions. Numbers are in the units of `after`.
 struct Comparison {
-  std::string before;  ///< names
-  std::string after;
-  Labels labels;  ///< labels of `after`
-  Changes changes;
-  std::array<bool, 4> beyond{};   ///< true for those that exceed the tolerance
-  std::vector<KnotChange> knots;  ///< listed, but not judged: the curve is
-  std::vector<std::string> knot_names_before;
-  std::vector<std::string> knot_names_after;
-  std::vector<Remark> remarks;  ///< interval, units, policy outside, limits: each a difference
+  std::string before;  ///< name of the earlier version
+  std::string after;   ///< name of the later version
+  Labels labels;       ///< units and segments of the later version
+  Changes changes;     ///< differences of the curves
+  /// For position, velocity, acceleration, jerk: true if the tolerance is exceeded.
+  std::array<bool, 4> beyond{};
+  std::vector<KnotChange> knots;               ///< changes of the knots: shown, but not judged
+  std::vector<std::string> knot_names_before;  ///< names of the earlier knots
+  std::vector<std::string> knot_names_after;   ///< names of the later knots
+  std::vector<Remark> remarks;  ///< differences of interval, units, policy outside and limits
 
-  /// True if nothing exceeds the tolerance and nothing else was changed.
+  /// True if no difference exceeds the tolerance, and there are no remarks.
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares the curves exactly (see difference.hpp), and their properties: the interval, the policy
-/// outside, units, and limits if both have some. `before` is converted into the units of `after`,
-/// unless one has none. Throws InputError if one runs over time and the other over a master, if
-/// units do not convert, or if there is no common stretch.
+/// Compares two versions: their curves exactly (see difference.hpp), and their interval, policy
+/// outside, units, and limits if both have some. `before` is converted to the units of `after`,
+/// unless one of them has no units. Throws InputError if one is over time and the other over a
+/// master, if units do not convert, or if the curves have no common interval.
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
 
-/// The version converted to other units of its axis and its position: curve, knots and limits.
-/// Units unknown on either side stay. Throws InputError (key "unit") if two units do not convert.
+/// Returns the version in other units: curve, knots and limits. A unit that is unknown in either
+/// stays. Throws InputError (key "unit") if two units do not convert.
 Version in_units(Version version, const Units& units);
 
-/// For people: one line for each quantity with its peaks and the largest difference, then knots and
-/// remarks. Knots beyond `most` are only counted.
+/// Returns a text for people: one line for each quantity with its peaks and its largest difference,
+/// then knots and remarks. If there are more than `most` knots, the others are only counted.
 std::string to_text(const Comparison& comparison, std::size_t most = 10);
 
-/// {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, every number in full.
+/// Returns {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, with all digits of
+/// each number.
 std::string to_json(const Comparison& comparison);
 
 }  // namespace jounce

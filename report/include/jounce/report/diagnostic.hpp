@@ -11,73 +11,76 @@
 
 namespace jounce {
 
-/// Severity of a statement about a file.
+/// Severity of a statement about a file, in ascending order.
 enum class Level : std::uint8_t {
   good,     ///< a limit that holds
   note,     ///< a fact
-  warning,  ///< allowed, but perhaps not intended
+  warning,  ///< permitted, but perhaps not intended
   broken,   ///< a limit is broken: exit status 1
-  error,    ///< the file is wrong: exit status 2
+  error,    ///< the file is invalid: exit status 2
 };
 
-/// "ok", "note", "warning", "error": for machines, a broken limit is an error as well.
+/// Returns "ok", "note", "warning" or "error". (For machines, a broken limit is an error, too.)
 const char* severity(Level level) noexcept;
 
-/// A place in a file. Line and column count from 1, the column in characters; 0: unknown.
+/// A place in a file.
 struct FilePlace {
-  std::string file = {};
-  int line = 0;
-  int column = 0;
+  std::string file = {};  ///< path of the file
+  int line = 0;           ///< from 1; 0: unknown
+  int column = 0;         ///< in characters, from 1; 0: unknown
 };
 
-/// One statement about a file with its place, for CI systems and editors: a finding of a check, an error of the input,
-/// or a difference from an accepted version.
+/// One statement about a file, with its place, for CI systems and editors: a finding of a check, an
+/// error in the input, or a difference from an accepted version.
 struct Diagnostic {
-  std::string rule;  ///< "limit/geo_velocity", "input/key": `jounce explain RULE` has its meaning
-  Level level = Level::note;
-  FilePlace place;
-  FilePlace limit_place = {};  ///< key that sets the limit; no file: none
+  std::string rule;  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` describes it
+  Level level = Level::note;   ///< severity
+  FilePlace place;             ///< the place that the statement is about
+  FilePlace limit_place = {};  ///< the key that sets the limit; an empty file: none
   std::string key = {};        ///< key at the place: "segment[2]", "limits.velocity"
-  std::string axis = {};       ///< axis, or the part that was checked; may be empty
-  std::string segment = {};    ///< "3 return"; may be empty
+  std::string axis = {};       ///< name of the axis, or of the part that was checked; may be empty
+  std::string segment = {};    ///< number and name of the segment: "3 return"; may be empty
   std::string message = {};    ///< one sentence, without the place
-  std::string advice = {};     ///< may be empty
-  std::string quantity = {};
-  std::string unit = {};  ///< unit of value and limit
-  std::optional<double> value = {};
-  std::optional<double> limit = {};
-  std::optional<double> margin = {};  ///< share of the limit; below 0: broken
-  std::optional<double> where = {};   ///< position on the axis of the curve
-  std::string where_unit = {};
+  std::string advice = {};     ///< remedy; may be empty
+  std::string quantity = {};   ///< the quantity: "geo_velocity"; may be empty
+  std::string unit = {};       ///< unit of value and limit
+  std::optional<double> value = {};   ///< the number found
+  std::optional<double> limit = {};   ///< its limit
+  std::optional<double> margin = {};  ///< margin as a share of the limit; below 0: broken
+  std::optional<double> where = {};   ///< time or master position of the finding
+  std::string where_unit = {};        ///< unit of `where`
 };
 
-/// Result of one file: its statements, the worst first.
+/// The statements about one file, the worst first.
 struct FileResult {
-  std::string file;
+  std::string file;       ///< path of the file
   std::string kind = {};  ///< "cam", "table", "machine", ...; empty if the file could not be read
-  std::vector<Diagnostic> diagnostics = {};
+  std::vector<Diagnostic> diagnostics = {};  ///< the statements
 
+  /// Number of statements of this level.
   [[nodiscard]] std::size_t count(Level level) const;
-  /// Worst level; Level::good without statements.
+  /// The worst level; Level::good if there are no statements.
   [[nodiscard]] Level worst() const;
 };
 
-/// Result of `jounce check` or `jounce validate` for many files.
+/// The result of `jounce check` or `jounce validate` for many files.
 struct RunResult {
-  std::string verb;  ///< "check"
-  std::vector<FileResult> files;
+  std::string verb;               ///< "check"
+  std::vector<FileResult> files;  ///< result of each file
 
+  /// Number of statements of this level, in all files.
   [[nodiscard]] std::size_t count(Level level) const;
-  /// Exit status: 2 if a file is wrong, 1 if a limit is broken, otherwise 0; `strict` counts a warning as a broken
-  /// limit.
+  /// Exit status: 2 if a file is invalid, 1 if a limit is broken, otherwise 0. `strict`: counts a
+  /// warning as a broken limit.
   [[nodiscard]] int status(bool strict = false) const;
 };
 
-/// All errors of a file, in the order of the document: rule "input/file" for the file as a whole, otherwise
-/// "input/key". `file` is the name for an error without one.
+/// Returns all errors of a file, in the order of the document. The rule is "input/file" for an
+/// error about the whole file, otherwise "input/key". `file`: name for an error that has no
+/// document.
 std::vector<Diagnostic> diagnostics_of(const InputError& error, const std::string& file);
 
-/// Puts the worst first; the order is otherwise kept.
+/// Sorts statements: the worst first, otherwise in the same order.
 void sort(std::vector<Diagnostic>& diagnostics);
 
 }  // namespace jounce

@@ -14,69 +14,75 @@
 
 namespace jounce {
 
-/// Names and units of the numbers of a report.
+/// Units and names for the numbers of a report.
 struct Labels {
-  Units units;
-  bool over_master = false;
-  std::vector<std::string> segments;  ///< "2 sync", one per segment of the curve; may be empty
+  Units units;                        ///< units of the axis of the curve (x) and of the position
+  bool over_master = false;           ///< true: over a master; false: over time
+  std::vector<std::string> segments;  ///< one for each piece of the curve: "2 sync"; may be empty
 
-  /// Unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown quantity.
+  /// Returns the unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown
+  /// quantity.
   [[nodiscard]] std::string unit_of(const std::string& quantity) const;
-  /// Unit of a finding's value, and the name of its segment: "" if there is none.
+  /// Returns the unit of the value of a finding; "" if it has none.
   [[nodiscard]] std::string unit_of(const Finding& finding) const;
+  /// Returns the name of the segment of a finding; "" if it has none.
   [[nodiscard]] std::string segment_of(const Finding& finding) const;
-  /// The number, from 1, of the segment of a piece of the curve (from 0): adjacent pieces with the
-  /// same label are one segment.
+  /// Returns the number of the segment, from 1, to which a piece of the curve belongs (index from
+  /// 0). Adjacent pieces with the same name form one segment.
   [[nodiscard]] std::size_t number_of_segment(std::size_t piece) const;
 };
 
-/// The segments of a curve that share a label: the pieces of one law. If there are more than
-/// `most`, they are combined as evenly as possible: "1 to 5000".
+/// Adjacent pieces of a curve that have the same name: the pieces of one law.
 struct SegmentGroup {
-  std::string label;
-  std::size_t first = 0;
-  std::size_t last = 0;
+  std::string label;      ///< name; a range for combined groups: "1 to 5000"
+  std::size_t first = 0;  ///< index of the first piece
+  std::size_t last = 0;   ///< index of the last piece
 };
+/// Returns the groups of a curve with this number of pieces. More than `most` groups are combined
+/// as evenly as possible.
 std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
-/// Greatest number of rows in text output.
+/// Greatest number of rows in a text.
 constexpr std::size_t rows_for_people = 60;
 
-/// A number for people: six significant digits.
+/// Returns a number with six significant digits.
 std::string rounded(double value);
 
-/// One sentence: how many findings and the worst, or the smallest margin.
+/// Returns one sentence: the number of broken findings and the worst one, or the smallest margin.
 std::string one_line(const Report& report, const Labels& labels);
 
-/// True if it is the peak of a derivative that has no limit: see add_not_limited().
+/// True if the finding is the peak of a derivative that has no limit, see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
-/// True if a finding compares the motion with a limit of the machine: not with a joint, a table or another computation.
+/// True if the report has a finding that compares the motion with a limit of the machine. Findings
+/// about joints, tables or other computations do not count.
 bool has_limits(const Report& report);
 
-/// "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)": "" if no
-/// finding is_unlimited().
+/// Returns "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)";
+/// "" if no finding is_unlimited().
 std::string not_limited_text(const Report& report, const Labels& labels);
 
-/// One finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
+/// Returns a finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
 /// return) exceeds the limit -3 by 13.1 %".
 std::string sentence(const Finding& finding, const Labels& labels);
 
-/// One line for each finding, broken ones marked and with advice. Findings beyond `most` are only
-/// counted.
+/// Returns one line for each finding; broken ones are marked and have advice. If there are more
+/// than `most` findings, the others are only counted.
 std::string full_text(const Report& report, const Labels& labels, std::size_t most = 10);
 
-/// {"ok": ..., "findings": [...]}, every number in full. A finding's `segment` counts the entries
-/// of extrema_json() from 1, `piece` those of the curve; `limit` and `margin` are null if it has no
-/// limit.
+/// Returns {"ok": ..., "findings": [...]}, with all digits of each number. In a finding, `segment`
+/// is the number of its entry in extrema_json(), from 1, and `piece` that of its piece of the
+/// curve. `limit` and `margin` are null if it has no limit.
 std::string to_json(const Report& report, const Labels& labels);
 
-/// The exact extrema of every segment as a table for people (at most rows_for_people), and as a
-/// JSON list.
+/// Returns the exact extrema of each segment as a table for people, with at most rows_for_people
+/// rows.
 template <class Over>
 std::string extrema_text(const Curve<Over>& curve, const Labels& labels);
+/// Returns the exact extrema of each segment as a JSON list.
 template <class Over>
 std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
+/// The same for a table.
 std::string extrema_text(const Table& table, const Labels& labels);
 std::string extrema_json(const Table& table, const Labels& labels);
 

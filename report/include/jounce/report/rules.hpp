@@ -6,18 +6,19 @@
 
 namespace jounce {
 
-/// A rule of a Finding in words, for a person who reads a report. Its sentence, with the numbers: sentence() of
-/// report_text.hpp.
+/// A rule of findings, explained for a person who reads a report. (sentence() in report_text.hpp
+/// gives the sentence of a finding, with its numbers.)
 struct RuleInfo {
-  const char* rule;     ///< "limit/position_max", or a family: "limit/*"
+  const char* rule;     ///< the rule, "limit/position_max", or a family of rules, "limit/*"
   const char* meaning;  ///< one sentence: what was found
-  const char* remedy;   ///< the next step
+  const char* remedy;   ///< one sentence: what to do
 };
 
-/// All rules, by family; the rule of each Finding has a row, or its family has one.
+/// Returns all rules, in families. Each Finding has a row for its rule or for the family of the
+/// rule.
 std::span<const RuleInfo> all_rules();
 
-/// The row of a rule, by its text: its own, otherwise that of its family; nullptr if there is none.
+/// Returns the row of a rule, or that of its family; null if there is neither.
 const RuleInfo* rule_info(std::string_view rule);
 
 }  // namespace jounce

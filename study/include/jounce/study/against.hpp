@@ -10,30 +10,34 @@
 
 namespace jounce {
 
-/// The drive for optimizing a cam, and the speed of the master.
+/// The drive through which a cam is optimized, and the speed of the master.
 struct Against {
-  Drive drive = {};     ///< position_per_rev in the slave's unit
-  double velocity = 0;  ///< velocity of the master, units/s, > 0
-  double settle = 0.2;  ///< s of standstill after the cam's end, for the residual
-  bool periodic =
-      false;           ///< the cam repeats endlessly: its steady state; then there is no residual
-  int max_rounds = 8;  ///< max rounds for a drive that is not linear
+  Drive drive = {};     ///< the drive; its position_per_rev is in the unit of the slave
+  double velocity = 0;  ///< speed of the master, master units/s, > 0
+  /// Standstill after the end of the cam, in which the residual vibration is measured, s.
+  double settle = 0.2;
+  /// True: the cam repeats without end, and its steady state counts; there is no residual.
+  bool periodic = false;
+  int max_rounds = 8;  ///< greatest number of rounds for a drive that is not linear
 };
 
-/// The outcome of the shapes, and the behavior of the drive. Bounds hold only if the drive is
-/// linear. `feasible` includes `real`; `rounds` counts the solutions of the shapes.
+/// Result of optimize_against(): that of the shapes, and the behavior of the drive. Its bounds are
+/// valid only if the drive is linear. `feasible` requires `real`. `rounds` is the number of times
+/// that the shapes were solved.
 struct AgainstOutcome : CamShapeOutcome {
-  DriveResult driven_given;  ///< the given cam, integrated
-  DriveResult driven_best;   ///< the best cam, integrated
-  /// Figures of the drive along the whole cam, by drive_through(): those of `minimize`, then of the ceilings.
+  DriveResult driven_given;  ///< result of drive_through() for the given cam
+  DriveResult driven_best;   ///< result of drive_through() for the best cam
+  /// Figures of the drive over the whole cam, from drive_through(): those of `minimize`, then of
+  /// the ceilings.
   std::vector<FigureResult> driven_figures = {};
-  /// By integration: no ceiling of the drive is exceeded, and the best cam is better than the given one.
+  /// True if, by integration, no ceiling of the drive is exceeded and the best cam is better than
+  /// the given one.
   bool real = false;
 };
 
-/// Optimizes the free shapes of a cam through a model of the drive that follows it, from rest at
-/// the cam's start to its end, which it then holds; or, if `periodic`, over one turn of the steady
-/// state (exact_period()):
+/// Optimizes the free shapes of a cam through a model of the drive that follows it. The drive moves
+/// from rest at the start of the cam to its end, and holds the end. With `periodic`, one period of
+/// the steady state counts (exact_period()).
 ///
 ///     CamShapeProblem problem{.cam = cam, .shapes = {{.segment = 1}}};
 ///     problem.minimize = {{{asked(DriveFigure::torque)}}};
@@ -41,16 +45,16 @@ struct AgainstOutcome : CamShapeOutcome {
 ///         optimize_against(problem, {.drive = servo_400w(), .velocity = 360});
 ///     if (outcome.usable()) use(outcome.best);
 ///
-/// A linear drive is convex in the shape: the result is the least value over the splines, at 500
-/// instants of the cam, up to 500 of the standstill, and the peaks between them. A drive that is
-/// not linear, or whose torque reaches its limit, is solved in rounds around its own run (equation
-/// (2) in against.cpp). The slopes are those of the linear drive, so the result is better, but not
-/// proven best. In both cases both cams are integrated (drive_through), and these runs decide.
+/// For a linear drive, the problem is convex in the shape. The result is the minimum over the
+/// splines, at 500 instants of the cam, up to 500 instants of the standstill, and the peaks between
+/// them. A drive that is not linear, or whose torque reaches its limit, is solved in rounds, each
+/// around the run of the previous one (equation (2) in against.cpp). The slopes are those of the
+/// linear drive, so the result is an improvement, but not proven to be the best. In both cases,
+/// both cams are integrated by drive_through(), and these runs decide.
 ///
-/// `periodic` needs a linear drive.
-///
-/// Throws InputError like optimize_cam_shapes() and drive_through(), for segments that are not one
-/// run within the cam, and if no figure is one of the drive.
+/// `periodic` requires a linear drive. Throws InputError like optimize_cam_shapes() and
+/// drive_through(), for free segments that do not form one run within the cam, and if no figure is
+/// a figure of the drive.
 AgainstOutcome optimize_against(const CamShapeProblem& problem, const Against& against,
                                 const KeepGoing& keep_going = {});
 

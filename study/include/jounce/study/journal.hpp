@@ -6,29 +6,31 @@
 
 namespace jounce {
 
-/// Lines of text that survive their writer: appended one by one, each with a checksum.
+/// A file of lines to which each line is appended at once, with a checksum, so that an interrupted
+/// run can continue.
 ///
 ///     Journal journal("results.csv.journal", identity);
 ///     for (const std::string& line : journal.lines()) ...      // of a run before, if any
 ///     journal.append("17 0 3.5");
 ///
-/// The first line of the file is its heading. Each line goes to the system in one piece, so a
-/// killed process loses no line for which append() has returned; a power failure may lose the last
-/// ones. Lines that do not match their checksum are skipped, an incomplete last line is removed.
+/// The first line of the file is its heading. Each line is passed to the system as a whole, so a
+/// process that is killed loses no line for which append() has returned; a power failure may lose
+/// the last ones. Lines with a wrong checksum are skipped, and an incomplete last line is removed.
 ///
-/// Throws InputError (the file as document) for a file that is not a journal, or a journal with
-/// another identity, and if another process has it open; std::system_error if the system reports an
-/// error.
+/// Throws InputError (with the file as document) for a file that is not a journal, for a journal
+/// with another identity, and if another process has the file open. Throws std::system_error if the
+/// system reports an error.
 class Journal {
  public:
-  /// Opens or creates the file. `identity`: one word; a journal with another one is refused.
+  /// Opens the file, or creates it. `identity`: one word; it must be that of the journal.
   Journal(const std::string& path, const std::string& identity);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
+  /// The lines that were in the file when it was opened.
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
-  void append(const std::string& line);  ///< without a line break in it
+  void append(const std::string& line);  ///< appends a line; it must not contain a line break
 
  private:
   void read(const std::string& identity);

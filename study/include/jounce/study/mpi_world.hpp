@@ -11,22 +11,23 @@ struct MpiCalls;
 
 namespace jounce {
 
-/// True if mpirun (Open MPI, or another launcher that speaks PMI) has started this process, and the
-/// rank and the number of processes: from the environment, without MPI.
+/// The place of this process among those that mpirun has started (Open MPI, or another launcher
+/// with PMI). It is read from the environment, without MPI.
 struct MpiPlace {
-  bool started = false;
-  int rank = 0;
+  bool started = false;  ///< true if mpirun has started this process
+  int rank = 0;          ///< number of this process, from 0
 };
+/// Returns the place of this process.
 MpiPlace mpi_place();
 
-/// The processes that mpirun has started, during the lifetime of this object.
+/// The processes that mpirun has started. MPI is in use as long as this object exists.
 ///
 ///     MpiWorld world;
 ///     SweepResult result = run_sweep(spec, {.farm = world.farm(hex(spec.identity()))});
 ///     if (world.rank() != 0) return;               // only the first has all rows
 ///
-/// MPI is loaded from the module jounce_mpi.so, which is beside the program, or in ../lib/jounce
-/// beside its folder. Throws InputError if there is none: a build without MPI.
+/// MPI is loaded from the module jounce_mpi.so, which is next to the program or in ../lib/jounce
+/// relative to its folder. Throws InputError if the module does not exist, in a build without MPI.
 class MpiWorld {
  public:
   MpiWorld();
@@ -34,16 +35,18 @@ class MpiWorld {
   MpiWorld(const MpiWorld&) = delete;
   MpiWorld& operator=(const MpiWorld&) = delete;
 
+  /// Number of this process, from 0.
   [[nodiscard]] int rank() const { return rank_; }
+  /// Number of processes.
   [[nodiscard]] int size() const { return size_; }
 
-  /// Rank 0 distributes cases in batches of at most 20 ms of work, and collects the lines; one of
-  /// its threads makes cases, too. The other ranks only make cases. Rank 0 throws InputError if the
-  /// `identity` of a rank differs from its own: that rank reads other files. A world of one process
-  /// works on its own threads.
+  /// Returns a Farm over all processes. Rank 0 distributes the cases in batches of at most 20 ms of
+  /// work and collects the lines; one of its threads also computes cases. The other ranks only
+  /// compute cases. Rank 0 throws InputError if the `identity` of a rank differs from its own,
+  /// because that rank reads other files. A world of one process uses its own threads.
   [[nodiscard]] Farm farm(std::string identity) const;
 
-  /// Ends all processes at once.
+  /// Ends all processes at once, with this exit status.
   void abort(int status) const;
 
  private:
@@ -52,7 +55,7 @@ class MpiWorld {
   int size_ = 1;
 };
 
-/// farm() of a rank over any such calls.
+/// Returns the farm of a rank over any implementation of these calls.
 Farm farm_over(const study_detail::MpiCalls& calls, int rank, int size, std::string identity);
 
 }  // namespace jounce

@@ -9,30 +9,33 @@
 
 namespace jounce {
 
-/// The optimum of a spec, as an answer.
+/// The optimum of a spec, as text and as a new spec.
 struct SpecOptimum {
-  std::string text;  ///< for people: status, figures with their bounds, active limits
-  std::string json;  ///< the same as an object, every number in full
-  /// The text of the spec with the best values, otherwise unchanged; nullopt: the best breaks a limit.
+  std::string text;  ///< text for people: status, figures with their bounds, active limits
+  std::string json;  ///< the same as a JSON object, with all digits of each number
+  /// The text of the spec with the best values, otherwise unchanged; nullopt: the best result
+  /// breaks a limit.
   std::optional<std::string> spec = {};
 };
 
-/// Receives the share of the work that is done, 0 to 1, and the current step in words. Return false
-/// to stop with the best result so far.
+/// Receives the share of the work that is done, 0 to 1, and the name of the present step. If it
+/// returns false, the optimizer stops with the best result so far.
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
-/// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]], otherwise
-/// the segments of free shape, otherwise the knots of a cam within their bounds.
+/// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if it has
+/// any; otherwise the segments of free shape; otherwise the knots of a cam, within their bounds.
 ///
 ///     const SpecOptimum best = optimum_of(read_spec("cam.toml"));
 ///     std::cout << best.text;
 ///     if (best.spec) write_file("better.toml", *best.spec);
 ///
-/// Throws InputError, placed in the document, unless the problem is well posed.
+/// Throws InputError, with the place in the document, unless the problem is complete and
+/// consistent.
 SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {});
 
-/// The same for segments of free shape and the [drive] that follows the cam: optimize_against().
-/// `drive` is a spec of kind "drive"; its unit of position must be convertible to that of the cam.
+/// The same for segments of free shape, through a drive that follows the cam: see
+/// optimize_against(). `drive`: a spec of kind "drive"; its unit of position must convert to that
+/// of the cam.
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 

@@ -10,31 +10,37 @@ namespace jounce {
 
 /// Distribution of the samples of a Monte Carlo analysis over the ranges of its random parameters.
 enum class Design {
-  random,           ///< independently
-  latin_hypercube,  ///< N samples, one in each N-th of every parameter's distribution
-  sobol,  ///< Sobol's sequence: the same for powers of two, and even over several parameters at once
+  random,           ///< samples are independent
+  latin_hypercube,  ///< N samples: one in each N-th of the distribution of each parameter
+  sobol,  ///< Sobol's sequence: the same for N = 2^k, and even over several parameters at once
 };
 
-/// The numbers in (0, 1) that samples are made of.
+/// The numbers between 0 and 1 from which the samples are made.
 ///
 ///     const SampleDesign design(Design::sobol, 1, {"drive.mass[1].inertia", "move.velocity"}, 256);
 ///     design.at(0, 17);                        // of the first parameter in the eighteenth sample
 ///
-/// Latin hypercube: a permutation for each parameter, and a place within the N-th, both from the parameter's
-/// own random stream (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21, 1979). Sobol: each
-/// coordinate XORed with random bits of its parameter, a random digital shift, which keeps the sequence as
-/// even as it is (P. L'Ecuyer, C. Lemieux, Recent advances in randomized quasi-Monte Carlo methods, 2002).
-/// The coordinates go to the parameters in the order of the names.
+/// **Latin hypercube**: for each parameter, a permutation of the N-ths, and a place within each
+/// N-th. Both come from the random stream of the parameter (M. D. McKay, R. J. Beckman, W. J.
+/// Conover, Technometrics 21, 1979).
+///
+/// **Sobol**: each coordinate is combined (XOR) with random bits of its parameter. This random
+/// digital shift keeps the evenness of the sequence (P. L'Ecuyer, C. Lemieux, Recent advances in
+/// randomized quasi-Monte Carlo methods, 2002). The coordinates are assigned to the parameters in
+/// the order of the names.
 class SampleDesign {
  public:
-  SampleDesign() = default;  ///< random
-  /// Throws InputError for more names than Sobol's sequence has dimensions (key "design").
+  SampleDesign() = default;  ///< Design::random
+  /// `names`: names of the parameters. `samples`: number of samples N. Throws InputError (key
+  /// "design") if there are more names than Sobol's sequence has dimensions.
   SampleDesign(Design design, std::uint64_t seed, std::vector<std::string> names,
                std::size_t samples);
 
+  /// The distribution.
   [[nodiscard]] Design design() const { return design_; }
 
-  /// Not for Design::random, whose numbers come from Draw.
+  /// Returns the number for a parameter (its index) in a sample. Not for Design::random, whose
+  /// numbers come from Draw.
   [[nodiscard]] double at(std::size_t parameter, std::size_t sample) const;
 
  private:
@@ -45,7 +51,7 @@ class SampleDesign {
       order_;  ///< order of a Latin hypercube: which N-th, by parameter and sample
 };
 
-/// The standard normal's quantile of u in (0, 1).
+/// Returns the quantile u, between 0 and 1, of the standard normal distribution.
 double normal_quantile(double u);
 
 }  // namespace jounce

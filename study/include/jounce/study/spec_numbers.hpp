@@ -11,38 +11,43 @@
 
 namespace jounce {
 
-/// A spec whose numbers can be changed by key, in its text: comments, order and layout stay, so the
-/// chosen numbers can be written back and give a small diff.
+/// A spec whose numbers can be changed by key in its text. Comments, order and layout stay, so the
+/// difference to the given text is small.
 ///
 ///     const SpecNumbers cam(read_spec("cam.toml").document);
 ///     cam.value("segment[2].end.master");                                  // 120
 ///     const std::vector<SpecNumbers::Change> later{{"segment[2].end.master", 125}};
 ///     const Spec other = cam.spec(later);
 ///
-/// Keys are those of the file, entries of arrays counted from 1, as in error messages:
-/// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". A number that the
-/// file omits, and a value that is not a number, cannot be changed: InputError with key and rule.
-/// The object does not change after construction: any number of threads may use it at once.
+/// Keys are those of the file, as in error messages, with entries of arrays counted from 1:
+/// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". For a number that
+/// the file omits, and for a value that is not a number, functions throw InputError with key and
+/// rule. The object does not change after its construction, so several threads may use it at the
+/// same time.
 class SpecNumbers {
  public:
-  /// Uses only the name and the text of the document. Throws InputError if that is not TOML; spec()
-  /// checks that it is a spec.
+  /// Uses only the name and the text of the document. Throws InputError if the text is not TOML;
+  /// only spec() checks that it is a spec.
   explicit SpecNumbers(Document document);
 
+  /// A new value for a number.
   struct Change {
-    std::string key;
-    double value = 0;  ///< finite, in the unit of the file at that place ("12.5 mm/s": mm/s)
+    std::string key;   ///< key of the number
+    double value = 0;  ///< finite, in the unit that the file has at that place ("12.5 mm/s": mm/s)
   };
 
+  /// Returns the number at this key, in the unit at that place.
   [[nodiscard]] double value(const std::string& key) const;
-  /// Unit as written after the number; "" if the file has none (the unit of the spec).
+  /// Returns the unit that follows the number in the file; "" if there is none and the number is in
+  /// the unit of the spec.
   [[nodiscard]] std::string unit(const std::string& key) const;
-  [[nodiscard]] bool is_whole(
-      const std::string& key) const;  ///< text as written: 12, not 12.0 or "12 mm"
-  /// The text with other numbers. Throws InputError for a key that is given twice.
+  /// True if the number is written as a whole number: 12, but not 12.0 or "12 mm".
+  [[nodiscard]] bool is_whole(const std::string& key) const;
+  /// Returns the text with other numbers. Throws InputError for a key that is given twice.
   [[nodiscard]] std::string text(std::span<const Change> changes) const;
-  [[nodiscard]] Spec spec(std::span<const Change> changes) const;  ///< parsed from text()
+  [[nodiscard]] Spec spec(std::span<const Change> changes) const;  ///< reads the spec from text()
 
+  /// The given document.
   [[nodiscard]] const Document& document() const { return document_; }
 
  private:

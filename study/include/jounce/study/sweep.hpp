@@ -11,66 +11,75 @@
 
 namespace jounce {
 
-/// Result of a case.
+/// Verdict on a case of a sweep.
 enum class Verdict {
-  within,      ///< all limits of the spec and of the sweep
-  broken,      ///< a limit is broken; the figures exist
-  impossible,  ///< nothing can be made of these numbers; no figures
+  within,      ///< within all limits of the spec and of the sweep
+  broken,      ///< at least one limit is broken; the figures exist
+  impossible,  ///< no motion is possible with these numbers; there are no figures
 };
 
+/// Result of one case of a sweep.
 struct SweepRow {
   std::size_t number = 0;       ///< number of the case, from 0
-  std::vector<double> figures;  ///< in the order of SweepSpec::given; NaN if impossible
-  Verdict verdict = Verdict::impossible;
-  std::string why = {};  ///< unless within: the worst limit, or why the case is impossible
+  std::vector<double> figures;  ///< one for each of SweepSpec::given; NaN if the case is impossible
+  Verdict verdict = Verdict::impossible;  ///< verdict on the case
+  /// Unless `within`: the limit that is broken most, or why the case is impossible.
+  std::string why = {};
 };
 
-/// Makes and assesses one case. Invalid numbers are a result, not an exception. Thread-safe.
+/// Computes and judges one case. Invalid numbers give a row, not an exception. Several threads may
+/// call it.
 SweepRow evaluated(const SweepSpec& spec, std::size_t number);
 
-/// A row as one line of text and back, every number in full, for journals and messages. Nothing for
-/// a text that is not a row of this sweep.
+/// Returns a row as one line of text, with all digits of each number, for journals and messages.
 std::string line_of(const SweepRow& row);
+/// Returns the row in a line; nullopt if the text is not a row of this sweep.
 std::optional<SweepRow> row_of(const std::string& line, const SweepSpec& spec);
 
-/// Returns the line of a case. Called by several threads at once.
+/// Returns the line of a case. Several threads call it at the same time.
 using MakeLine = std::function<std::string(std::size_t number)>;
 
-/// Takes a case's line; false: no more is wanted. Called by one thread at a time.
+/// Receives the line of a case. Returns false to end the work. One thread at a time calls it.
 using TakeLine = std::function<bool(std::size_t number, const std::string& line)>;
 
-/// Makes and takes all these cases, in any order. Returns after the last, or when `take` returns false.
-/// An exception of `make` ends the work and is rethrown.
+/// Computes all these cases with MakeLine, in any order, and passes each line to TakeLine. Returns
+/// after the last one, or when TakeLine returns false. If MakeLine throws, the work ends, and the
+/// exception is thrown again.
 using Farm =
     std::function<void(const std::vector<std::size_t>& numbers, const MakeLine&, const TakeLine&)>;
 
-/// A farm of threads in this process, each of which takes the next case. `jobs` = 0: one thread for
-/// each core.
+/// Returns a farm of threads in this process; each thread takes the next case. `jobs`: number of
+/// threads; 0: one for each core.
 Farm on_threads(unsigned jobs = 0);
 
+/// Options of run_sweep().
 struct SweepOptions {
-  Farm farm = on_threads();
-  std::string journal = {};  ///< the file to resume from and to keep up to date; "": none
-  /// Called after each case with the number done and the total; false stops. Optional.
+  Farm farm = on_threads();  ///< computes the cases
+  /// File from which the sweep continues, and which receives each new line; "": none.
+  std::string journal = {};
+  /// Called after each case with the number of finished cases and the number of all cases. If it
+  /// returns false, the sweep stops. Optional.
   std::function<bool(std::size_t done, std::size_t cases)> keep_going = {};
 };
 
+/// Result of a sweep.
 struct SweepResult {
-  std::vector<SweepRow> rows;  ///< by number; all of them unless stopped
-  std::size_t resumed = 0;     ///< number of rows from the journal
-  std::size_t evaluated = 0;
-  bool complete = false;
+  std::vector<SweepRow> rows;  ///< by number of the case; all cases unless the sweep was stopped
+  std::size_t resumed = 0;     ///< number of rows that came from the journal
+  std::size_t evaluated = 0;   ///< number of rows that were computed
+  bool complete = false;       ///< true if all cases are present
 };
 
-/// Runs a sweep; the rows are the same for every process and order.
+/// Runs a sweep. The rows do not depend on the number of processes or on the order of the cases.
 ///
 ///     const SweepSpec spec = read_sweep("sweep.toml");
 ///     const SweepResult result = run_sweep(spec, {.journal = "results.csv.journal"});
 ///     if (!result.complete) ...                                // stopped: the same call resumes
 ///
-/// **The journal** gets a line for each case as soon as it is made, so a killed run resumes: the
-/// cases in it are not made again. The case of an incomplete last line is. Throws InputError for a
-/// journal of another sweep, spec or program, and while another process works on it.
+/// **The journal** receives the line of each case at once. After an interruption, the next run
+/// continues: cases in the journal are not computed again, except that of an incomplete last line.
+/// Throws InputError for a journal of another sweep, spec or program, and while another process
+/// uses it.
 SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options = {});
 
 }  // namespace jounce

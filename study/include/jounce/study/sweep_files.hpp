@@ -7,15 +7,16 @@
 
 namespace jounce {
 
-/// A complete sweep as CSV: a head of comments (# key: value), a line of column names with their
-/// units, then a row for each case: its number from 1, the parameters, the figures, the verdict and
-/// its reason. Figures of an impossible case are empty. Text in the last column is quoted if
-/// necessary.
+/// Returns a finished sweep as CSV: a head of comments (# key: value), a line of column names with
+/// their units, then a row for each case. A row contains the number of the case from 1, the
+/// parameters, the figures, the verdict and its reason. Figures of an impossible case are empty.
+/// Text in the last column is quoted if necessary.
 std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 
-/// The same as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a field for each
-/// column, named without units: numpy.load(file)["peak torque"]. "case" and "verdict" (0 within the
-/// limits, 1 broken, 2 impossible) are little-endian int64, all others float64; NaN if impossible.
+/// Returns the same as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a field for
+/// each column, whose name has no unit: numpy.load(file)["peak torque"]. The fields "case" and
+/// "verdict" are little-endian int64 (0: within the limits, 1: broken, 2: impossible); all others
+/// are float64, NaN if the case is impossible.
 std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 
 }  // namespace jounce

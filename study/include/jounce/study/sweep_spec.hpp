@@ -14,48 +14,51 @@
 
 namespace jounce {
 
-/// All of these values: a list, or a grid of equal steps.
+/// A listed parameter takes all of these values: a list, or a grid of equal steps.
 struct Values {
   std::vector<double> all;
 };
 
-/// Drawn for each sample of the Monte Carlo analysis.
+/// A random parameter with a uniform distribution from `from` to `to`.
 struct UniformSpread {
   double from = 0;
   double to = 0;
 };
+/// A random parameter with a normal distribution.
 struct NormalSpread {
-  double mean = 0;
-  double sigma = 0;
+  double mean = 0;   ///< mean value
+  double sigma = 0;  ///< standard deviation
 };
 
-/// A number of the spec that takes several values, in the unit of the spec at that place.
+/// A number of the spec that varies, in the unit that the spec has at that place.
 struct SweepParameter {
-  std::string key;   ///< key in SpecNumbers
-  std::string unit;  ///< unit in the spec; "" if there is none
-  std::variant<Values, UniformSpread, NormalSpread> how;
+  std::string key;   ///< its key, see SpecNumbers
+  std::string unit;  ///< its unit in the spec; "" if there is none
+  std::variant<Values, UniformSpread, NormalSpread> how;  ///< its values or its distribution
 
+  /// True if it is random.
   [[nodiscard]] bool random() const { return !std::holds_alternative<Values>(how); }
 };
 
+/// A figure to be minimized or maximized, for the Pareto front.
 struct SweepObjective {
-  std::string figure;
-  bool greatest = false;  ///< to be maximized
+  std::string figure;     ///< name of the figure
+  bool greatest = false;  ///< true: maximize it
 };
 
-/// A figure that must not exceed a value, in the unit that the figure has.
+/// A figure that must not exceed a value, in the unit of the figure.
 struct SweepLimit {
-  std::string figure;
-  double at_most = 0;
+  std::string figure;  ///< name of the figure
+  double at_most = 0;  ///< greatest permitted value
 };
 
-/// A sweep file: the numbers of a spec that vary, their values, and the figures of interest.
+/// A sweep file: the numbers of a spec that vary, their values, and the figures that are computed.
 ///
 ///     jounce = 1
 ///     kind = "sweep"
-///     spec = "cam.toml"                       # beside this file
+///     spec = "cam.toml"                       # in the same folder
 ///     figures = ["peak torque", "residual"]   # omitted: all that the spec has
-///     optima = true                           # each case is optimised first, as by `jounce optimize`
+///     optima = true                           # each case is optimized first, as by `jounce optimize`
 ///     minimize = ["duration", "peak torque"]  # for the Pareto front; also maximize = [...]
 ///     [[parameter]]
 ///     key = "segment[1].end.master"
@@ -69,38 +72,42 @@ struct SweepLimit {
 ///     [limits]
 ///     "peak torque" = 2.5                     # in addition to those of the spec
 ///
-/// **Cases**: every combination of the listed values, each with all samples, numbered from 0. The
-/// samples change fastest, then the last listed parameter. The numbers of a case depend only on the
-/// seed, the key and the number of the sample: each combination gets the same samples, so
-/// combinations can be compared. `tolerance` is a share of the number in the spec: uniform about
-/// it.
+/// **Cases** are all combinations of the listed values, each with all samples. They are numbered
+/// from 0: the sample changes fastest, then the last listed parameter. A random number depends only
+/// on the seed, the key and the number of the sample. Every combination therefore has the same
+/// samples, so combinations can be compared. `tolerance` is a share of the number in the spec: a
+/// uniform distribution around this number.
 struct SweepSpec {
-  static constexpr std::size_t most_cases = 10'000'000;
+  static constexpr std::size_t most_cases = 10'000'000;  ///< greatest number of cases
 
-  Document document;
-  std::string name;
-  SpecNumbers base;  ///< the spec as given
-  std::vector<SweepParameter> parameters;
-  std::size_t samples = 1;  ///< 1 if nothing is random
-  std::uint64_t seed = 1;
-  SampleDesign design = {};
-  bool optima =
-      false;  ///< each case is optimized by the [optimize] of the spec, before its figures are computed
-  std::size_t chosen =
-      0;  ///< number of figures with `optima`, last in `given`, that each case chooses itself
-  std::vector<KeyFigure> given;  ///< the figures of interest, of the spec as given
-  bool given_ok = false;         ///< true if it is within all limits
-  std::vector<SweepObjective> objectives;
-  std::vector<SweepLimit> limits;
+  Document document;                       ///< the sweep file
+  std::string name;                        ///< name of the sweep
+  SpecNumbers base;                        ///< the given spec
+  std::vector<SweepParameter> parameters;  ///< the numbers that vary
+  std::size_t samples = 1;                 ///< number of samples; 1 if no parameter is random
+  std::uint64_t seed = 1;                  ///< seed of the random numbers
+  SampleDesign design = {};                ///< distribution of the samples
+  bool optima = false;  ///< true: each case is first optimized by the [optimize] of the spec
+  /// Number of values that each case chooses itself, with `optima`; they are the last ones of
+  /// `given`.
+  std::size_t chosen = 0;
+  /// The figures that are computed, with their values for the given spec.
+  std::vector<KeyFigure> given;
+  bool given_ok = false;                   ///< true if the given spec is within all limits
+  std::vector<SweepObjective> objectives;  ///< objectives of the Pareto front
+  std::vector<SweepLimit> limits;          ///< limits in addition to those of the spec
 
+  /// True if at least one parameter is random.
   [[nodiscard]] bool random() const;
-  /// True if the samples are independent, so that shares among them have an interval.
+  /// True if the samples are independent, so that a confidence interval can be given for a share of
+  /// them.
   [[nodiscard]] bool independent() const { return design.design() == Design::random; }
+  /// Number of cases.
   [[nodiscard]] std::size_t cases() const;
-  /// The numbers of a case, in the order of the parameters.
+  /// Returns the numbers of a case, in the order of the parameters.
   [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
-  /// SHA-256 of everything on which the results depend: both texts, the result of the spec as given
-  /// (so also the files that it names), and this program.
+  /// Returns the SHA-256 of everything on which the results depend: both texts, the result of the
+  /// given spec (and thereby the files that it names), and this program.
   [[nodiscard]] Sha256 identity() const;
 
  private:
@@ -108,9 +115,9 @@ struct SweepSpec {
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 
-/// Reads a sweep file and the spec that it names, and assesses that spec as it is given. Throws
-/// InputError like read_spec(), for a spec that is impossible, and for a key, figure or unit that
-/// it does not have.
+/// Reads a sweep file and its spec, and computes the figures of the given spec. Throws InputError
+/// like read_spec(), for a spec from which no motion can be made, and for a key, figure or unit
+/// that the spec does not have.
 SweepSpec read_sweep(const std::string& path);
 
 }  // namespace jounce

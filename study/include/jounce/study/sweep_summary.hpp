@@ -9,58 +9,65 @@
 
 namespace jounce {
 
-/// A figure over all cases that are possible.
+/// Distribution of a figure over all possible cases.
 struct FigureSpread {
-  KeyFigure given;                   ///< name, unit, and the value of the spec as it is given
-  std::optional<double> limit = {};  ///< upper limit in the sweep or the spec, if any
-  double least = 0;
-  double median = 0;
-  double greatest = 0;
-  double mean = 0;
-  double deviation = 0;        ///< standard deviation, of n - 1; 0 for one case
-  std::size_t least_case = 0;  ///< by index of SweepResult::rows
-  std::size_t greatest_case = 0;
+  KeyFigure given;                   ///< name, unit, and the value for the given spec
+  std::optional<double> limit = {};  ///< upper limit in the sweep or in the spec; nullopt: none
+  double least = 0;                  ///< least value
+  double median = 0;                 ///< median
+  double greatest = 0;               ///< greatest value
+  double mean = 0;                   ///< mean
+  double deviation = 0;              ///< standard deviation, with n - 1; 0 for one case
+  std::size_t least_case = 0;        ///< index of its row in SweepResult::rows
+  std::size_t greatest_case = 0;     ///< index of its row in SweepResult::rows
 };
 
-/// A share with its interval of 95 % confidence.
+/// A share with its 95 % confidence interval.
 struct Share {
-  double value = 0;
-  double low = 0;
-  double high = 0;
+  double value = 0;  ///< the share, 0 to 1
+  double low = 0;    ///< lower end of the interval
+  double high = 0;   ///< upper end of the interval
 };
 
-/// Share with confidence interval, from `hits` among `n` > 0 independent draws: E. B. Wilson, "Probable
-/// inference, the law of succession, and statistical inference", J. Am. Stat. Assoc. 22 (1927).
+/// Returns the share of `hits` among `n` > 0 independent draws, with its interval (E. B. Wilson,
+/// "Probable inference, the law of succession, and statistical inference", J. Am. Stat. Assoc. 22,
+/// 1927).
 Share share_of(std::size_t hits, std::size_t n);
 
 /// Summary of the rows of a sweep.
 struct SweepSummary {
-  std::size_t cases = 0;
-  std::size_t within = 0;
-  std::size_t broken = 0;
-  std::size_t impossible = 0;
-  std::vector<FigureSpread> figures;  ///< empty if no case is possible
-  std::optional<Share> yield =
-      {};  ///< yield: share of the samples within limits, if they are random
-  std::optional<std::size_t> worst = {};  ///< index of the possible row with the smallest margin
-  std::vector<std::size_t> front;         ///< Pareto, among rows within limits: indices, along the
-                                          ///< first objective; empty without objectives
+  std::size_t cases = 0;              ///< number of rows
+  std::size_t within = 0;             ///< number of rows within all limits
+  std::size_t broken = 0;             ///< number of rows that break a limit
+  std::size_t impossible = 0;         ///< number of rows without a motion
+  std::vector<FigureSpread> figures;  ///< one for each figure; empty if no case is possible
+  /// Share of the samples that are within all limits; nullopt: samples are not independent.
+  std::optional<Share> yield = {};
+  /// Index of the possible row with the smallest margin; nullopt: no row has one.
+  std::optional<std::size_t> worst = {};
+  /// Indices of the rows in the Pareto front, among rows within all limits, in the order of the
+  /// first objective; empty without objectives.
+  std::vector<std::size_t> front;
 };
 
+/// Returns the summary of the rows.
 SweepSummary summary_of(const SweepSpec& spec, const SweepResult& result);
 
-/// Text for people; the JSON is complete, for programs.
+/// Returns the summary as text for people.
 std::string summary_text(const SweepSpec& spec, const SweepResult& result,
                          const SweepSummary& summary);
+/// Returns the whole summary as JSON, for programs.
 std::string summary_json(const SweepSpec& spec, const SweepResult& result,
                          const SweepSummary& summary);
 
-/// "drive.load_inertia = 1e-05 kg m^2, master.velocity = 200"
+/// Returns the numbers of a case as text: "drive.load_inertia = 1e-05 kg m^2, master.velocity =
+/// 200".
 std::string numbers_text(const SweepSpec& spec, std::size_t number);
-/// Only the listed values, which the samples of a combination have in common.
+/// Returns only the listed values of a case, which all samples of a combination have in common.
 std::string listed_text(const SweepSpec& spec, std::size_t number);
 
-/// The column of a figure, by name; the objectives and limits of a sweep are all among them.
+/// Returns the index of a figure in SweepSpec::given, by its name. All figures in objectives and
+/// limits are there.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);
 
 }  // namespace jounce

@@ -8,59 +8,63 @@
 
 namespace jounce {
 
-/// A number that was chosen, in the unit of the file.
+/// A number that was chosen, in the unit that the file has at that place.
 struct TunedNumber {
-  std::string key;
-  std::string unit;  ///< "1" for a pure number
-  double given = 0;
-  double reached = 0;
-  double lower = 0;
-  double upper = 0;
-  bool at_bound = false;
+  std::string key;        ///< key in the spec
+  std::string unit;       ///< unit in the file; "1" for a pure number
+  double given = 0;       ///< value in the given spec
+  double reached = 0;     ///< chosen value
+  double lower = 0;       ///< lower bound
+  double upper = 0;       ///< upper bound
+  bool at_bound = false;  ///< true if the chosen value is at a bound
 };
 
-/// A figure that is optimized, or held within bounds.
+/// A figure that is optimized, or that must stay within bounds.
 struct TunedFigure {
-  std::string name;
-  std::string unit;
-  std::optional<double> given = {};  ///< none: the spec as given is impossible
-  double reached = 0;
-  std::optional<double> at_least = {};
-  std::optional<double> at_most = {};
+  std::string name;  ///< name of the figure
+  std::string unit;  ///< its unit
+  /// Value for the given spec; nullopt: no motion is possible with it.
+  std::optional<double> given = {};
+  double reached = 0;                   ///< value for the chosen numbers
+  std::optional<double> at_least = {};  ///< required lower bound
+  std::optional<double> at_most = {};   ///< required upper bound
 };
 
+/// Result of tune().
 struct TuneOutcome {
-  SearchOutcome search;
-  std::vector<TunedNumber> numbers;  ///< in the order of the spec
-  std::vector<TunedFigure>
-      figures;  ///< the objective, then the required figures; empty: no choice is possible
-  std::vector<std::string> active;  ///< active limits, or missed ones: sentences
-  Report report;                    ///< report of the best: every limit that the spec states
-  std::string text;                 ///< the spec with the numbers of the best, otherwise unchanged
+  SearchOutcome search;              ///< result of the search
+  std::vector<TunedNumber> numbers;  ///< the chosen numbers, in the order of the spec
+  /// The objective, then the required figures; empty if no choice is possible.
+  std::vector<TunedFigure> figures;
+  std::vector<std::string> active;  ///< the limits that are reached or broken, as sentences
+  Report report;                    ///< findings of the best choice, for every limit in the spec
+  std::string text;                 ///< text of the spec with the best numbers, otherwise unchanged
 
+  /// True if the best choice keeps all limits.
   [[nodiscard]] bool usable() const { return search.usable(); }
 };
 
-/// Chooses the numbers that the spec's [[optimize.parameter]] names, for the key figure that it minimizes
-/// or maximizes, such that every limit of the spec holds (check, and the drive where there is a
-/// [drive]) and what [[optimize.require]] demands.
+/// Chooses the numbers in [[optimize.parameter]] of a spec so that a key figure becomes minimal or
+/// maximal. The result keeps every limit of the spec (of check, and of the drive if the spec has a
+/// [drive]), and the requirements in [[optimize.require]].
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
 ///     if (best.usable()) write("faster.toml", best.text);
 ///
-/// **Rounding.** A few digits are enough for a machine: the numbers of the best are rounded as far
-/// as all limits still hold and the figure gets worse by no more than half the tolerance.
+/// **Rounding.** The best numbers are rounded to as few digits as possible, as long as all limits
+/// hold and the figure loses at most half the tolerance.
 ///
-/// Each rule of the report is a separate constraint; a limit of a curve is one for each bound and
-/// segment. If the generator refuses a choice, its reason is kept: it limits the best choice near
-/// it. Throws InputError, placed in the document, if the spec has no [[optimize.parameter]], for a
-/// figure that it does not have, for a bound without the figure's unit, and for a number outside
-/// its range.
+/// Each rule of the report is a separate constraint; for a limit of a curve, each bound and each
+/// segment is one. If the generator rejects a choice close to the best one, its reason is kept,
+/// because it limits the best choice. Throws InputError, with the place in the document, if the
+/// spec has no [[optimize.parameter]], for a figure that the spec does not have, for a bound
+/// without the unit of the figure, and for a number outside its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
-/// The numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]: every number of a `corner`,
-/// from a hundredth of it up to it, for the least duration. So no corner is larger than the spec permits. Throws
-/// InputError, placed in the document, if there is none, or more than 20.
+/// Returns the numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]:
+/// each `corner`, from a hundredth of its value in the spec up to this value, for the least
+/// duration. No corner is therefore larger than the spec permits. Throws InputError, with the place
+/// in the document, if there is no corner, or if there are more than 20.
 ParametersSpec corner_parameters(const Spec& spec);
 
 }  // namespace jounce

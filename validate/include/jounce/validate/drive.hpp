@@ -13,126 +13,141 @@
 
 namespace jounce {
 
-/// Friction of a body against the frame: viscous, and dry friction that falls from its breakaway
-/// value to Coulomb's as the body picks up speed (Stribeck),
+/// Friction of a body against the frame: viscous friction, and dry friction that falls from its
+/// breakaway value to the Coulomb value with increasing speed w (Stribeck):
 ///
 ///     T_f = b w + sign(w) (T_c + (T_s - T_c) exp(-(w / w_s)^2)),   |T_f| <= T_s at rest
 struct Friction {
   double viscous = 0;            ///< b, N m s/rad, >= 0
   double coulomb = 0;            ///< T_c, N m, >= 0
   double breakaway = 0;          ///< T_s, N m, >= coulomb; 0: the same as coulomb
-  double stribeck_velocity = 0;  ///< w_s, rad/s, >= 0; 0: falls at once
+  double stribeck_velocity = 0;  ///< w_s, rad/s, >= 0; 0: the friction falls at once
 };
 
-/// 0 in a number that is marked with a star: not modelled, or not limited.
+/// A motor. A value marked "0: none" is not modeled, or not limited, if it is 0.
 struct Motor {
-  double inertia = 0;  ///< kg m^2, > 0
-  Friction friction = {};
-  double torque_limit = 0;     ///< peak, N m, > 0
-  double rated_torque = 0;     ///< * N m, continuous torque
-  double rated_velocity = 0;   ///< * rad/s, up to which it has its peak torque
-  double max_velocity = 0;     ///< * rad/s, at which the torque is 0: a straight line between
-  double torque_constant = 0;  ///< * N m/A
-  double resistance = 0;       ///< * ohm: copper loss = resistance times current squared
-  double thermal_time = 0;     ///< * s, of the winding: I2t
-  double current_lag = 0;      ///< * s, time constant of the current loop
+  double inertia = 0;         ///< rotor inertia, kg m^2, > 0
+  Friction friction = {};     ///< friction of the rotor
+  double torque_limit = 0;    ///< peak torque, N m, > 0
+  double rated_torque = 0;    ///< continuous torque, N m; 0: none
+  double rated_velocity = 0;  ///< greatest speed with the peak torque, rad/s; 0: none
+  double max_velocity = 0;    ///< speed at which the torque is 0, rad/s; linear in between; 0: none
+  double torque_constant = 0;  ///< N m/A; 0: none
+  double resistance = 0;       ///< ohm; copper loss = resistance * current^2; 0: none
+  double thermal_time = 0;     ///< thermal time constant of the winding, s, for I2t; 0: none
+  double current_lag = 0;      ///< time constant of the current loop, s; 0: none
 };
 
-/// A mass of the drive train behind the one before (the first behind the motor).
+/// A mass of the drive train. The first one is connected to the motor, each further one to the
+/// previous mass.
 struct Mass {
-  double stiffness = 0;   ///< stiffness of the shaft or belt to the mass before, N m/rad; 0: rigid
-  double damping = 0;     ///< damping of the same, N m s/rad, >= 0
-  double backlash = 0;    ///< backlash of the same, rad, the full gap, >= 0
-  double efficiency = 1;  ///< efficiency of the gear between, in (0, 1]
-  double inertia = 0;     ///< kg m^2, > 0
-  Friction friction = {};
-  double load_torque = 0;     ///< N m, constant, against positive motion
-  double gravity_torque = 0;  ///< N m, of an arm held horizontally, against positive motion
-  double gravity_angle = 0;   ///< rad, of the arm from hanging down, at position 0
-  double gravity_ratio = 1;   ///< turns of the arm per turn of the motor
+  double stiffness = 0;  ///< stiffness of the shaft or belt to the previous mass, N m/rad; 0: rigid
+  double damping = 0;    ///< damping of this shaft or belt, N m s/rad, >= 0
+  double backlash = 0;   ///< full gap in this connection, rad, >= 0
+  double efficiency = 1;   ///< efficiency of the gear in this connection, above 0 up to 1
+  double inertia = 0;      ///< kg m^2, > 0
+  Friction friction = {};  ///< friction of this mass
+  double load_torque = 0;  ///< constant torque against positive motion, N m
+  /// Torque of a horizontal arm by its weight, against positive motion, N m.
+  double gravity_torque = 0;
+  double gravity_angle = 0;  ///< angle of the arm from its hanging position, at position 0, rad
+  double gravity_ratio = 1;  ///< turns of the arm for each turn of the motor
 };
 
-/// Hung from the last mass, which it is a share of: a hook's load, or a liquid that sloshes.
+/// A pendulum at the last mass, such as the load of a crane or a liquid that sloshes. Its inertia
+/// is a share of that mass.
 struct Pendulum {
-  double frequency = 0;  ///< Hz, > 0, held at its pivot
-  double damping = 0;    ///< ratio to the critical one, >= 0
-  double share = 0;      ///< share of the last mass's inertia, in (0, 1)
+  double frequency = 0;  ///< natural frequency with its pivot held, Hz, > 0
+  double damping = 0;    ///< damping ratio, >= 0
+  double share = 0;      ///< its inertia as a share of the last mass, between 0 and 1
 };
 
-/// Position loop (P), velocity loop (PI), feed-forwards of the reference.
+/// A position loop (P) and a velocity loop (PI), with feed-forwards of the reference.
 ///
-/// With a cycle it is sampled: at every k cycle from the start of the run it reads the motor's angle,
-/// rounded to encoder counts, and the reference; takes the angle's difference quotient over one
-/// cycle as velocity (0 at the first); gives out the torque, held, `delay` later; then integrates
-/// (Euler's rule).
+/// With `cycle` > 0, the controller is sampled. At each multiple of the cycle from the start of the
+/// run, it reads the reference and the angle of the motor, rounded to encoder counts. Its velocity
+/// is the difference of the angles over one cycle (0 at the first one). After `delay`, it outputs
+/// the torque, which is held for a cycle. The integral part uses Euler's rule.
 struct Controller {
   double position_gain = 0;          ///< K_p, 1/s, > 0
   double velocity_gain = 0;          ///< K_v, N m s/rad, > 0
-  double integral_time = 0;          ///< T_i of the velocity loop, s, >= 0; 0: no integral part
-  double velocity_feed_forward = 1;  ///< share of the reference's velocity, >= 0; 1: all of it
-  double torque_feed_forward = 1;    ///< share of all inertia times acceleration, >= 0; 1: all
-  double friction_feed_forward = 0;  ///< share of all viscous and Coulomb friction, >= 0
-  double cycle = 0;                  ///< s, >= 0; 0: continuous
-  double delay = 0;                  ///< s, >= 0, from reading to torque
-  double encoder_counts = 0;         ///< per revolution of the motor, >= 0; 0: exact
+  double integral_time = 0;          ///< T_i of the velocity loop, s; 0: no integral part
+  double velocity_feed_forward = 1;  ///< share of the reference velocity, >= 0; 1: all of it
+  /// Share of (whole inertia * reference acceleration), >= 0; 1: all of it.
+  double torque_feed_forward = 1;
+  /// Share of the viscous and Coulomb friction, >= 0; 1: all of it.
+  double friction_feed_forward = 0;
+  double cycle = 0;           ///< s; 0: a continuous controller
+  double delay = 0;           ///< time from the reading to the torque, s, >= 0
+  double encoder_counts = 0;  ///< counts in one turn of the motor; 0: exact
 };
 
-/// A servo axis: a motor, a chain of masses that it drives, and the controller. **Every value
-/// refers to the motor's shaft**: behind a gear of ratio i, divide inertia, stiffness and damping
-/// by i^2 and torques by i. The equations are in docs/validate/drive.md and at the head of
-/// drive_model.cpp.
+/// A servo axis: a motor, a chain of masses that it drives, and a controller. **All values refer to
+/// the motor shaft**: for a part behind a gear of ratio i, divide inertia, stiffness and damping by
+/// i^2 and torques by i. docs/validate/drive.md and drive_model.cpp contain the equations.
 struct Drive {
-  Motor motor = {};
-  std::vector<Mass> train = {};  ///< empty: a rigid axis
-  Controller controller = {};
-  std::optional<Pendulum> pendulum = {};
-  double position_per_rev = 0;  ///< u/rev, > 0: the signal's position unit per motor revolution
+  Motor motor = {};                       ///< the motor
+  std::vector<Mass> train = {};           ///< the masses, from the motor on; empty: a rigid axis
+  Controller controller = {};             ///< the controller
+  std::optional<Pendulum> pendulum = {};  ///< pendulum at the last mass; nullopt: none
+  /// Travel of the axis in one turn of the motor, u (unit of the reference), > 0.
+  double position_per_rev = 0;
 };
 
-/// Permitted values of a number of a drive, always finite.
+/// Permitted values of a number of a drive. All numbers must be finite.
 enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
 
-/// A number of a drive by its name in specs, tolerances and identification.
+/// A number of a drive, by its name in specs, tolerances and identification.
 struct DriveNumber {
   std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
-  std::string unit;         ///< "kg m^2", "1": a pure number, "u/rev"
-  double* value = nullptr;  ///< points into the drive, which must outlive this
-  NumberRule rule = NumberRule::any;
+  std::string unit;         ///< "kg m^2", "u/rev", or "1" for a pure number
+  double* value = nullptr;  ///< points into the drive, which must outlive this object
+  NumberRule rule = NumberRule::any;  ///< permitted values
 };
 
-/// Every number that the drive has; masses are counted from 1.
+/// Returns all numbers of a drive. Masses are counted from 1.
 std::vector<DriveNumber> numbers(Drive& drive);
 
-/// An axis of the size of a 400 W servo: 3.8 N m peak, a load of five times the motor's inertia on
-/// a shaft that resonates near 80 Hz against a held motor, loops tuned for it by hand. The numbers
-/// are round and of that order of magnitude; they are not a product's data sheet. Unit: degrees of
-/// the motor shaft.
+/// Returns an example of an axis with the size of a 400 W servo. Its peak torque is 3.8 N m. Its
+/// load has five times the inertia of the motor, on a shaft that resonates near 80 Hz if the motor
+/// is held. Its loops are tuned by hand. The numbers are round and typical; they are not those of a
+/// product. Unit of the position: degrees of the motor shaft.
 Drive servo_400w();
 
-/// A motor of the 400 W class by its data sheet: Wittenstein premo SP, stator 2D at 320 V (operating
-/// manual 4022-D045530, revision 02, table Tbl-16): inertia 0.83 kg cm^2, stall torque 1.46 N m at
-/// 4.04 A, peak 5.53 N m, 0.52 N m/A, 3.72 ohm between terminals, no-load speed 7023 1/min, greatest
-/// power 2.49 kW, thermal time constant 17.4 min. From these: the peak torque is there up to 450 rad/s
-/// (power / torque), and copper loss is 1.5 times 3.72 ohm times the square of the rms current. No
-/// load, no friction (the sheet gives none); loops for a load of the motor's own inertia. Unit:
-/// degrees.
+/// Returns a motor of the 400 W class with the values of its data sheet: Wittenstein premo SP,
+/// stator 2D at 320 V (operating manual 4022-D045530, revision 02, table Tbl-16).
+///
+/// - Data: inertia 0.83 kg cm^2, stall torque 1.46 N m at 4.04 A, peak torque 5.53 N m, 0.52 N m/A,
+///   3.72 ohm between terminals, no-load speed 7023 1/min, greatest power 2.49 kW, thermal time
+///   constant 17.4 min.
+/// - Derived values: the peak torque is available up to 450 rad/s (power / torque); the copper loss
+///   is 1.5 * 3.72 ohm * (rms current)^2.
+/// - The drive has no load and no friction (the data sheet has none), and loops for a load with the
+///   inertia of the motor.
+///
+/// Unit of the position: degrees.
 Drive wittenstein_premo_2d();
 
-/// Throws InputError, with the number's key, for a value out of range.
+/// Throws InputError for a value out of range, with the key of the number.
 void require_valid(const Drive& drive);
 
-/// Limits of the axis; an omitted value is not limited. All > 0.
+/// Limits of a run. A value that is not given is not limited. All must be > 0. Unit u: the unit of
+/// the reference.
 struct DriveLimits {
-  std::optional<double> torque = {};                ///< N m, peak
-  std::optional<double> rms_torque = {};            ///< N m
-  std::optional<double> current = {};               ///< A, peak; needs a torque_constant
-  std::optional<double> velocity = {};              ///< rad/s, of the motor
-  std::optional<double> following_error = {};       ///< u
-  std::optional<double> end_following_error = {};   ///< u
-  std::optional<double> sync_following_error = {};  ///< u, within DriveOptions::sync
-  std::optional<double> residual = {};              ///< u
-  std::optional<double> settling_band = {};         ///< u, about the reference's end
-  std::optional<double> settling_time = {};  ///< s, until the load stays within; needs the band
+  std::optional<double> torque = {};           ///< peak torque of the motor, N m
+  std::optional<double> rms_torque = {};       ///< rms torque of the motor, N m
+  std::optional<double> current = {};          ///< peak current, A; requires a torque_constant
+  std::optional<double> velocity = {};         ///< speed of the motor, rad/s
+  std::optional<double> following_error = {};  ///< greatest following error, u
+  /// Following error at the end of the reference, u.
+  std::optional<double> end_following_error = {};
+  /// Greatest following error within DriveOptions::sync, u.
+  std::optional<double> sync_following_error = {};
+  std::optional<double> residual = {};  ///< greatest residual vibration after the end, u
+  /// Half-width of the band around the end of the reference, u.
+  std::optional<double> settling_band = {};
+  /// Time until the load stays within the settling band, s; requires the band.
+  std::optional<double> settling_time = {};
 };
 
 /// An interval of time, s.
@@ -141,122 +156,135 @@ struct Interval {
   double to = 0;
 };
 
+/// Options of drive_through().
 struct DriveOptions {
-  double settle = 0.2;      ///< s of standstill after the reference's end, >= 0
-  std::size_t samples = 0;  ///< for plots: equally spaced over reference and standstill
-  DriveLimits limits = {};
-  std::vector<Interval> sync = {};  ///< intervals in sync; within the reference
-  double tolerance = 1e-8;          ///< relative, of the integration, in [1e-12, 1e-3]
-  long max_steps = 10'000'000;      ///< > 0
-  /// The reference is one period of an endless motion, such as that of a cam with a rotating master: the run is
-  /// one period of the steady state, without a standstill (`settle` is not used). For linear drives.
+  double settle = 0.2;  ///< standstill after the end of the reference, s, >= 0
+  /// Number of samples, equally spaced over reference and standstill; for plots.
+  std::size_t samples = 0;
+  DriveLimits limits = {};          ///< limits for the findings
+  std::vector<Interval> sync = {};  ///< times in which the slave is in sync; within the reference
+  double tolerance = 1e-8;          ///< relative tolerance of the integration, 1e-12 to 1e-3
+  long max_steps = 10'000'000;      ///< greatest number of steps of the integration, > 0
+  /// True: the reference is one period of a motion without end, such as a cam on a rotating master.
+  /// The run is one period of the steady state, without a standstill (`settle` is not used). Only
+  /// for linear drives.
   bool periodic = false;
 };
 
-/// The same for options that go with a valid drive: keys "settle", "limits.torque", ...
+/// The same for options of a run with a valid drive. Keys: "settle", "limits.torque", ...
 void require_valid(const DriveOptions& options, const Drive& drive);
 
-/// A signed value at its largest magnitude, and when.
+/// A signed value where its magnitude is greatest, and the time.
 struct Peak {
-  double value = 0;
-  double where = 0;  ///< s
+  double value = 0;  ///< the value
+  double where = 0;  ///< time, s
 };
 
-/// The torque stood at its limit over an interval of time, entered and left at these instants.
+/// A period in which the torque was at its limit.
 struct Saturation {
-  double from = 0;        ///< s
-  double to = 0;          ///< s
-  int sign = 0;           ///< 1: at the upper limit, -1: at the lower
-  bool envelope = false;  ///< at its start, the motor's speed permitted less than the peak torque
+  double from = 0;  ///< start, s
+  double to = 0;    ///< end, s
+  int sign = 0;     ///< 1: at the upper limit, -1: at the lower limit
+  /// True: at the start, the speed of the motor permitted less than the peak torque.
+  bool envelope = false;
 };
 
+/// The state of a drive at one instant. Unit u: the unit of the reference.
 struct DriveSample {
-  double time = 0;             ///< s
-  double reference = 0;        ///< u
-  double motor = 0;            ///< u
-  double load = 0;             ///< u
-  double torque = 0;           ///< N m, of the motor
-  double following_error = 0;  ///< u, reference - motor
-  double velocity = 0;         ///< rad/s, of the motor
+  double time = 0;             ///< time, s
+  double reference = 0;        ///< position of the reference, u
+  double motor = 0;            ///< position of the motor, u
+  double load = 0;             ///< position of the last mass, u
+  double torque = 0;           ///< torque of the motor, N m
+  double following_error = 0;  ///< reference - motor, u
+  double velocity = 0;         ///< speed of the motor, rad/s
 };
 
-/// Work over reference and standstill, J.
+/// Energy over reference and standstill, J.
 struct DriveEnergy {
-  double driving = 0;      ///< mechanical, out of the motor, >= 0
-  double regenerated = 0;  ///< mechanical, back into the motor, >= 0
-  double copper = 0;       ///< lost in the winding, if its resistance is given
+  double driving = 0;      ///< mechanical work of the motor on the machine, >= 0
+  double regenerated = 0;  ///< mechanical work of the machine on the motor, >= 0
+  double copper = 0;       ///< loss in the winding; 0 without a resistance
 };
 
+/// Result of drive_through(). Unit u: the unit of the reference. The *end* is the end of the
+/// reference.
 struct DriveResult {
-  Integration integration;
-  Peak torque;                     ///< N m
-  double rms_torque = 0;           ///< N m, over the reference's duration (the standstill excluded)
-  Peak current;                    ///< A, if a torque_constant is given
-  double rms_current = 0;          ///< A
-  Peak velocity;                   ///< rad/s, of the motor
-  Peak following_error;            ///< u, reference - motor
-  double end_following_error = 0;  ///< u, at the reference's end
-  Peak sync_following_error;       ///< u, within DriveOptions::sync
-  Peak residual;                   ///< u, load - reference, after the reference's end
-  double residual_frequency = 0;   ///< Hz, of the load after the end; 0: it does not swing
-  std::optional<double> settling_time = {};  ///< s after the end; none: no band, or not settled
-  /// Intervals with a following error above its limit, if one is given: entered and left at zeros of the
-  /// solver's dense output. An excursion and return within half a step is seen by its parabola's vertex.
+  Integration integration;         ///< statistics of the integration
+  Peak torque;                     ///< peak torque of the motor, N m
+  double rms_torque = 0;           ///< rms torque, N m, over the reference without the standstill
+  Peak current;                    ///< peak current, A; 0 without a torque_constant
+  double rms_current = 0;          ///< rms current, A
+  Peak velocity;                   ///< peak speed of the motor, rad/s
+  Peak following_error;            ///< greatest following error (reference - motor), u
+  double end_following_error = 0;  ///< following error at the end, u
+  Peak sync_following_error;       ///< greatest following error within DriveOptions::sync, u
+  Peak residual;                   ///< greatest deviation load - reference after the end, u
+  double residual_frequency = 0;   ///< frequency of the load's vibration after the end, Hz; 0: none
+  /// Time after the end, s; nullopt: no band is given, or the load did not settle.
+  std::optional<double> settling_time = {};
+  /// Periods in which the following error exceeds its limit, if one is given. Their ends are zeros
+  /// of the solver's dense output. If the error exceeds the limit for less than half a step, the
+  /// vertex of a parabola detects it.
   std::vector<Interval> beyond_following_error = {};
-  Peak swing;  ///< u, pendulum - load
-  /// Peak share of the winding's thermal limit, from cold: h' = ((T / rated)^2 - h) / thermal_time.
+  Peak swing;  ///< greatest deviation of the pendulum from the load, u
+  /// Greatest thermal load h of the winding, from the cold state: h' = ((T / rated_torque)^2 - h) /
+  /// thermal_time. 1 is the limit.
   Peak i2t;
-  DriveEnergy energy;
-  long impacts = 0;  ///< number of impacts on a flank of a joint with backlash
-  std::vector<Saturation> saturation;
-  std::vector<DriveSample> samples;
-  /// "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity",
-  /// "drive/following_error", "drive/end_following_error", "drive/sync_following_error",
-  /// "drive/residual", "drive/settling_time" against the limits given; "drive/i2t",
-  /// "drive/rated_torque" (rms) and "drive/max_velocity" if the motor has these; always
-  /// "drive/saturation", broken if the torque limit was reached at all; "drive/stability", broken,
-  /// if the loop is unstable (loop.hpp); "drive/exact" if there are samples and exact_opinion()
-  /// returns a finding; and "drive/integration" if the integration failed: limits not exceeded up
-  /// to then have no finding.
+  DriveEnergy energy;                  ///< work and loss
+  long impacts = 0;                    ///< number of impacts in connections with backlash
+  std::vector<Saturation> saturation;  ///< periods at the torque limit
+  std::vector<DriveSample> samples;    ///< samples, if requested
+  /// Findings:
+  /// - "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity",
+  ///   "drive/following_error", "drive/end_following_error", "drive/sync_following_error",
+  ///   "drive/residual", "drive/settling_time": for each limit that is given;
+  /// - "drive/i2t", "drive/rated_torque" (rms torque), "drive/max_velocity": if the motor has these
+  ///   values;
+  /// - "drive/saturation": always; broken if the torque reached its limit;
+  /// - "drive/stability": broken if the loop is unstable (loop.hpp); otherwise absent;
+  /// - "drive/exact": if there are samples and exact_opinion() returns a finding;
+  /// - "drive/integration": if the integration failed. A limit that was not exceeded before the
+  ///   failure then has no finding.
   Report report;
 };
 
-/// Drives the axis along a reference over time, from rest at its start, then holds its end.
+/// Moves a drive along a reference over time, from rest at its start, then holds its end.
 ///
 ///     Drive drive = servo_400w();
 ///     drive.position_per_rev = 10;                                 // mm: a screw of 10 mm pitch
 ///     const DriveResult run = drive_through(table, drive, {.limits = {.following_error = 0.5}});
 ///     if (!run.report.ok()) ...
 ///
-/// The reference is the signal that the executor will interpolate: a Table over time, a Trajectory,
-/// a Followed made from a table's curve. The axis begins at rest at the reference's first position,
-/// in equilibrium: the constant loads twist the shafts, the integral part (without one, a position
-/// error) holds their torque, and no load is in the middle of a gap. A reference that starts or
-/// ends moving acts as a step of velocity.
+/// **Reference.** It is the signal that the executor interpolates: a Table over time, a Trajectory,
+/// or a Followed made from the curve of a table. The axis begins at rest at the first position of
+/// the reference, in equilibrium: constant loads twist the shafts, the integral part holds their
+/// torque (without one, a position error does), and no load is in the middle of a gap. If the
+/// reference begins or ends at a velocity, this acts as a step of the velocity.
 ///
-/// Saturation, backlash, dry friction and the power's direction through a gear are modes, switched
-/// by root finding; the integration restarts at each switch. The thermal share follows from the
-/// integral of T^2 step by step, exact except for changes of T within a step much shorter than
-/// thermal_time.
+/// **Method.** Saturation, backlash, dry friction and the direction of the power through a gear are
+/// modes. The switch between modes is found as a root, and the integration restarts there. The
+/// thermal load follows from the integral of T^2 in each step; it is exact except for changes of T
+/// within a step, which is much shorter than thermal_time.
 ///
-/// **Accuracy**: motor and load within 1e-9 of the stroke of the exact solution (pinned by tests
-/// against matrix exponentials; 2e-11 is usual, 1e-8 if a move ends before the loop can follow),
-/// rms torque within 1e-6 of its value. Peaks come from parabolas through the solver's own steps,
-/// within 1e-4 of their value. The frequency comes from the zeros of the load's velocity, as long
-/// as it swings by at least 1 % of its peak.
+/// **Accuracy.** Motor and load are within 1e-9 of the stroke of the exact solution, the rms torque
+/// within 1e-6 of its value. (Tests compare with matrix exponentials; usual errors are 2e-11 of the
+/// stroke, or 1e-8 if a move ends before the loop can follow.) Peaks come from parabolas through
+/// the steps of the solver, within 1e-4 of their value. The frequency comes from the zeros of the
+/// load's velocity, as long as the vibration is at least 1 % of its peak.
 ///
-/// `periodic`: one period is integrated from the exact steady state (exact_period()); the finding
-/// "drive/periodic" has the distance of its end from its start, as a share of stroke or peak
-/// torque, and is broken beyond a hundred tolerances. It is broken if the torque reaches its limit,
-/// because the initial state is that of a stronger motor.
+/// **Periodic.** One period is integrated from the exact steady state (exact_period()). The finding
+/// "drive/periodic" gives the difference between its end and its start, as a share of the stroke or
+/// of the peak torque; it is broken above a hundred tolerances. It is also broken if the torque
+/// reaches its limit, because the initial state is that of a drive without this limit.
 ///
-/// Throws InputError for a drive, option or limit out of range, for a Table over master position,
-/// and, if periodic, for a signal without segments and like exact_period(). A failed integration is
-/// no exception: see DriveResult::integration.
+/// **Errors.** Throws InputError for a drive, an option or a limit out of range, for a Table over a
+/// master, and, if `periodic`, for a signal without segments and like exact_period(). If the
+/// integration fails, there is no exception: see DriveResult::integration.
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 
-/// A Cam is not a motion over time: give it a master first (Followed).
+/// A Cam is not a motion over time. Combine it with a motion of its master first (Followed).
 DriveResult drive_through(const Cam& reference, const Drive& drive,
                           const DriveOptions& options = {}) = delete;
 

@@ -12,74 +12,81 @@
 
 namespace jounce {
 
-/// A cam follower that a spring holds down: the polydyne model. One mass represents all moving
-/// parts. Between it and the cam are the stiffness and the damping of the linkage, behind it the
-/// return spring.
+/// A cam follower that is held down by a spring (the polydyne model). One mass m represents all
+/// moving parts. The stiffness and the damping of the linkage are between the cam and the mass, the
+/// return spring is behind the mass.
 ///
 ///     cam y --> [linkage k_l, c_l] --> mass m, x <-- [return spring k_s, c_s, preload F_0]
 ///
-/// The linkage pushes and does not pull: when its force would be negative, the follower leaves the
-/// cam and flies until the tip meets the cam again. Equations: at the head of follower.cpp.
+/// The linkage can push, but not pull. When its force would become negative, the follower leaves
+/// the cam, until the tip meets the cam again. follower.cpp contains the equations.
 struct SpringFollower {
-  double mass = 0;               ///< kg, > 0, at the cam
+  double mass = 0;               ///< m, reduced to the cam, kg, > 0
   double linkage_stiffness = 0;  ///< k_l, N/m, > 0
   double linkage_damping = 0;    ///< c_l, N s/m, >= 0
   double spring_stiffness = 0;   ///< k_s, N/m, >= 0
-  double spring_damping = 0;     ///< c_s, N s/m, >= 0: of the spring and of the guide, viscous
-  double preload = 0;            ///< F_0, N, >= 0, of the spring at signal 0
-  double metres_per_unit = 1;    ///< > 0: of the signal's position unit
+  double spring_damping = 0;   ///< c_s, N s/m, >= 0: viscous damping of the spring and of the guide
+  double preload = 0;          ///< F_0, force of the spring at lift 0, N, >= 0
+  double metres_per_unit = 1;  ///< meters in one unit of the lift, > 0
 };
 
-/// Throws InputError, with the field's name as key, for a value out of range, and for a follower that nothing presses
-/// on the cam (no preload and no spring).
+/// Throws InputError, with the name of the member as key, for a value out of range, and for a
+/// follower that is not pressed onto the cam (no preload and no spring).
 void require_valid(const SpringFollower& follower);
 
-/// Limits of the follower; an omitted value is not limited.
+/// Limits of a follower. A value that is not given is not limited, except least_force. Unit u: the
+/// unit of the lift.
 struct FollowerLimits {
-  std::optional<double> least_force = {};     ///< N, >= 0, of the contact; omitted: 0
-  std::optional<double> greatest_force = {};  ///< N, > 0, of the contact
-  std::optional<double> impact_speed = {};    ///< m/s, > 0, when it lands
-  std::optional<double> residual = {};        ///< u, > 0
+  std::optional<double> least_force = {};     ///< least contact force, N, >= 0; nullopt: 0
+  std::optional<double> greatest_force = {};  ///< greatest contact force, N, > 0
+  std::optional<double> impact_speed = {};    ///< greatest speed of an impact on the cam, m/s, > 0
+  std::optional<double> residual = {};        ///< greatest residual vibration, u, > 0
 };
 
+/// Options of follow().
 struct FollowerOptions {
-  double settle = 0;        ///< s of standstill after the signal's end, >= 0
-  std::size_t samples = 0;  ///< for plots: equally spaced over signal and standstill
-  FollowerLimits limits = {};
-  double tolerance = 1e-9;      ///< relative, of the integration, in [1e-12, 1e-3]
-  long max_steps = 10'000'000;  ///< > 0
+  double settle = 0;  ///< standstill after the end of the lift, s, >= 0
+  /// Number of samples, equally spaced over lift and standstill; for plots.
+  std::size_t samples = 0;
+  FollowerLimits limits = {};   ///< limits for the findings
+  double tolerance = 1e-9;      ///< relative tolerance of the integration, 1e-12 to 1e-3
+  long max_steps = 10'000'000;  ///< greatest number of steps of the integration, > 0
 };
 
-/// Once in the air.
+/// A period without contact between the follower and the cam. Unit u: the unit of the lift.
 struct Flight {
-  double from = 0;          ///< s, the contact is lost
-  double to = 0;            ///< s, the tip is back on the cam, or the run is over
-  double height = 0;        ///< u, the greatest gap
-  double impact_speed = 0;  ///< m/s, of tip against cam as they meet; 0: still in the air
+  double from = 0;    ///< loss of the contact, s
+  double to = 0;      ///< next contact, or the end of the run, s
+  double height = 0;  ///< greatest gap, u
+  /// Speed of the tip relative to the cam at the next contact, m/s; 0: no contact any more.
+  double impact_speed = 0;
 };
 
+/// The state of a follower at one instant.
 struct FollowerSample {
-  double time = 0;   ///< s
-  double cam = 0;    ///< u
-  double mass = 0;   ///< u
-  double force = 0;  ///< N, between tip and cam
-  double gap = 0;    ///< u, >= 0, between tip and cam
+  double time = 0;   ///< time, s
+  double cam = 0;    ///< lift of the cam, u
+  double mass = 0;   ///< position of the mass, u
+  double force = 0;  ///< contact force, N
+  double gap = 0;    ///< gap between tip and cam, u, >= 0
 };
 
+/// Result of follow(). Unit u: the unit of the lift.
 struct FollowerResult {
-  Integration integration;
-  Peak least_force;     ///< N, of the contact; 0 once it is lost
-  Peak greatest_force;  ///< N
-  Peak residual;        ///< u, of the mass about its place of rest, after the signal's end
-  std::vector<Flight> flights;
-  std::vector<FollowerSample> samples;
-  /// Always "follower/contact", the least force against its limit, broken if contact was lost;
-  /// "follower/force", "follower/impact", "follower/residual" against the limits given; and
+  Integration integration;  ///< statistics of the integration
+  Peak least_force;         ///< least contact force, N; 0 if the contact was lost
+  Peak greatest_force;      ///< greatest contact force, N
+  /// Greatest deviation of the mass from its rest position after the end of the lift, u.
+  Peak residual;
+  std::vector<Flight> flights;          ///< periods without contact
+  std::vector<FollowerSample> samples;  ///< samples, if requested
+  /// Findings: "follower/contact" always (the least force and its limit; broken if the contact was
+  /// lost); "follower/force", "follower/impact", "follower/residual" for each limit that is given;
   /// "follower/integration" if the integration failed.
   Report report;
 };
 
-/// Drives a follower by a cam that turns: the signal is the cam's lift over time, a Followed.
+/// Moves a follower by a rotating cam. `lift`: the lift of the cam over time, a Followed.
 ///
 ///     const Followed lift(cam, shaft);                       // at 3000 rpm
 ///     SpringFollower valve{.mass = 0.2, .linkage_stiffness = 5e6, .linkage_damping = 100,
@@ -87,18 +94,18 @@ struct FollowerResult {
 ///     const FollowerResult run = follow(lift, valve);
 ///     if (!run.flights.empty()) ...                            // floats: at run.flights[0].from
 ///
-/// It begins at rest in equilibrium on the cam. The tip has no mass: when it lands it stays on the cam,
-/// its speed taken by the linkage, and nothing rebounds but the mass on the linkage itself.
+/// The follower begins at rest on the cam, in equilibrium. The tip has no mass, so it stays on the
+/// cam when it lands: the linkage absorbs its speed, and only the mass can rebound, on the linkage.
 ///
-/// **Accuracy**: loss of contact and landing found as events; within 1e-8 of a period of the exact
-/// instants, forces within 1e-7 of their peak (pinned by tests against closed forms).
+/// **Accuracy.** Losses of contact and landings are found as events, within 1e-8 of a period of the
+/// exact instants. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
 ///
-/// Throws InputError for a follower, option or limit out of range, and for a Table over master
-/// position. An integration that fails is an outcome.
+/// **Errors.** Throws InputError for a follower, an option or a limit out of range, and for a Table
+/// over a master. If the integration fails, there is no exception: see FollowerResult::integration.
 FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {});
 
-/// A Cam is not a motion over time: give it a master first (Followed).
+/// A Cam is not a motion over time. Combine it with a motion of its master first (Followed).
 FollowerResult follow(const Cam& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {}) = delete;
 

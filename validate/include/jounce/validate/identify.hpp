@@ -12,121 +12,136 @@
 
 namespace jounce {
 
-/// A run as a drive or a measuring device recorded it: one entry a sample, in step with `time`.
+/// A recorded run of a drive. Each list has one entry for each sample. Unit u: the unit of the
+/// drive's position.
 struct Recording {
-  std::vector<double> time;           ///< s, ascending
-  std::vector<double> command;        ///< u, the commanded position
-  std::vector<double> position = {};  ///< u, of the motor's encoder; empty: not recorded
-  std::vector<double> velocity = {};  ///< u/s, of the motor; empty: not recorded
-  std::vector<double> torque = {};    ///< N m, of the motor; empty: not recorded
-  std::vector<double> load = {};      ///< u, of an encoder at the last mass; empty: not recorded
+  std::vector<double> time;           ///< time, s, ascending
+  std::vector<double> command;        ///< commanded position, u
+  std::vector<double> position = {};  ///< position of the motor's encoder, u; empty: not recorded
+  std::vector<double> velocity = {};  ///< velocity of the motor, u/s; empty: not recorded
+  std::vector<double> torque = {};    ///< torque of the motor, N m; empty: not recorded
+  /// Position of an encoder at the last mass, u; empty: not recorded.
+  std::vector<double> load = {};
 };
 
-/// The commanded motion: the C2 cubic spline through the recorded commands, at rest at both ends. The
-/// acceleration between two samples is wrong by order (interval / time scale of the motion)^2.
-/// Throws InputError for a recording of fewer than four samples, times that do not ascend, or numbers
-/// that are not finite (key "time", "command").
+/// Returns the commanded motion: the cubic spline through the recorded commands, with continuous
+/// acceleration, at rest at both ends. Between two samples, its acceleration has an error of the
+/// order (sampling interval / time scale of the motion)^2. Throws InputError for a recording of
+/// fewer than four samples, for times that do not ascend, and for numbers that are not finite (key
+/// "time" or "command").
 Trajectory commanded_motion(const Recording& recording);
 
-/// Numbers to fit, and their start.
+/// The drive and those of its numbers that are fitted.
 struct IdentifySpec {
-  Drive drive;                   ///< the start: every number that is not fitted is believed
-  std::vector<std::string> fit;  ///< keys of numbers(Drive&): "motor.inertia", "mass[1].stiffness"
-  int max_iterations = 50;       ///< >= 1
-  double tolerance = 1e-8;       ///< relative, of each integration, in [1e-12, 1e-3]
+  Drive drive;                   ///< start of the fit; all other numbers are taken as correct
+  std::vector<std::string> fit;  ///< keys of numbers(): "motor.inertia", "mass[1].stiffness"
+  int max_iterations = 50;       ///< greatest number of iterations, >= 1
+  double tolerance = 1e-8;       ///< relative tolerance of each integration, 1e-12 to 1e-3
 };
 
-/// A number that was fitted. The interval holds the true number in 95 of 100 recordings, if the model
-/// is right and the noise of one sample does not depend on the noise of others.
+/// A number that was fitted. Its interval contains the true number in 95 of 100 recordings, if the
+/// model is right and the noise of different samples is independent.
 struct FittedNumber {
-  std::string key;
-  std::string unit;
-  double start = 0;
-  double value = 0;
-  double low = 0;
-  double high = 0;
+  std::string key;   ///< key in numbers()
+  std::string unit;  ///< unit; "1" for a pure number
+  double start = 0;  ///< value at the start of the fit
+  double value = 0;  ///< fitted value
+  double low = 0;    ///< lower end of the interval
+  double high = 0;   ///< upper end of the interval
 };
 
-/// Two numbers that the recording hardly separates: the estimates depend on each other.
+/// Two numbers that the recording can hardly separate: their estimates depend on each other.
 struct Entangled {
-  std::string first;
-  std::string second;
-  double correlation = 0;  ///< correlation of the estimates' logarithms, -1 to 1
+  std::string first;       ///< key of the first number
+  std::string second;      ///< key of the second number
+  double correlation = 0;  ///< correlation between the logarithms of both estimates, -1 to 1
 };
 
-/// A statistic against the value that it exceeds in one of a thousand recordings if the model is right.
+/// A statistic and its limit. If the model is right, the statistic exceeds the limit in one of a
+/// thousand recordings.
 struct ResidualTest {
-  double value = 0;
+  double value = 0;                                        ///< the statistic
   double limit = std::numeric_limits<double>::infinity();  ///< infinite: not tested
 
   [[nodiscard]] bool failed() const { return value > limit; }
 };
 
-/// Quality of the fit of one recorded quantity. A residual not above the recording's own resolution, or the
-/// integrator's error, is not tested.
+/// Quality of the fit for one recorded quantity. A residual is recorded value minus model. It is
+/// not tested if it is below the resolution of the recording or the error of the integration.
 struct Explained {
   std::string quantity;  ///< "position", "velocity", "torque", "load"
-  double before = 0;     ///< rms of recorded - model with the start's numbers
-  double after = 0;      ///< the same with the fitted ones: the noise, if the model is right
-  double autocorrelation =
-      0;  ///< autocorrelation of neighboring residuals: about 0 for a model that is right
-  ResidualTest white = {};   ///< Ljung and Box's Q
-  ResidualTest growth = {};  ///< squares of the last third over the first: Goldfeld and Quandt's F
-  ResidualTest worsening = {};     ///< squares after the fit over those before it
-  std::vector<double> model = {};  ///< the fitted model's, one for each sample
+  double before = 0;     ///< rms of the residuals at the start of the fit
+  double after = 0;      ///< rms of the residuals after the fit: the noise, if the model is right
+  /// Correlation of successive residuals; about 0 if the model is right.
+  double autocorrelation = 0;
+  ResidualTest white = {};  ///< test of whiteness: Q of Ljung and Box
+  /// Test of growth: mean square of the last third over that of the first third (F of Goldfeld and
+  /// Quandt).
+  ResidualTest growth = {};
+  ResidualTest worsening = {};     ///< mean square after the fit over that before it
+  std::vector<double> model = {};  ///< values of the fitted model, one for each sample
 };
 
 /// Result of identify().
 struct Identification {
+  /// Status of a fit.
   enum class Status {
-    converged,  ///< the fit is a least one, every number is known and the residuals are noise
-    misfit,  ///< the fit is a least one, but residuals are not white, or grow: the model is wrong
+    converged,  ///< the fit is a minimum, all numbers are determined, and the residuals are noise
+    misfit,     ///< the fit is a minimum, but residuals are not white, or grow: the model is wrong
     not_identifiable,  ///< the recording does not determine some of the numbers: see reason
-    stalled,           ///< iterations ran out
-    cancelled,         ///< stopped by the caller
-    failed,            ///< the model cannot be integrated with the start's numbers
+    stalled,           ///< the greatest number of iterations was reached
+    cancelled,         ///< stopped by the progress function
+    failed,            ///< the model cannot be integrated at the start of the fit
   };
-  Status status = Status::failed;
-  std::string reason;  ///< one sentence
-  Drive drive;         ///< the drive with the fitted numbers
-  std::vector<FittedNumber> numbers;
-  std::vector<Entangled> entangled;  ///< correlation above 0.95, strongest first
-  std::vector<Explained> explained;
-  std::vector<std::string> notes;  ///< sentences: residuals that are not white, feed-forward kept
-  int iterations = 0;
+  Status status = Status::failed;     ///< status
+  std::string reason;                 ///< reason for the status, one sentence
+  Drive drive;                        ///< the drive with the fitted numbers
+  std::vector<FittedNumber> numbers;  ///< the fitted numbers
+  std::vector<Entangled> entangled;   ///< pairs with a correlation above 0.95, the strongest first
+  std::vector<Explained> explained;   ///< quality of the fit of each recorded quantity
+  /// Sentences for the user: residuals that are not white, feed-forward that was kept.
+  std::vector<std::string> notes;
+  int iterations = 0;  ///< number of iterations
 
+  /// True if there are fitted numbers.
   [[nodiscard]] bool usable() const {
     return status == Status::converged || status == Status::misfit ||
            status == Status::not_identifiable;
   }
 };
 
+/// Returns the name of a status.
 const char* name(Identification::Status status);
 
-/// Between two iterations: how many, and the rms residual over that of the start. False stops.
+/// Receives the number of iterations so far, and the rms residual relative to that at the start. If
+/// it returns false, the fit stops.
 using IdentifyProgress = std::function<bool(int iteration, double share)>;
 
-/// Fits numbers of a drive to a recorded run: weighted least squares of recorded minus model over
-/// everything that was recorded, by Gauss and Newton's method as Levenberg and Marquardt damp it, with
-/// derivatives from forward sensitivities. Method and source: docs/validate/identification.md.
+/// Fits numbers of a drive to a recorded run. The method is weighted least squares of the residuals
+/// of all recorded quantities, by Gauss and Newton with the damping of Levenberg and Marquardt;
+/// derivatives come from forward sensitivities. docs/validate/identification.md describes the
+/// method and its sources.
 ///
 ///     Recording run = ...;                              // time, command, position, torque
 ///     Identification found = identify(run, commanded_motion(run), {servo_400w(), {"mass[1].inertia"}});
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
-/// **The controller stays as it was.** The numbers of the machine change, the output of the
-/// controller does not: if inertia is fitted, torque_feed_forward of the result gives the same
-/// feed-forward torque as the start. A friction_feed_forward is rejected if friction is fitted.
+/// **Controller.** The fit changes the numbers of the machine, but not the output of the
+/// controller. For example, if an inertia is fitted, torque_feed_forward of the result gives the
+/// same feed-forward torque as at the start. A friction_feed_forward is rejected if friction is
+/// fitted.
 ///
-/// **Positive numbers.** The logarithm is fitted, so no number can change its sign: the start must
-/// be greater than 0 (NumberRule::any: not 0), of the right order of magnitude.
+/// **Positive numbers.** The logarithm of a number is fitted, so its sign cannot change. Its start
+/// must be greater than 0 (for NumberRule::any: not 0) and have the right order of magnitude.
 ///
-/// **Weights.** Each quantity counts by the standard deviation of its own noise, estimated from its
-/// residuals and improved until it does not change.
+/// **Weights.** Each quantity is weighted by the standard deviation of its own noise. This is
+/// estimated from the residuals, and improved until it does not change any more.
 ///
-/// The axis is at rest at the start of `reference`, which has the time axis of the recording.
-/// Throws InputError for an unknown key (the message lists the valid ones), a number that cannot be
-/// fitted, a malformed recording, and like require_valid(Drive).
+/// **Reference.** The axis is at rest at the start of `reference`, whose times are those of the
+/// recording.
+///
+/// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
+/// that cannot be fitted, an invalid recording, and like require_valid(Drive).
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going = {});
 

@@ -5,22 +5,24 @@
 
 namespace jounce {
 
-/// Outcome of an integration. Only `complete` can be used as a proof.
+/// Status at the end of an integration. Only a complete one is a proof.
 enum class Ended {
   complete,        ///< the end was reached, in a plausible number of steps
-  too_many_steps,  ///< the step count ran out
-  not_finite,      ///< the signal, and so the right-hand side, was NaN or infinite
-  failed,          ///< the solver gave up; the reason is its own message
+  too_many_steps,  ///< the greatest number of steps was reached
+  not_finite,      ///< the signal was NaN or infinite
+  failed,          ///< the solver gave up; its message is the reason
 };
 
-/// Statistics of an integration. A solver that gives up is an outcome, not an error.
+/// Statistics of an integration. If the solver gives up, this is a result and not an exception.
 struct Integration {
-  Ended ended = Ended::complete;
-  double reached = 0;  ///< on the signal's axis; the end of the interval if complete
-  long steps = 0;      ///< steps taken
-  long restarts = 0;   ///< restarts of the solver, at a jump or an event
-  std::string reason;  ///< why not complete, else empty
+  Ended ended = Ended::complete;  ///< status at the end
+  /// Time or master position that was reached; the end of the interval if complete.
+  double reached = 0;
+  long steps = 0;      ///< number of steps
+  long restarts = 0;   ///< number of restarts of the solver, at a jump or an event
+  std::string reason;  ///< reason why it is not complete; "" if it is
 
+  /// True if it is complete.
   [[nodiscard]] bool ok() const { return ended == Ended::complete; }
 };
 

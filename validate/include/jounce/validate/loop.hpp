@@ -9,68 +9,73 @@
 
 namespace jounce {
 
-/// Distance of the loop from instability, and the frequency of its oscillation there.
+/// A stability margin of a loop, and the frequency at which the loop then oscillates.
 struct LoopMargin {
-  double value = 0;      ///< a gain: dB; a phase: deg
+  double value = 0;      ///< gain margin, dB; phase margin, deg
   double frequency = 0;  ///< Hz
 };
 
 /// A pole of the closed loop: exp(pole t) is a free motion of the drive.
 struct LoopPole {
-  double growth = 0;     ///< 1/s, its real part: >= 0 means that it does not die away
-  double frequency = 0;  ///< Hz, >= 0; 0: it does not swing
-  double damping = 0;    ///< ratio to the critical one
+  double growth = 0;     ///< real part, 1/s; >= 0: the motion does not decay
+  double frequency = 0;  ///< Hz, >= 0; 0: no vibration
+  double damping = 0;    ///< damping ratio
 };
 
 /// Stability of the loop of a drive, with its margins.
 struct LoopStability {
-  bool stable = true;
-  std::vector<LoopPole> poles;  ///< poles of each conjugate pair one, the one that grows most first
-  /// Factor by which the gain may rise (positive) or fall (negative) until the loop becomes
-  /// unstable, whichever is less. For an unstable loop: the distance to the nearest factor at which
-  /// a pole crosses, always negative. Nothing if no factor makes a pole cross.
+  bool stable = true;           ///< true if no pole grows
+  std::vector<LoopPole> poles;  ///< one pole of each conjugate pair, the one that grows most first
+  /// Gain margin: factor by which the gain can rise (positive) or fall (negative) until the loop
+  /// becomes unstable, whichever is smaller. For an unstable loop, it is always negative: the
+  /// distance to the nearest factor at which a pole crosses the stability limit. nullopt: no factor
+  /// makes a pole cross.
   std::optional<LoopMargin> gain;
-  /// Phase margin: additional lag (or lead) permitted at |L| = 1; negative for an unstable loop.
+  /// Phase margin: additional lag (or lead) that is possible at |L| = 1; negative for an unstable
+  /// loop.
   std::optional<LoopMargin> phase;
-  /// For an unstable loop: the velocity gain (N m s/rad) below which it is stable, if there is one.
+  /// For an unstable loop: the velocity gain, N m s/rad, below which the loop is stable; nullopt:
+  /// none.
   std::optional<double> velocity_gain;
 };
 
-/// Poles and margins of the loop of both controllers, opened where the torque enters the motor. So
-/// L = velocity gain times everything else, so the gain margin is that of `velocity_gain`.
+/// Computes the poles and margins of both loops together, opened where the torque enters the motor.
+/// The open loop L is the velocity gain times everything else, so the gain margin is that of
+/// `velocity_gain`.
 ///
 ///     const LoopStability loop = loop_stability(drive);
 ///     if (!loop.stable) ...  loop.poles.front().frequency      // Hz at which it starts to swing
 ///
-/// The poles are eigenvalues: of the drive's equations, or, with a sampled controller, of their map
-/// over one cycle. Dry friction, backlash, gear losses, an arm, the torque limit and encoder counts
-/// are ignored. Stable means that no pole grows by more than the rounding of the eigenvalues.
+/// **Poles** are eigenvalues of the equations of the drive, or, for a sampled controller, of their
+/// map over one cycle. Dry friction, backlash, gear losses, the weight of an arm, the torque limit
+/// and encoder counts are ignored. The loop is stable if no pole grows by more than the rounding of
+/// the eigenvalues.
 ///
-/// Margins: crossings of |L| = 1 and of the negative real axis are bracketed on a grid of 200 frequencies
-/// a decade, finer about each pole, and bisected to rounding. Two crossings between neighbors of that grid
-/// are missed.
+/// **Margins** are at crossings of |L| = 1 and of the negative real axis. These are bracketed on a
+/// grid of 200 frequencies a decade, finer around each pole, and bisected to rounding. Two
+/// crossings between neighboring points of the grid are missed.
 ///
-/// Source: K. J. Astrom, R. M. Murray, *Feedback Systems*, 2nd ed. 2021, 10.3 (margins). Throws
-/// InputError like require_valid(drive), and for a delay of more than 100 cycles.
+/// Source: K. J. Astrom, R. M. Murray, *Feedback Systems*, 2nd ed. 2021, 10.3 (margins).
+/// Throws InputError like require_valid(drive), and for a delay of more than 100 cycles.
 LoopStability loop_stability(const Drive& drive);
 
-/// The poles alone, as LoopStability has them: a fraction of the cost.
+/// Returns only the poles, in the order of LoopStability: much faster.
 std::vector<LoopPole> loop_poles(const Drive& drive);
 
-/// True if a pole grows, by more than rounding; `poles` as loop_poles() has them.
+/// True if no pole grows by more than rounding. `poles`: from loop_poles().
 bool is_stable(const std::vector<LoopPole>& poles);
 
-/// A point of the loop's frequency response.
+/// A point of the frequency response of the open loop.
 struct LoopPoint {
-  double frequency = 0;  ///< Hz
-  std::complex<double> value;
+  double frequency = 0;        ///< Hz
+  std::complex<double> value;  ///< value of L
 };
 
-/// L over the frequencies at which margins are looked for, ascending.
+/// Returns L at the frequencies at which margins are searched, ascending.
 std::vector<LoopPoint> loop_response(const Drive& drive);
 
-/// The finding "drive/stability": broken if the loop is unstable, with its frequency in Hz as
-/// `where`. Nothing if the loop is stable, or if loop_stability() throws.
+/// Returns the finding "drive/stability", broken, if the loop is unstable; its `where` is the
+/// frequency in Hz. Returns nullopt if the loop is stable, or if loop_stability() throws.
 std::optional<Finding> unstable_loop(const Drive& drive);
 
 }  // namespace jounce

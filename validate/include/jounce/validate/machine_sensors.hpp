@@ -6,33 +6,38 @@
 
 namespace jounce {
 
-/// A switch of a simulated machine: on from `position` (inclusive) for `width`.
+/// A switch of a simulated machine. It is on in the range of `width` that begins at `position`.
+/// Unit u: the unit of the axis.
 struct MachineSwitch {
-  double position = 0;                                     ///< u, of the machine
-  double width = std::numeric_limits<double>::infinity();  ///< u, > 0; infinite: to the end
-  bool inverted = false;                                   ///< off there, and on everywhere else
-  double bounce = 0;  ///< s, time for which its contact bounces after each edge
+  double position = 0;  ///< start of the range, in the coordinate of the machine, u
+  /// Length of the range, u, > 0; infinite: no end.
+  double width = std::numeric_limits<double>::infinity();
+  bool inverted = false;  ///< true: off in the range, and on everywhere else
+  double bounce = 0;      ///< time for which the contact bounces after each edge, s
 };
 
-/// The index of a simulated encoder: one pulse at `offset` and every `period` from there.
+/// The index of a simulated encoder: a pulse at `offset`, and one at every `period` from there in
+/// both directions.
 struct MachineIndex {
-  double period = 0;  ///< u, > 0
-  double offset = 0;  ///< u, of the machine
+  double period = 0;  ///< distance between two pulses, u (unit of the axis), > 0
+  double offset = 0;  ///< position of a pulse, in the coordinate of the machine, u
 };
 
-/// The sensors of a simulated machine.
+/// The sensors of a simulated machine. nullopt: the machine does not have this sensor.
 struct MachineSensorsSpec {
-  double encoder_offset = 0;  ///< u: position of the machine at encoder count 0
-  std::optional<MachineSwitch> home = {};
-  std::optional<MachineSwitch> negative = {};  ///< limit switches
-  std::optional<MachineSwitch> positive = {};
-  std::optional<MachineIndex> index = {};
+  /// Position of the machine when the encoder counts 0, u (unit of the axis).
+  double encoder_offset = 0;
+  std::optional<MachineSwitch> home = {};      ///< home switch
+  std::optional<MachineSwitch> negative = {};  ///< negative limit switch
+  std::optional<MachineSwitch> positive = {};  ///< positive limit switch
+  std::optional<MachineIndex> index = {};      ///< index of the encoder
 };
 
-/// The limit switches of a machine: on at a position and beyond.
+/// A negative limit switch: on at positions below this one, u. `bounce`: see MachineSwitch.
 constexpr MachineSwitch negative_switch(double position, double bounce = 0) {
   return {.position = position, .inverted = true, .bounce = bounce};
 }
+/// A positive limit switch: on from this position on, u.
 constexpr MachineSwitch positive_switch(double position, double bounce = 0) {
   return {.position = position, .bounce = bounce};
 }

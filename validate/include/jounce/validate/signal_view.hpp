@@ -15,13 +15,14 @@ namespace jounce {
 
 namespace validate_detail {
 
-/// The motion of a slave whose master runs at constant velocities; nothing for another master.
+/// The motion over time of a slave whose master runs at constant velocities; nullopt for another
+/// master.
 std::optional<Trajectory> steady(const Followed& slave);
 
 }  // namespace validate_detail
 
-/// A view of any signal through one type, so that the integrators are compiled once. A signal
-/// converts to it implicitly; it refers to the signal and must not outlive it.
+/// A view of any signal through one type, so that the integrators are compiled only once. A signal
+/// converts to it implicitly. The view refers to the signal and must not outlive it.
 class SignalView {
  public:
   template <class S>
@@ -37,16 +38,20 @@ class SignalView {
         }),
         trajectory_([](const void* s) { return trajectory_of(*static_cast<const S*>(s)); }) {}
 
+  /// Start of the signal: time, s, or master position.
   [[nodiscard]] double start() const { return start_; }
+  /// End of the signal.
   [[nodiscard]] double end() const { return end_; }
+  /// Breaks of the signal, ascending.
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  /// Value and derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const { return jet_(signal_, x, side); }
 
-  /// The same as segments, exactly: of a Trajectory, a Table over time, and a Followed whose master
-  /// runs at constant velocities. Nothing for any other signal.
+  /// Returns the signal as segments, exactly, for a Trajectory, a Table over time, and a Followed
+  /// whose master runs at constant velocities; nullopt for any other signal.
   [[nodiscard]] std::optional<Trajectory> trajectory() const { return trajectory_(signal_); }
 
-  /// True if the signal runs over master position (a Cam, or a Table over master), not time.
+  /// True if the signal is over a master position (a Cam, or a Table over a master), not over time.
   [[nodiscard]] bool over_master() const { return over_master_; }
 
  private:

@@ -14,17 +14,18 @@
 
 namespace jounce {
 
-/// A number of a drive that is known within a tolerance only.
+/// A number of a drive that is known only within a tolerance.
 struct NumberTolerance {
-  std::string key;      ///< like numbers() names it: "mass[1].stiffness"
-  double share = 0;     ///< share of its value, either way, >= 0: 0.1 is +-10 %
-  double absolute = 0;  ///< in its own unit, either way, >= 0; both add up
-  /// Otherwise every value is as likely. A normal one has its tolerance at three standard deviations,
-  /// and none beyond.
+  std::string key;   ///< key in numbers(): "mass[1].stiffness"
+  double share = 0;  ///< tolerance in both directions, as a share of the value, >= 0: 0.1 is +-10 %
+  /// Additional tolerance in both directions, in the unit of the number, >= 0.
+  double absolute = 0;
+  /// False: uniform distribution. True: normal distribution, cut off at the tolerance, which is
+  /// three standard deviations.
   bool normal = false;
 };
 
-/// Distribution of the numbers.
+/// Numbers with tolerances, and the cases that are computed for them.
 ///
 ///     ToleranceSpec spec{.numbers = {{.key = "mass[1].inertia", .share = 0.2},
 ///                                    {.key = "mass[1].stiffness", .share = 0.1}}};
@@ -32,72 +33,76 @@ struct NumberTolerance {
 ///     worst.figures[0].worst.value;          // N m: the largest peak torque of any case
 ///     worst.figures[0].worst.numbers;        // and where: {"mass[1].inertia", 0.00024}, ...
 struct ToleranceSpec {
+  /// Choice of the cases.
   enum class Method {
-    /// Each number at its least and at its greatest, all combinations. Of more than ten numbers each
-    /// at both ends alone, and `cases` random combinations of ends.
+    /// All combinations of the least and the greatest value of each number. For more than ten
+    /// numbers: each number alone at both ends, and `cases` random combinations of ends.
     corners,
-    monte_carlo,  ///< `cases` draws of all numbers at once
+    monte_carlo,  ///< `cases` random draws of all numbers
   };
-  std::vector<NumberTolerance> numbers;
-  Method method = Method::corners;
-  std::size_t cases = 1000;  ///< 1 to 10 000 000
-  std::uint64_t seed = 1;
+  std::vector<NumberTolerance> numbers;  ///< the numbers
+  Method method = Method::corners;       ///< choice of the cases
+  std::size_t cases = 1000;              ///< number of cases, 1 to 10 000 000
+  std::uint64_t seed = 1;                ///< seed of the random numbers
 };
 
-/// One combination of the numbers, and the value of a figure for it.
+/// One case: the numbers, and the value of a figure for them.
 struct ToleranceCase {
-  double value = 0;
-  std::vector<std::pair<std::string, double>> numbers;
+  double value = 0;                                     ///< value of the figure
+  std::vector<std::pair<std::string, double>> numbers;  ///< keys and values of the numbers
 };
 
-/// A figure of the run over all cases, as a magnitude.
+/// Distribution of a figure, as a magnitude, over all cases.
 struct ToleranceSpread {
-  /// "torque", "rms_torque", "following_error", "residual"; "settling_time" if a settling_band is
-  /// given (a case that does not settle counts as the whole standstill, and as over the limit),
-  /// "i2t" if the motor has a thermal_time, "driving_energy".
+  /// "torque", "rms_torque", "following_error", "residual", "driving_energy"; "settling_time" if a
+  /// settling_band is given (for a case that does not settle, it is the whole standstill, and
+  /// exceeds the limit); "i2t" if the motor has a thermal_time.
   std::string figure;
-  std::string unit;    ///< "N m", "u": the reference's unit of position, "s", "1"
-  double nominal = 0;  ///< value with the nominal numbers; NaN if that run failed
-  double least = 0;
-  double mean = 0;
-  double deviation = 0;  ///< standard, of the sample; for corners it is not a statistic of machines
-  double most_of_all = 0;  ///< the 99 % quantile of the cases
-  ToleranceCase worst;     ///< the greatest
-  std::size_t beyond = 0;  ///< cases over the limit, if there is one
+  std::string unit;    ///< "N m", "s", "1", or "u" for the unit of the reference
+  double nominal = 0;  ///< value for the nominal numbers; NaN if that run failed
+  double least = 0;    ///< least value
+  double mean = 0;     ///< mean
+  /// Standard deviation of the cases (of corners, not a statistic of real machines).
+  double deviation = 0;
+  double most_of_all = 0;  ///< 99 % quantile of the cases
+  ToleranceCase worst;     ///< the case with the greatest value
+  std::size_t beyond = 0;  ///< number of cases that exceed the limit; 0 without a limit
 };
 
+/// Result of over_tolerances().
 struct ToleranceResult {
-  std::size_t cases = 0;      ///< the nominal one not counted
-  bool all_corners = false;   ///< every combination of ends was run
-  std::size_t saturated = 0;  ///< cases that met a torque limit
-  std::size_t failed = 0;     ///< cases whose integration did not end well
-  std::size_t unstable = 0;   ///< cases whose loop is unstable (loop.hpp)
-  std::vector<ToleranceSpread> figures;
-  /// Findings in the unit of position leave theirs empty. "tolerance/torque",
-  /// "tolerance/following_error", ...: the worst case against the limits given;
-  /// "tolerance/integration" if a case failed, "tolerance/stability" if a case has an unstable
-  /// loop.
+  std::size_t cases = 0;                 ///< number of cases, without the nominal one
+  bool all_corners = false;              ///< true if all combinations of ends were computed
+  std::size_t saturated = 0;             ///< number of cases whose torque reached its limit
+  std::size_t failed = 0;                ///< number of cases whose integration failed
+  std::size_t unstable = 0;              ///< number of cases whose loop is unstable (loop.hpp)
+  std::vector<ToleranceSpread> figures;  ///< the figures
+  /// Findings: "tolerance/torque", "tolerance/following_error", ...: the worst case, for each limit
+  /// that is given; "tolerance/integration" if a case failed; "tolerance/stability" if the loop of
+  /// a case is unstable. A finding in the unit of the position has an empty unit.
   Report report;
 };
 
-/// Runs body(0) ... body(count - 1), each once, in any order and on any number of threads.
+/// Calls body(0) to body(count - 1), each once, in any order and in any number of threads.
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
-/// The run of drive_through() over all cases: the behaviour of machines that differ from the
-/// nominal one.
+/// Computes drive_through() for all cases: the behavior of machines that differ from the nominal
+/// one.
 ///
-/// The result does not depend on `for_each` (omitted: one after another), because every case has
-/// its place. Corners find the worst case if a figure rises or falls monotonically with each
-/// number, as it usually does; Monte Carlo can find a resonance between the ends.
+/// Each case has a fixed place in the result, which therefore does not depend on `for_each`. If
+/// for_each is omitted, the cases are computed one after another. Corners find the worst case if a
+/// figure rises or falls monotonically with each number, which is usual. Monte Carlo can find a
+/// resonance between the ends.
 ///
-/// Throws InputError like drive_through(), for a key that is unknown to numbers() or occurs twice,
-/// and if a number at an end of its tolerance is not valid for the drive.
+/// Throws InputError like drive_through(), for a key that is not in numbers() or occurs twice, and
+/// if an end of a tolerance is not valid for the drive.
 ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,
                                 const ForEach& for_each = {});
 
-/// The cases alone, one row per case, one column per number, in the order they are run.
+/// Returns the numbers of all cases: a row for each case, in their order, and a column for each
+/// number.
 std::vector<std::vector<double>> tolerance_cases(const Drive& drive, const ToleranceSpec& spec);
 
 }  // namespace jounce

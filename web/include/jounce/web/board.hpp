@@ -13,35 +13,40 @@
 
 namespace jounce::web {
 
-/// State of some axes: the newest status of each, and the last seconds for its plots.
+/// The state of several axes for the live page: the newest status of each, and the samples of the
+/// last seconds for its plots.
 ///
 ///     Board board({"feeder", "knife"});
 ///     board.take("feeder", status, steady_now());
 ///     std::int64_t seen = 0;
 ///     send(board.json_since(seen, steady_now()));   // moves `seen` on
 ///
-/// A value type: guard it if threads share it.
+/// A value type, not synchronized: threads that share it need a lock.
 class Board {
  public:
-  static constexpr std::size_t most_samples = 2000;  ///< samples of each axis
-  static constexpr std::size_t most_masters =
-      64;  ///< likewise: without a key, any sender can invent masters
+  static constexpr std::size_t most_samples = 2000;  ///< greatest number of samples of each axis
+  /// Greatest number of masters of each axis; without a key, any program can send some.
+  static constexpr std::size_t most_masters = 64;
 
+  /// `axes`: names of the axes.
   explicit Board(std::vector<std::string> axes);
 
-  /// Stores a status; ignores it if its axis is not named, or if it is as old as the previous one.
+  /// Stores a status, which arrived at the time `now`. Ignores an axis that is not in the list, and
+  /// a status that is not newer than the previous one.
   void take(const std::string& axis, const wire::Status& status, Nanos now);
 
-  /// Stores the state of a master in an axis. If there are too many, drops the one of the earliest
-  /// cycle.
+  /// Stores the state of a master that an axis follows. If there are too many, drops the one whose
+  /// cycle is the earliest.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
-  /// Returns all axes in JSON, with the samples after `seen`, and moves `seen` to the newest one.
-  /// NaN becomes null. {"axes": [{"name", "state", "heard" (s since), "position", ..., "samples":
-  /// [[time s, position, velocity, following error], ...], "masters": [{"name", "unit", "lost",
-  /// "position", "velocity", "age_ms"}]}]}; time is tick * cycle.
+  /// Returns the state of all axes as JSON, with the samples whose number is above `seen`; sets
+  /// `seen` to the newest number. NaN becomes null. The form is {"axes": [{"name", "state", "heard"
+  /// (s since the last status), "position", ..., "samples": [[time s, position, velocity, following
+  /// error], ...], "masters": [{"name", "unit", "lost", "position", "velocity", "age_ms"}]}]},
+  /// where time is tick * cycle.
   [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
 
+  /// True if the axis is in the list.
   [[nodiscard]] bool has(const std::string& axis) const;
 
  private:

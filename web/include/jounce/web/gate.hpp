@@ -5,31 +5,34 @@
 #include <string>
 #include <string_view>
 
-/// Access control of a server on the loopback address. This address excludes other machines, but
-/// not the pages of other sites in a browser of this machine: they may send requests here
-/// (cross-site request forgery), or assign this address to their own name (DNS rebinding).
+/// Access control of a server on the loopback address. Other computers cannot reach this address.
+/// But pages of other sites, in a browser on this computer, can send requests to it (cross-site
+/// request forgery), or make their own name point to it (DNS rebinding). These functions detect
+/// both.
 ///
 ///     const std::string token = new_token();             // shown to the operator, never served
 ///     const std::string no = objection({.host = "evil.example:8080"}, 8080);  // empty: none
 ///     if (!same(token, given)) return 403;                // before any action
 namespace jounce::web {
 
-/// Origin of a request by its headers; empty: missing.
+/// The headers of a request that show where it comes from. "": the header is missing.
 struct Origin {
   std::string host{};    ///< Host
-  std::string origin{};  ///< Origin: browsers send it with every POST
+  std::string origin{};  ///< Origin, which browsers send with every POST
   std::string site{};    ///< Sec-Fetch-Site: same-origin, none (typed in), same-site, cross-site
 };
 
-/// Reason to reject a request completely, as a sentence; empty: none. Host must be 127.0.0.1 or
-/// localhost with this port; Origin, if present, the same; Sec-Fetch-Site same-origin or none.
-/// (Fetch Metadata Request Headers, W3C; RFC 6454 for Origin.)
+/// Returns the reason to reject a request, as a sentence; "": accepted. Host must be 127.0.0.1 or
+/// localhost, with this port. Origin, if present, must be the same address. Sec-Fetch-Site, if
+/// present, must be same-origin or none. Sources: Fetch Metadata Request Headers (W3C), RFC 6454
+/// (Origin).
 std::string objection(const Origin& origin, std::uint16_t port);
 
-/// 32 random hexadecimal digits.
+/// Returns a new random token of 32 hexadecimal digits.
 std::string new_token();
 
-/// True if two texts are equal; takes the same time for any difference.
+/// True if two texts are equal. The duration of the comparison does not depend on the place of a
+/// difference.
 bool same(std::string_view a, std::string_view b);
 
 }  // namespace jounce::web

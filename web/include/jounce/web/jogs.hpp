@@ -18,34 +18,37 @@
 
 namespace jounce::web {
 
-/// Creates a separate link for each thread that needs one; called from several threads.
+/// Makes a separate link for each thread that needs one. Several threads call it.
 using MakeLink = std::function<std::unique_ptr<Transport>()>;
 
-/// The hold-to-run jogs of a page. A browser requests one repeatedly while its button is held; each
-/// has a random number from the browser. During the requests, a thread of the jog sends the
-/// heartbeats that the axis needs.
+/// The hold-to-run jogs of a live page. While its button is held, a browser repeats the request for
+/// a jog; each jog has a random number from the browser. As long as the requests continue, a thread
+/// of the jog sends the heartbeats that the axis needs.
 ///
 ///     Jogs jogs(make_link, key);
 ///     jogs.jog("feeder", -20, 4711);    // begins; the same again within 0.3 s: it continues
 ///     jogs.release("feeder", 4711);     // the button was released: the axis stops
 ///
-/// If the browser stops its requests, the jog ends after 0.3 s. If this process ends, the executor
-/// stops the axis after 0.2 s. A finished jog does not begin again with the same number: a late
+/// If the requests stop, the jog ends after 0.3 s. If this process ends, the executor stops the
+/// axis after 0.2 s. A jog that has ended does not begin again with the same number, so a late
 /// request causes no motion.
 class Jogs {
  public:
-  static constexpr Nanos patience = std::chrono::milliseconds(300);  ///< request timeout
-  static constexpr Nanos beat = std::chrono::milliseconds(50);
+  /// Time after the last request at which a jog ends.
+  static constexpr Nanos patience = std::chrono::milliseconds(300);
+  static constexpr Nanos beat = std::chrono::milliseconds(50);  ///< time between two heartbeats
 
+  /// `key`: key of the executors; nullopt: none.
   Jogs(MakeLink make_link, std::optional<wire::Key> key);
-  /// Ends all of them.
+  /// Ends all jogs.
   ~Jogs();
   Jogs(const Jogs&) = delete;
   Jogs& operator=(const Jogs&) = delete;
 
-  /// Begins the jog of this number with a velocity in the axis's unit, or keeps it. A refusal has
-  /// the axis's reason, or the jog has ended. Throws TransportError.
+  /// Begins the jog with this number, or continues it. `velocity`: signed, in the unit of the axis.
+  /// Returns the answer of the axis; a jog that has ended is rejected. Throws TransportError.
   CallOutcome jog(const std::string& axis, double velocity, std::int64_t number);
+  /// Ends the jog with this number.
   void release(const std::string& axis, std::int64_t number);
 
  private:

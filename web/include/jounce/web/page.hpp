@@ -6,11 +6,13 @@
 
 namespace jounce::web {
 
-/// The live page, from three files in web/page/: HTML with this title and, if not empty, this
-/// warning; its script; its style, which extends that of the report page. They load nothing from
-/// elsewhere.
+/// Returns the HTML of the live page. `title`: title of the page. `warning`: shown at the top; "":
+/// none. The page, its script and its style come from three files in web/page/, and load nothing
+/// else.
 std::string page(const std::string& title, const std::string& warning = {});
+/// Returns the JavaScript of the live page.
 std::string_view script();
+/// Returns the CSS of the live page, which extends that of the report page.
 std::string style();
 
 }  // namespace jounce::web

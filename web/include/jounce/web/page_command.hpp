@@ -10,26 +10,29 @@
 
 namespace jounce::web {
 
-/// A command of an operator to an axis: {"axis": "feeder", "what": "override", "value": 0.5}.
+/// A command of an operator on the live page to an axis, as JSON: {"axis": "feeder", "what":
+/// "override", "value": 0.5}.
 ///
-/// `what` is stop, hold, resume, override (value: velocity factor 0 to 2), which take effect in
-/// every session; or enable, disable, reset, move (value: position in the axis's unit, at its
-/// configured limits), which are rejected while a streamer owns it. The page repeats a hold-to-run
-/// jog (jogs.hpp): jog (value: velocity in the axis's unit), and release; both have the number of
-/// the jog as `hold`.
+/// The words of `what`:
+/// - stop, hold, resume, override (`value`: factor on the velocity, 0 to 2): permitted at any time,
+///   even if a session owns the axis;
+/// - enable, disable, reset, move (`value`: position in the unit of the axis; the move uses the
+///   configured limits): rejected while a session owns the axis;
+/// - jog (`value`: velocity in the unit of the axis) and release: a hold-to-run jog, which the page
+///   repeats (jogs.hpp). Both have the number of the jog in `hold`.
 struct PageCommand {
-  std::string axis{};
-  std::string what{};
-  double value = 0;
-  std::int64_t hold = 0;
+  std::string axis{};     ///< name of the axis
+  std::string what{};     ///< the command
+  double value = 0;       ///< its value; 0 if it has none
+  std::int64_t hold = 0;  ///< number of the jog; 0 for other commands
 };
 
-/// Parses JSON. Throws InputError for JSON that is not such an object, an unknown key or word, and
-/// a value that is missing, superfluous or out of range.
+/// Reads a command from JSON. Throws InputError for JSON that is not such an object, an unknown key
+/// or word, and a value that is missing, not expected, or out of range.
 PageCommand read_command(std::string_view json);
 
-/// Sends any command except jog and release to the axis, over a separate link for this call,
-/// like `jounce order` and `jounce stop`, and waits for its answer. Throws TransportError.
+/// Sends a command to the axis, except jog and release, and waits for the answer, like `jounce
+/// order` and `jounce stop`. `link`: a link for this call only. Throws TransportError.
 CallOutcome give(Transport& link, const PageCommand& command, const std::optional<wire::Key>& key);
 
 }  // namespace jounce::web

@@ -15,31 +15,35 @@
 
 namespace jounce::web {
 
+/// Options of a live page.
 struct PanelOptions {
-  std::vector<std::string> axes{};  ///< names of the executors to show
-  std::optional<wire::Key> key{};   ///< their key, if they have one
+  std::vector<std::string> axes{};  ///< names of the axes on the page
+  std::optional<wire::Key> key{};   ///< key of the executors; nullopt: none
   std::string title{};              ///< title of the page
-  std::string token{};              ///< required for commands; from new_token()
-  std::string warning{};            ///< shown at the top of the page; empty: none
+  std::string token{};              ///< token that commands need, from new_token()
+  std::string warning{};            ///< text at the top of the page; "": none
 };
 
-/// A live page of some axes: their present state, streamed, and the commands of an operator.
+/// A live page: the present state of several axes, and the commands of an operator.
 ///
 ///     const PanelOptions options{.axes = {"feeder"}, .token = new_token()};
 ///     const Panel panel(options, Listening(8080), [&] { return connect(url); });
 ///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits commands
 ///
-/// It acts as an operator, and belongs in a process without axes: it receives the statuses of the
-/// axes and sends commands over the stream protocol, signed if there is a key. A stop waits for no
-/// other command. A viewer of the page without the printed address can read, but send no commands.
+/// The page acts as an operator. It receives the status messages of the axes and sends commands
+/// over the stream protocol, authenticated if there is a key. It should run in a process without
+/// axes. A stop does not wait for other commands. A viewer who does not have the full address can
+/// read, but cannot send commands.
 class Panel {
  public:
-  /// Throws TransportError if the link cannot be opened.
+  /// `listening`: the socket of the page. `make_link`: see MakeLink. Throws TransportError if the
+  /// link cannot be opened.
   Panel(const PanelOptions& options, Listening listening, MakeLink make_link);
   ~Panel();
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
+  /// Address of the page, with the token: permits commands.
   [[nodiscard]] std::string address() const;
 
  private:

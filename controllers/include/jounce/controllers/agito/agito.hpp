@@ -5,78 +5,83 @@
 
 #include "jounce/profiles/moves/dynamics.hpp"
 
-/// The point-to-point motions of an Agito controller, in its keywords. In user units and s; a time in
-/// ms is marked. Agito PCSuite IDE manual 5.3, 4.1, 4.6, 4.10, 4.11.
+/// The point-to-point motions of an Agito controller, in the keywords of its manual (Agito PCSuite
+/// IDE manual, 4.1, 4.6, 4.10, 4.11, 5.3). Units: user units and s, except where ms is stated.
 ///
 ///     using namespace jounce::agito;
 ///     const Settings axis{.accel = 100000, .decel = 100000, .speed = 1000};
 ///     const Profile move = begin(0, {.abs_trgt = 2000}, axis);                    // 2.01 s
 ///     const Trajectory there_and_back = repetitive(0, {.abs_trgt = 2000}, axis, 6, 500);
 ///
-/// **Jerk** is an exponent: the acceleration builds up in 2^Jerk / 16384 s, so jerk = Accel (Decel)
-/// over that time; 0 means none, a trapezoid.
+/// **Jerk** is an exponent. The acceleration rises in 2^Jerk / 16384 s, so the jerk is Accel (or
+/// Decel) divided by this time. Jerk = 0 means no jerk limit: a trapezoid.
 ///
-/// **Throws** InputError for a value out of the manual's range.
+/// **Errors**: functions throw InputError for a value out of the range of the manual.
 namespace jounce::agito {
 
-inline constexpr double sample_time = 1.0 / 16384;  ///< s
+inline constexpr double sample_time = 1.0 / 16384;  ///< sampling period of the controller, s
 
+/// Settings of an axis.
 struct Settings {
-  double accel = 0;       ///< Accel: user units/s^2, 100 to 2e9
-  double decel = 100000;  ///< Decel: the same range
-  double speed = 0;       ///< Speed: user units/s, +-6e7; its sign is the direction of a jog only
-  int jerk = 0;           ///< Jerk: 0 to 9
+  double accel = 0;       ///< Accel, user units/s^2, 100 to 2e9
+  double decel = 100000;  ///< Decel, user units/s^2, 100 to 2e9
+  /// Speed, user units/s, -6e7 to 6e7; the sign is the direction of a jog, otherwise unused.
+  double speed = 0;
+  int jerk = 0;  ///< Jerk, 0 to 9: exponent, see above
 };
 
-/// AbsTrgt and RelTrgt: int32; a RelTrgt other than 0 overrides AbsTrgt.
+/// Target of a motion. If rel_trgt is not 0, it is used in place of abs_trgt.
 struct Target {
-  std::int32_t abs_trgt = 0;
-  std::int32_t rel_trgt = 0;
+  std::int32_t abs_trgt = 0;  ///< AbsTrgt, user units
+  std::int32_t rel_trgt = 0;  ///< RelTrgt, user units from the present position
 };
 
-/// The time in which the acceleration builds up: 2^jerk samples, s; 0 for exponent 0.
+/// Returns the time in which the acceleration rises, s: 2^jerk samples; 0 for the exponent 0.
 double jerk_time(int jerk);
 
-/// The target of a Begin at `position`.
+/// Returns the target of a Begin at `position`, user units.
 double resolved(const Target& target, double position);
 
-/// The same in common terms. A speed of 0 is refused: nothing would move.
+/// Returns the settings as Dynamics. Throws InputError for a speed of 0.
 Dynamics dynamics(const Settings& settings);
 
-/// Begin in MotionMode 1 (PTP), from standstill.
+/// Begin in MotionMode 1 (PTP), from standstill at `position`.
 Profile begin(double position, const Target& target, const Settings& settings);
 
-/// A target, speed, acceleration or deceleration written while moving: effective at t. The base of
-/// RelTrgt is the position at t. Jerk is not writable while moving: give the running one.
+/// Changes the target, speed, acceleration or deceleration of a running motion at the time t, s.
+/// RelTrgt counts from the position at t. Jerk cannot be changed in motion: give the present one.
 Trajectory begin(const Trajectory& running, double t, const Target& target,
                  const Settings& settings);
 
-/// Begin in MotionMode 0 (jog): to Speed, with its sign, and on.
+/// Begin in MotionMode 0 (jog): moves at Speed, in the direction of its sign, without end.
 Profile jog(const MotionState& from, const Settings& settings);
 
-/// Stop: to rest with Decel. Speed is not used; a present acceleration falls with the jerk of
-/// Accel, or of Decel if that is 0.
+/// Stop at the time t, s: comes to rest with Decel. Speed is not used. An acceleration at t first
+/// falls with the jerk of Accel, or of Decel if Accel is 0.
 Trajectory stop(const Trajectory& running, double t, const Settings& settings);
 
-/// MotionMode 2 (repetitive PTP): `strokes` >= 1 of them, between the start and the target, with
-/// RptWait ms >= 0 of standstill between two.
+/// MotionMode 2 (repetitive PTP) between `position` and the target. `strokes` >= 1: number of
+/// moves. `rpt_wait`: RptWait, standstill between two moves, ms, >= 0.
 Trajectory repetitive(double position, const Target& target, const Settings& settings, int strokes,
                       double rpt_wait = 0);
 
-/// The settings of 4.10 that make repetitive PTP over 2 * amplitude look like a sine of `frequency`
-/// (Hz): Accel = Decel = 32 A F^2, Speed = 8 A F. Two strokes, without wait, last 1 / frequency; the
-/// velocity is a triangle that just touches Speed.
+/// Returns the settings (manual 4.10) with which a repetitive PTP over 2 * amplitude approximates a
+/// sine. With the amplitude A (user units) and `frequency` F (Hz), they are Accel = Decel = 32 A
+/// F^2 and Speed = 8 A F. Two moves without a wait last 1 / F. The velocity is a triangle whose
+/// peak is Speed.
 Settings quasi_sine(double amplitude, double frequency);
 
-/// SpeedChgPos, SpeedChgNew, SpeedChgDir: another speed as soon as the position is crossed.
+/// A change of speed at a position.
 struct SpeedChange {
-  double position = 0;   ///< SpeedChgPos, user units
-  double new_speed = 0;  ///< SpeedChgNew, user units/s, +-6e7
-  int direction = 0;     ///< SpeedChgDir: 1 upwards, -1 downwards, 0 both
+  double position = 0;   ///< SpeedChgPos: position of the change, user units
+  double new_speed = 0;  ///< SpeedChgNew: new speed, user units/s, -6e7 to 6e7
+  /// SpeedChgDir: when crossed upwards (1), downwards (-1), or in either direction (0).
+  int direction = 0;
 };
 
-/// The move of `begin`, with the speed changed at its first crossing of the position in that
-/// direction; unchanged if it does not cross.
+/// Returns the motion with the speed changed when it first crosses the position in that direction.
+/// If there is no crossing, returns the motion unchanged. `target`: target of the motion, user
+/// units.
 Trajectory with_speed_change(const Trajectory& running, double target, const Settings& settings,
                              const SpeedChange& change);
 

@@ -10,44 +10,49 @@
 
 namespace jounce {
 
-/// Curve of a controller between two knots of its cam.
+/// Interpolation between two knots of a cam in a controller.
 enum class KnotJoin {
-  quintic,         ///< polynomial of degree 5 through position, velocity, acceleration of both
-  lines,           ///< straight lines
-  spline,          ///< C2 cubic spline whose ends are not documented
-  clamped_spline,  ///< C2 cubic spline with given slopes at both ends
+  quintic,  ///< polynomial of degree 5 through position, velocity and acceleration of both knots
+  lines,    ///< straight lines
+  spline,   ///< cubic spline with continuous acceleration; its end conditions are not documented
+  clamped_spline,  ///< cubic spline with continuous acceleration and given slopes at both ends
 };
 
-/// A text format for cams of a controller or a tool of another maker. `cam_formats()` lists all: `convert`, its help
-/// and the reference iterate over it. A new format is one source and one row in `src/exchange/formats.cpp`.
+/// A text format for cams, of a controller or of another maker's tool. `jounce convert`, its help
+/// and the reference list the formats of cam_formats(). A new format needs one source and one row
+/// in `controllers/src/exchange/formats.cpp`.
 struct CamFormat {
-  const char* name;       ///< word of the command line: "codesys"
-  const char* maker;      ///< controller or tool, and the data type or file
-  const char* knot;       ///< a knot in the file
-  const char* source;     ///< manual or public file that defines it
-  const char* extension;  ///< ".st", or "" if the path does not determine the format
-  KnotJoin join;
-  bool readable = true;
-  bool keeps_notes = false;    ///< comments hold units, policy outside, number of knots and hash
-  bool states_period = false;  ///< the file states whether the cam repeats
-  bool single = false;         ///< numbers are REAL, of 24 bits
-  std::size_t fewest = 2;      ///< knots
-  std::size_t most = std::numeric_limits<std::size_t>::max();
-  const char* limits_from = "";  ///< origin of `fewest` or `most`: "nElements is an INT"
+  const char* name;    ///< word of the command line: "codesys"
+  const char* maker;   ///< controller or tool, and its data type or file
+  const char* knot;    ///< content of a knot in the file
+  const char* source;  ///< manual or public file that defines the format
+  /// Ending of its files: ".st"; "" if the ending does not identify the format.
+  const char* extension;
+  KnotJoin join;         ///< interpolation between the knots
+  bool readable = true;  ///< true if Jounce can also read the format
+  /// True if comments can hold the units, the policy outside, the number of knots and the hash.
+  bool keeps_notes = false;
+  bool states_period = false;  ///< true if the file states whether the cam repeats
+  bool single = false;         ///< true if numbers are REAL: 24 bits of precision
+  std::size_t fewest = 2;      ///< least number of knots
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< greatest number of knots
+  const char* limits_from = "";  ///< reason for `fewest` or `most`: "nElements is an INT"
 };
 
-/// All formats, in the order of their detection.
+/// Returns all formats, in the order in which they are tried for a text.
 std::span<const CamFormat* const> cam_formats();
 
-/// Finds a format by its name, by the end of a path (in any letter case), or by the content of a
-/// file; null for any other. A spec, or a table of Jounce in CSV or JSON (see is_table), is in none
-/// of these formats.
+/// Returns the format with this name; null if there is none.
 const CamFormat* cam_format_named(const std::string& word);
+/// Returns the format of a path by its ending, in any letter case; null if there is none.
 const CamFormat* cam_format_of_path(const std::string& path);
+/// Returns the format of the content of a file; null if there is none. A spec, and a table of
+/// Jounce in CSV or JSON (is_table()), belong to none of these formats.
 const CamFormat* cam_format_of_text(const std::string& text);
 
-/// Content of the knots of the format: the rule that a table needs to be written in it. Lines and undocumented splines
-/// need positions only (linear), a clamped spline needs its slopes (cubic_hermite).
+/// Returns the interpolation rule that a table needs to be written in the format. Straight lines,
+/// and splines without documented end conditions, need positions only (linear). A clamped spline
+/// needs slopes (cubic_hermite).
 Interpolation rule_of(const CamFormat& format);
 
 }  // namespace jounce

@@ -15,37 +15,42 @@ namespace jounce {
 ///     write_file("cam.st", exchange_text(*cam_format_named("codesys"), cam));
 ///     cam.units = {"deg", "mm"};                         // if the file has none
 ///
-/// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in the shortest form that reads
-/// back the same, so a format keeps every value to the last bit (a REAL: to its 24 bits).
+/// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in their shortest exact form, so
+/// every value is restored exactly (a REAL: to its 24 bits).
 ///
-/// **Data outside a format** (units, the policy outside, the number of knots, the hash) is written
-/// as comments and read again if the format has comments (`keeps_notes`): a file of Jounce is
-/// restored exactly, and a truncated or changed one is rejected. A foreign file without such
-/// comments has empty units and holds outside: whether a cam is periodic is defined at its
-/// selection (MC_CamTableSelect), not in its table.
+/// **Data that a format does not have** (units, the policy outside, the number of knots, the hash)
+/// is written as comments, if the format permits comments (`keeps_notes`). When the comments are
+/// read again, the table is restored exactly, and a truncated or changed file is rejected. A file
+/// from another tool has no such comments: its units are empty, and its policy outside is `hold`.
+/// The file does not define whether the cam is periodic, since a controller defines this when it
+/// selects the table (MC_CamTableSelect).
 
-/// Throws InputError for a table over time: the formats are for cams.
+/// Throws InputError for a table over time, since the formats are for cams.
 void require_cam(const CamFormat& format, const Table& table);
 
-/// The table in another maker's format. Throws InputError for a table over time, for another rule
-/// than the format's, and for too few or too many knots.
+/// Returns the text of the table in the format. Throws InputError for a table over time, for an
+/// interpolation rule other than that of the format, and for too few or too many knots.
 std::string exchange_text(const CamFormat& format, const TableFile& file);
 
+/// One cam of a file.
 struct ExchangeCam {
-  std::string name;  ///< name of its reference, its array or its tag; empty in the other formats
-  TableFile file;
-  std::vector<std::string> unread = {};  ///< other content of the file: a phrase for each
+  std::string name;  ///< name of its reference, array or tag; "" in formats without names
+  TableFile file;    ///< its table, units and provenance
+  std::vector<std::string> unread = {};  ///< a phrase for each part of the file that was not read
 };
 
-/// Reads each format that is readable. Throws InputError with file, line, key, value and rule: a
-/// wrong number of columns, text that is not a finite number (a decimal comma is named as such),
-/// knots that do not ascend, a number of knots or a hash that does not match, a format that cannot
-/// be read. `decimal_comma` reads 0,5 as 0.5 in columns that are not separated by commas. A
-/// declaration may hold several cams: all of them, in the order of their references.
+/// Reads a text in any readable format; it may contain several cams, which are returned in the
+/// order of their references. `name`: name of the file for errors. `decimal_comma`: reads 0,5 as
+/// 0.5 in columns that are not separated by commas.
+///
+/// Throws InputError with file, line, key, value and rule for a wrong number of columns, text that
+/// is not a finite number (the error names a decimal comma), knots that do not ascend, a number of
+/// knots or a hash that does not match, and a format that cannot be read.
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma = false);
 
-/// The only cam of the file. Also throws InputError if there are several.
+/// Reads a file that contains exactly one cam. Throws like parse_exchange_cams(), and for several
+/// cams.
 TableFile parse_exchange(const std::string& text, const std::string& name,
                          bool decimal_comma = false);
 

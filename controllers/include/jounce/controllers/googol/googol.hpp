@@ -6,8 +6,8 @@
 
 #include "jounce/profiles/moves/dynamics.hpp"
 
-/// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, in its own words and
-/// units: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The trajectories run over ms.
+/// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, with the names and units
+/// of its manual: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The motions run over ms.
 ///
 ///     using namespace jounce::googol;
 ///     const Profile move = trap({.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125,
@@ -16,75 +16,80 @@
 ///                                        .percent = 50});
 ///     const Trajectory later = move_absolute(fly.curve(), 300, {.pos = 80000, .vel = 50, .acc = 1});
 ///
-/// **Percent** (7.7.1): 100 * 2 ta / (2 ta + te), where ta is the time in which the acceleration
-/// rises (or falls) and te the time for which it is constant; 0 is a trapezoid, 100 has no constant
-/// part. `acc` is the peak, so that a change of velocity dv takes T = dv / (acc (1 - percent/200)).
+/// **Percent** (manual 7.7.1) is 100 * 2 ta / (2 ta + te). ta is the time in which the acceleration
+/// rises (and in which it falls), te the time at constant acceleration. 0 is a trapezoid; 100 has
+/// no part at constant acceleration. `acc` is the peak acceleration, so a change of velocity dv
+/// takes dv / (acc (1 - percent/200)).
 ///
-/// **Throws** InputError for a value out of the manual's range.
+/// **Errors**: functions throw InputError for a value out of the range of the manual.
 namespace jounce::googol {
 
-inline constexpr std::int64_t max_position = 1'073'741'823;  ///< pulse, of either sign (I-144)
+/// Greatest |position|, pulse (manual I-144).
+inline constexpr std::int64_t max_position = 1'073'741'823;
 
-/// GT_PrfTrap, GT_SetTrapPrm, GT_SetPos, GT_SetVel, GT_Update. Manual 7.2.
+/// A trapezoidal move: GT_PrfTrap, GT_SetTrapPrm, GT_SetPos, GT_SetVel, GT_Update (manual 7.2).
 struct Trap {
-  double from = 0;       ///< pulse
-  std::int64_t pos = 0;  ///< pulse, +-1 073 741 823, not equal to `from`
-  double vel = 0;        ///< pulse/ms, > 0
-  double acc = 0;        ///< pulse/ms^2, > 0
-  double dec = 0;        ///< pulse/ms^2; 0: as acc
-  double vel_start = 0;  ///< velStart, pulse/ms, not above vel: the motion begins at this speed
-  int smooth_time = 0;   ///< smoothTime, ms, 0 to 50, in which the acceleration builds up
+  double from = 0;       ///< start position, pulse
+  std::int64_t pos = 0;  ///< target, pulse, up to +-1 073 741 823, not equal to `from`
+  double vel = 0;        ///< velocity, pulse/ms, > 0
+  double acc = 0;        ///< acceleration, pulse/ms^2, > 0
+  double dec = 0;        ///< deceleration, pulse/ms^2; 0: acc
+  double vel_start = 0;  ///< velStart: velocity at which the motion begins, pulse/ms, 0 to vel
+  int smooth_time = 0;   ///< smoothTime: time in which the acceleration rises, ms, 0 to 50
 };
 
-/// A move from standstill. The acceleration ramps linearly over smoothTime (jerk = acc /
-/// smoothTime, dec / smoothTime); a start speed steps from rest, the acceleration then starts from
-/// zero.
+/// Returns a move from standstill. The acceleration rises linearly in smoothTime: the jerk is acc /
+/// smoothTime, or dec / smoothTime. With a start velocity, the velocity steps from 0 to velStart,
+/// and the acceleration then begins at 0.
 Profile trap(const Trap& move);
 
-/// Position or velocity changed while moving, effective at t (GT_SetPos, GT_SetVel, GT_Update);
-/// `from` and `vel_start` are not used. See with_target for the rules.
+/// Changes the target or the velocity of a running motion at the time t, ms (GT_SetPos, GT_SetVel,
+/// GT_Update). `from` and `vel_start` are not used. The rules are those of with_target().
 Trajectory trap(const Trajectory& running, double t, const Trap& move);
 
-/// GT_PrfJog, GT_SetJogPrm, GT_SetVel. Manual 7.3.
+/// Parameters of a jog: GT_PrfJog, GT_SetJogPrm, GT_SetVel (manual 7.3).
 struct Jog {
-  double acc = 0;     ///< pulse/ms^2, > 0
-  double dec = 0;     ///< pulse/ms^2; 0: as acc
-  double smooth = 0;  ///< 0 to below 1: the share of a ramp that is not at constant acceleration,
-                      ///< 2 ta / (2 ta + te) as in `percent`; larger is gentler
+  double acc = 0;  ///< acceleration, pulse/ms^2, > 0
+  double dec = 0;  ///< deceleration, pulse/ms^2; 0: acc
+  /// 0 to below 1: the share 2 ta / (2 ta + te) of a ramp, see Percent; larger is gentler.
+  double smooth = 0;
 };
 
-/// GT_SetVel and GT_Update at a time.
+/// A new velocity at a given time (GT_SetVel and GT_Update).
 struct JogVelocity {
-  double time = 0;  ///< ms
-  double vel = 0;   ///< pulse/ms, signed
+  double time = 0;  ///< time of the change, ms
+  double vel = 0;   ///< new velocity, pulse/ms, signed
 };
 
-/// Accelerates to the velocity and keeps it. If the axis already accelerates, the jerk is that of
-/// `smooth` for a ramp between rest and the greater of the two velocities.
+/// Returns the motion from any state to the velocity `vel`, pulse/ms, which it then keeps. If the
+/// axis already accelerates, the jerk is that of `smooth` for a ramp between rest and the greater
+/// of the two velocities.
 Profile jog(const MotionState& from, double vel, const Jog& parameters);
 
-/// Several velocities one after another, from standstill at `from`; times ascend. Begins with the
-/// first and ends when the last velocity is reached.
+/// Returns the motion through several velocities, one after another, from standstill at `from`,
+/// pulse. Times ascend. The motion begins at the first time and ends when the last velocity is
+/// reached.
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters);
 
-/// GT_MoveAbsolute. Manual 7.7, I-103.
+/// A move on the fly: GT_MoveAbsolute (manual 7.7, I-103).
 struct MoveAbsolute {
-  double from = 0;       ///< pulse
-  std::int64_t pos = 0;  ///< pulse, +-1 073 741 823
-  double vel = 0;        ///< pulse/ms, > 0
-  double acc = 0;        ///< pulse/ms^2, > 0, the peak
-  double dec = 0;        ///< pulse/ms^2, the peak; 0: as acc
-  int percent = 0;       ///< 0 to 100
+  double from = 0;       ///< start position, pulse
+  std::int64_t pos = 0;  ///< target, pulse, up to +-1 073 741 823
+  double vel = 0;        ///< velocity, pulse/ms, > 0
+  double acc = 0;        ///< peak acceleration, pulse/ms^2, > 0
+  double dec = 0;        ///< peak deceleration, pulse/ms^2; 0: acc
+  int percent = 0;       ///< 0 to 100: see Percent above
 };
 
-/// From standstill.
+/// Returns a move from standstill.
 Profile move_absolute(const MoveAbsolute& move);
 
-/// While moving: from the state at t; `from` is not used. The jerk of each half is that of
-/// `percent` for a ramp from rest to `vel`; see with_target.
+/// Replaces a running motion at the time t, ms; `from` is not used. The jerk of each ramp is that
+/// of `percent` for a ramp from rest to `vel`. The rules are those of with_target().
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
-/// GT_MoveAbsoluteEx, from standstill. Manual 7.7, I-104.
+/// A move from standstill with start and end velocities: GT_MoveAbsoluteEx (manual 7.7, I-104). The
+/// first members are those of MoveAbsolute.
 struct MoveAbsoluteEx {
   double from = 0;
   std::int64_t pos = 0;
@@ -92,32 +97,37 @@ struct MoveAbsoluteEx {
   double acc = 0;
   double dec = 0;
   int percent = 0;
-  double vel_start = 0;       ///< velStart, pulse/ms, in the direction of the move, 0 to vel
-  double vel_end = 0;         ///< velEnd, pulse/ms, likewise: the speed at which pos is passed
-  int acc_start_percent = 0;  ///< accStartPercent: initial acceleration in % of acc
-  int dec_end_percent = 0;    ///< decEndPercent: final deceleration in % of dec
+  /// velStart: initial velocity in the direction of the move, pulse/ms, 0 to vel.
+  double vel_start = 0;
+  /// velEnd: velocity at the target in the direction of the move, pulse/ms, 0 to vel.
+  double vel_end = 0;
+  int acc_start_percent = 0;  ///< accStartPercent: acceleration at the start, % of acc
+  int dec_end_percent = 0;    ///< decEndPercent: deceleration at the end, % of dec
 };
 
-/// The rising ramp leads from accStartPercent of acc to acc in the same ta, the last one from dec
-/// to decEndPercent of dec: `percent` keeps its meaning. Refused if the distance is too short for
+/// Returns the move. The acceleration rises from accStartPercent of acc to acc, and the
+/// deceleration finally falls from dec to decEndPercent of dec. Both take the same time ta as in a
+/// full ramp, so `percent` keeps its meaning. Throws InputError if the distance is too short for
 /// the change from vel_start to vel_end.
 Profile move_absolute_ex(const MoveAbsoluteEx& move);
 
-/// MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION, MC_CURRENT_DIRECTION.
+/// Direction of a velocity move: MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION,
+/// MC_CURRENT_DIRECTION.
 enum class Direction { positive, negative, current };
 
-/// GT_MoveVelocity. Manual 7.8, I-105.
+/// A move at a velocity: GT_MoveVelocity (manual 7.8, I-105).
 struct MoveVelocity {
-  double vel = 0;         ///< pulse/ms; a negative one reverses the direction
-  double acc = 0;         ///< pulse/ms^2, > 0, for speeding up
-  double dec = 0;         ///< pulse/ms^2, for slowing down; 0: as acc
-  double jerk_begin = 0;  ///< jerkBegin, pulse/ms^3, > 0: from no acceleration to the peak
-  double jerk_end = 0;    ///< jerkEnd, pulse/ms^3, > 0: from the peak to none
-  Direction direction = Direction::positive;  ///< current, at standstill: positive
+  double vel = 0;         ///< velocity, pulse/ms; a negative value reverses the direction
+  double acc = 0;         ///< acceleration while speeding up, pulse/ms^2, > 0
+  double dec = 0;         ///< deceleration while slowing down, pulse/ms^2; 0: acc
+  double jerk_begin = 0;  ///< jerkBegin: jerk while the acceleration rises, pulse/ms^3, > 0
+  double jerk_end = 0;    ///< jerkEnd: jerk while the acceleration falls, pulse/ms^3, > 0
+  Direction direction = Direction::positive;  ///< direction; `current` at standstill: positive
 };
 
-/// Accelerates to the velocity and keeps it; from any state.
+/// Returns the motion from any state to the velocity, which it then keeps.
 Profile move_velocity(const MotionState& from, const MoveVelocity& move);
+/// Replaces a running motion at the time t, ms.
 Trajectory move_velocity(const Trajectory& running, double t, const MoveVelocity& move);
 
 }  // namespace jounce::googol

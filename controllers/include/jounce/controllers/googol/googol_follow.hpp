@@ -4,10 +4,10 @@
 #include "jounce/controllers/googol/googol_pt.hpp"
 #include "jounce/gear/follow_run.hpp"
 
-/// The follow mode of a Googol iDEABOX Pro, in its own words: pulse.
+/// The follow mode of a Googol iDEABOX Pro, with the names of its manual. Positions are in pulses.
 namespace jounce::googol {
 
-/// Two FIFOs of follow tables on one axis, stepped by its cycle.
+/// Two FIFOs of follow tables on one axis, which the cycle of the axis steps.
 ///
 ///     FollowFifos axis;
 ///     axis.prf_follow(0);
@@ -18,53 +18,57 @@ namespace jounce::googol {
 ///     axis.follow_data({20000, 10000, PtType::continued}, 1);  ...    // the other FIFO
 ///     axis.follow_switch(1);                  // after the pass that is running; then 0 is empty
 ///
-/// Manual 7.6, I-22 to I-30, I-65 to I-68, I-110, I-136 to I-139; gaps in the manual are decided in
-/// docs/decisions/0030-follow-tables.md.
+/// Functions return Refusal::none, or one of the refusals that their comments list. `fifo` is 0 or
+/// 1. Manual: 7.6, I-22 to I-30, I-65 to I-68, I-110, I-136 to I-139.
+/// docs/decisions/0030-follow-tables.md defines what the manual leaves open.
 class FollowFifos {
  public:
-  /// Allocates: dynamic memory is at most `most` segments.
+  /// Allocates memory for `most` segments, the upper limit of the dynamic memory.
   explicit FollowFifos(std::size_t most = 4096);
 
-  /// GT_PrfFollow: into follow mode, both FIFOs emptied. dir 0: both directions of the master; 1,
-  /// -1: only that one: while the master moves backwards, and until it is back, the slave stands.
-  /// moving
+  /// GT_PrfFollow: selects follow mode and empties both FIFOs. `dir`: 0: the slave follows both
+  /// directions of the master; 1 or -1: only this direction. If the master moves in the other
+  /// direction, the slave rests until the master is back. Refusals: moving, bad_argument.
   Refusal prf_follow(int dir);
-  /// GT_SetFollowMaster. wrong_mode, moving; bad_argument below 1
+  /// GT_SetFollowMaster: number of the master. Refusals: wrong_mode, moving; bad_argument below 1.
   Refusal set_follow_master(int master);
-  /// GT_SetFollowLoop: below 1: endless. wrong_mode
+  /// GT_SetFollowLoop: number of passes; below 1: endless. Refusal: wrong_mode.
   Refusal set_follow_loop(std::int64_t loops);
-  /// GT_GetFollowLoop: passes completed since the start or the last switch.
+  /// GT_GetFollowLoop: number of passes completed since the start or the last switch.
   [[nodiscard]] std::int64_t follow_loop() const { return fifos_.passes(); }
-  /// GT_SetFollowEvent. wrong_mode, moving; bad_argument
+  /// GT_SetFollowEvent: start condition. Refusals: wrong_mode, moving, bad_argument.
   Refusal set_follow_event(const FollowStart& start);
-  /// GT_SetFollowMaxSegment: number for both FIFOs together, for memory 2. wrong_mode, moving;
-  /// bad_argument below 1 or above the allocated number
+  /// GT_SetFollowMaxSegment: number of segments of both FIFOs together, for memory 2. Refusals:
+  /// wrong_mode, moving; bad_argument below 1 or above the allocated number.
   Refusal set_follow_max_segment(std::size_t segments);
-  /// GT_SetFollowMemory: 0: 16 a FIFO (default), 1: 512, 2: the value of GT_SetFollowMaxSegment; empties
-  /// both. wrong_mode, moving; bad_argument
+  /// GT_SetFollowMemory: segments of each FIFO: 0: 16 (default), 1: 512, 2: as set by
+  /// set_follow_max_segment(). Empties both FIFOs. Refusals: wrong_mode, moving, bad_argument.
   Refusal set_follow_memory(int memory);
 
-  /// GT_FollowSpace. 0 in another mode
+  /// GT_FollowSpace: number of segments that can be added. 0 in another mode.
   [[nodiscard]] std::size_t follow_space(int fifo) const;
-  /// GT_FollowData: x is the master's travel from the table's origin. wrong_mode, full; bad_argument;
-  /// in_use: it will be emptied by the switch that is queued
+  /// GT_FollowData: adds a segment. `x` of the point is the master travel from the origin of the
+  /// table. Refusals: wrong_mode, full, bad_argument; in_use: a queued switch will empty this FIFO.
   Refusal follow_data(const PtPoint& point, int fifo);
-  /// GT_FollowClear. wrong_mode, in_use
+  /// GT_FollowClear: empties a FIFO. Refusals: wrong_mode, in_use.
   Refusal follow_clear(int fifo);
-  /// GT_FollowStart: at once, or armed for the event. wrong_mode, moving, no_master, empty;
-  /// bad_argument if a position is not finite
+  /// GT_FollowStart: starts at once, or waits for the event. `master`, `slave`: present positions.
+  /// Refusals: wrong_mode, moving, no_master, empty; bad_argument if a position is not finite.
   Refusal follow_start(int fifo, double master, double slave);
-  /// GT_FollowSwitch: queued until the pass ends. wrong_mode, not_moving (even while the axis waits
-  /// for its event), in_use (already being played), empty
+  /// GT_FollowSwitch: switches to this FIFO at the end of the pass. Refusals: wrong_mode,
+  /// not_moving (even while the axis waits for its event), in_use (this FIFO is being played),
+  /// empty.
   Refusal follow_switch(int fifo);
 
-  /// The slave's position, pulse, and its derivatives by the master, for the master's samples of
-  /// two cycles. Before the event, after the end, and while the master moves against the only
-  /// direction: the present position, with derivatives of 0. A master that is not finite is lost
-  /// (state()).
+  /// Computes one cycle. Returns the position of the slave, pulse, and its derivatives with respect
+  /// to the master position. `before`, `now`: the master in the previous and in the present cycle.
+  /// Before the event, after the end, and while the master moves against the selected direction,
+  /// the position stays and the derivatives are 0. If the master is not finite, state() becomes
+  /// `lost`.
   Jet step(const Sample& before, const Sample& now);
+  /// State of the FIFOs.
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
-  /// Started, but the event has not come.
+  /// True if the motion was started and waits for its event.
   [[nodiscard]] bool waiting() const { return run_.waiting; }
 
  private:

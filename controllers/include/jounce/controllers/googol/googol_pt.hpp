@@ -3,7 +3,7 @@
 
 #include "jounce/pvt/segment_fifos.hpp"
 
-/// The PT mode of a Googol iDEABOX Pro, in its own words: pulse and ms.
+/// The PT mode of a Googol iDEABOX Pro, with the names of its manual. Units: pulse and ms.
 ///
 ///     PtFifos axis;
 ///     axis.prf_pt(PtMode::dynamic);
@@ -11,67 +11,78 @@
 ///     axis.pt_start(0, now);
 ///     every cycle: position = axis.at(t)[0];  and push more points
 ///
-/// Manual 7.4, I-113 to I-120, I-148, I-149; gaps in the manual are decided in
-/// docs/decisions/0030-follow-tables.md.
+/// Manual: 7.4, I-113 to I-120, I-148, I-149. docs/decisions/0030-follow-tables.md defines what the
+/// manual leaves open.
 namespace jounce::googol {
 
-/// Why an instruction was refused: the reasons that the manual documents for return code 1.
+/// Reason why an instruction is rejected. bad_argument is return code 7, all others are return code
+/// 1.
 enum class Refusal : std::uint8_t {
   none,
-  bad_argument,  ///< code 7
-  wrong_mode,
-  moving,
-  not_moving,
-  in_use,  ///< the FIFO or its stream is being played
-  full,
-  empty,
-  no_master,
+  bad_argument,  ///< a value out of its range
+  wrong_mode,    ///< the axis is not in the mode of this instruction
+  moving,        ///< the axis moves
+  not_moving,    ///< the axis does not move
+  in_use,        ///< the FIFO, or the stream that it belongs to, is being played
+  full,          ///< the FIFO has no space
+  empty,         ///< the FIFO has no segment
+  no_master,     ///< no master was set
 };
 
-/// 0 done, 1 conditions not met, 7 bad argument.
+/// Returns the code of the instruction: 0: done, 1: a condition is not met, 7: bad argument.
 int return_code(Refusal refusal);
-/// One sentence for people: the reason, and the remedy.
+/// Returns one sentence: the reason and the remedy.
 const char* explain(Refusal refusal);
 
-enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };  ///< PT_MODE_STATIC, PT_MODE_DYNAMIC
+/// Use of the FIFOs: as two tables (PT_MODE_STATIC), or as one stream (PT_MODE_DYNAMIC).
+enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };
 
-/// True for the number of a FIFO: 0 or 1.
+/// True if the number is that of a FIFO: 0 or 1.
 constexpr bool is_fifo(int fifo) {
   return fifo == 0 || fifo == 1;
 }
 
-/// Pushes a point by its type: in an empty table or stream the first one is NORMAL and begins at
-/// rest. The second: why the point was rejected, in the manual's words.
+/// Adds a point with its type. The first point of an empty table or stream must be of the type
+/// normal, and begins at rest. Returns none, or the rule that the point breaks.
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
+/// Returns the refusal of the instruction for a row that breaks this rule.
 Refusal refusal_of(RowRule rule);
 
+/// Two FIFOs of PT segments on one axis. Functions return Refusal::none, or one of the refusals
+/// that their comments list. `fifo` is 0 or 1.
 class PtFifos {
  public:
   PtFifos();
 
-  /// GT_PrfPt: into PT mode; both FIFOs are emptied. moving
+  /// GT_PrfPt: selects PT mode and empties both FIFOs. Refusal: moving.
   Refusal prf_pt(PtMode mode);
-  /// GT_SetPtMemory: 0: 32 segments a FIFO (default), 1: 1024; empties both. wrong_mode, moving
+  /// GT_SetPtMemory: segments of each FIFO: 0: 32 (default), 1: 1024. Empties both FIFOs. Refusals:
+  /// wrong_mode, moving, bad_argument.
   Refusal set_pt_memory(int memory);
-  /// GT_SetPtLoop: 0: endless. No effect in dynamic mode. wrong_mode; bad_argument below 0
+  /// GT_SetPtLoop: number of passes; 0: endless. No effect in dynamic mode. Refusals: wrong_mode;
+  /// bad_argument below 0.
   Refusal set_pt_loop(std::int64_t loops);
-  /// GT_GetPtLoop: passes done since the start.
+  /// GT_GetPtLoop: number of passes completed since the start.
   [[nodiscard]] std::int64_t pt_loop() const { return fifos_.passes(); }
 
-  /// GT_PtSpace: segments that can be pushed; of both FIFOs in dynamic mode. 0 in another mode
+  /// GT_PtSpace: number of segments that can be added; in dynamic mode, to both FIFOs together. 0
+  /// in another mode.
   [[nodiscard]] std::size_t pt_space(int fifo) const;
-  /// GT_PtData. wrong_mode, full; bad_argument: numbers not finite, time that does not ascend,
-  /// `continued`, a FIFO other than 0 and 1
+  /// GT_PtData: adds a point. Refusals: wrong_mode, full; bad_argument: a number that is not
+  /// finite, a time that does not ascend, the type `continued`, a FIFO other than 0 and 1.
   Refusal pt_data(const PtPoint& point, int fifo);
-  /// GT_PtClear. wrong_mode, in_use (static: the FIFO that is played; dynamic: while moving)
+  /// GT_PtClear: empties a FIFO. Refusals: wrong_mode; in_use (static mode: this FIFO is being
+  /// played; dynamic mode: the axis moves).
   Refusal pt_clear(int fifo);
-  /// GT_PtStart at `time`, ms, from `position`. wrong_mode, moving, empty; bad_argument if either
-  /// is not finite
+  /// GT_PtStart at `time`, ms, from `position`, pulse. Refusals: wrong_mode, moving, empty;
+  /// bad_argument if one of them is not finite.
   Refusal pt_start(int fifo, double time, double position = 0);
 
-  /// Position, pulse, and its derivatives at `time`, ms, which must not decrease from call to call.
+  /// Returns the position, pulse, and its derivatives at `time`, ms. `time` must not decrease from
+  /// call to call.
   Jet at(double time);
-  /// cut_off: both ran empty at a velocity, or the table ended at one: the abnormal stop of 7.4.
+  /// State of the FIFOs. cut_off: no segments were left at a nonzero velocity, or the table ended
+  /// at one (the abnormal stop of manual 7.4).
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
 
  private:

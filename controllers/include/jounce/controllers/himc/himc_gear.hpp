@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Gear pairs of a HIWIN HIMC controller, in HMPL's words and order: EnableGear, GearIn, GearOut,
-/// DisableGear. HMPL manual, chapter 6 and 18.1.2.
+/// Gear pairs of a HIWIN HIMC controller, with the functions of HMPL, the controller's language:
+/// EnableGear, GearIn, GearOut, DisableGear (HMPL manual, chapter 6 and 18.1.2).
 ///
 ///     himc::Gears gears;
 ///     gears.axis[0].enabled = gears.axis[1].enabled = true;
@@ -15,66 +15,77 @@
 ///     double slave = himc::gear_position(done.gears, 1, 100);         // 200
 namespace jounce::himc {
 
-inline constexpr int axis_count = 16;
+inline constexpr int axis_count = 16;  ///< number of axes of a controller; axes are 0 to 15
 
-/// The low 16 bits of the code; the high ones are 0x83aa, aa the axis.
+/// Error of a gear function: the low 16 bits of the controller's code. The high bits are 0x83aa,
+/// where aa is the axis.
 enum class GearError : std::uint16_t {
   ok = 0,
   disabled = 0x0078,      ///< an axis of the pair is not enabled
-  synchronised = 0x00a0,  ///< DisableGear while engaged: GearOut first
-  is_master = 0x00aa,     ///< a gear master cannot become a slave: there are no chains
-  bad_link = 0x01c2,      ///< not an axis, the axis itself, a slave as master, another's slave
-  bad_slave = 0x01cc,     ///< the slave is not an axis
-  bad_ratio = 0x01d6,     ///< 0 or not finite
-  not_enabled = 0x0fa0,   ///< GearIn, GearOut, DisableGear without EnableGear
-  in_cam = 0x0fa1,        ///< the slave follows a cam
+  synchronised = 0x00a0,  ///< DisableGear while the gear is engaged: call GearOut first
+  is_master = 0x00aa,     ///< the slave is the master of another gear: HIMC permits no chains
+  /// The master is not an axis, the slave itself, or a slave; or the slave already has another
+  /// master.
+  bad_link = 0x01c2,
+  bad_slave = 0x01cc,    ///< the slave is not an axis
+  bad_ratio = 0x01d6,    ///< 0 or not finite
+  not_enabled = 0x0fa0,  ///< GearIn, GearOut or DisableGear without EnableGear
+  in_cam = 0x0fa1,       ///< the slave follows a cam
 };
+/// Returns one sentence that describes the error.
 const char* explain(GearError error);
 
+/// Gear state of one axis.
 struct GearAxis {
-  bool enabled = false;  ///< powered
-  bool in_cam = false;
-  std::optional<int> master = {};  ///< master of the pair that EnableGear made
-  bool engaged = false;            ///< GearIn
-  double ratio = 0;                ///< mm or deg a mm or deg of the master's; kept after GearOut
-  double master_origin = 0;        ///< positions at GearIn
-  double slave_origin = 0;
+  bool enabled = false;            ///< true if the axis is powered
+  bool in_cam = false;             ///< true if the axis follows a cam
+  std::optional<int> master = {};  ///< the master, after EnableGear; nullopt: none
+  bool engaged = false;            ///< true after GearIn
+  double ratio = 0;                ///< slave travel divided by master travel; kept after GearOut
+  double master_origin = 0;        ///< position of the master at GearIn
+  double slave_origin = 0;         ///< position of the slave at GearIn
 };
 
-/// All axes: a small value.
+/// Gear states of all axes: a value type.
 struct Gears {
   std::array<GearAxis, axis_count> axis{};
 };
 
-/// Result of a call; unchanged if it is rejected.
+/// Result of a function: the new states, or the unchanged states and an error.
 struct GearAnswer {
-  Gears gears;
-  GearError error = GearError::ok;
+  Gears gears;                      ///< states after the call
+  GearError error = GearError::ok;  ///< ok: no error
 };
 
-/// Several slaves may have one master. A slave has one master and is the master of no axis.
-/// Enabling the same pair again is not an error.
+/// EnableGear: makes a pair. A master may have several slaves. A slave has one master and cannot be
+/// a master itself. Enabling the same pair again is not an error.
 GearAnswer enable_gear(const Gears& gears, int master, int slave);
 
-/// Engages at the command positions of both axes, or changes the ratio (from those on). There is no
-/// ramp: with a master in motion the slave's velocity steps.
+/// GearIn: engages at the command positions of both axes, or changes the ratio from these positions
+/// on. There is no ramp: if the master moves, the velocity of the slave steps.
 GearAnswer gear_in(const Gears& gears, int master, int slave, double ratio, double master_position,
                    double slave_position);
 
-/// The slave keeps its velocity. For a slave that is not engaged: no effect, no error.
+/// GearOut: releases the slave, which keeps its velocity. No effect and no error if it is not
+/// engaged.
 GearAnswer gear_out(const Gears& gears, int slave);
 
-/// Dissolves the pair. Refused while engaged: the slave would continue without a command.
+/// DisableGear: dissolves the pair. Rejected while the gear is engaged, since the slave would
+/// continue without a command.
 GearAnswer disable_gear(const Gears& gears, int slave);
 
-/// GetGearRatio; 0 without a gear. Here and below: 0 or false for a number that is not an axis.
+/// GetGearRatio; 0 without a gear. This function and the next ones return 0 or false for a number
+/// that is not an axis.
 double gear_ratio(const Gears& gears, int slave);
+/// True if the slave is engaged.
 bool is_in_gear(const Gears& gears, int slave);
+/// True if the axis is the master of a pair.
 bool is_gear_master(const Gears& gears, int axis);
+/// True if the axis is the slave of a pair.
 bool is_gear_slave(const Gears& gears, int axis);
 
-/// Position of an engaged slave for a command position of the master: from both positions at GearIn, so
-/// nothing drifts.
+/// Returns the position of an engaged slave for a command position of the master. It is computed
+/// from both positions at GearIn, so it does not drift.
 double gear_position(const Gears& gears, int slave, double master_position);
 
 }  // namespace jounce::himc

@@ -7,8 +7,8 @@
 
 #include "jounce/profiles/moves/dynamics.hpp"
 
-/// The single-axis blocks of a Leadshine PMC600, in its own words: u (or pulse) and s. PMC600
-/// manual, volume 4, 4.1, 5.2.2 and 5.2.4.
+/// The single-axis blocks of a Leadshine PMC600 (PMC600 manual, volume 4, 4.1, 5.2.2 and 5.2.4),
+/// with the names of its manual. Units: u, the unit of the axis (or pulse), and s.
 ///
 ///     using namespace jounce::pmc600;
 ///     const Ramps axis{.velocity = 2000, .acceleration = 4000, .mode = VelocityMode::sigmoid};
@@ -17,104 +17,114 @@
 ///                                    .start_velocity = 1000});
 ///     const Trajectory more = move_additive(move, 1, 500, {.velocity = 2000, .acceleration = 4000});
 ///
-/// **Throws** InputError for values out of range (the controller's errors 201, 226, 251, 276, 301,
-/// 16#FFFFFF7 to 9).
+/// **Errors**: functions throw InputError for a value out of range (the controller's errors 201,
+/// 226, 251, 276, 301, 16#FFFFFF7 to 16#FFFFFF9).
 namespace jounce::pmc600 {
 
-/// Law of a change of velocity (4.1, "velocity mode"). The laws and their names are those of
+/// Law of a change of velocity (manual 4.1, "velocity mode"). The laws and names are those of
 /// SMC_INT_VELMODE in CODESYS.
 enum class VelocityMode {
+  /// Constant acceleration.
   trapezoid = 0,
-  /// The trapezoid's edges as sin^2 of velocity, in the same time: the peak of the acceleration is
-  /// pi/2 times the one given.
+  /// Each ramp of the trapezoid becomes a sin^2 of the velocity in the same time. The peak
+  /// acceleration is therefore pi/2 times the given one.
   sigmoid = 1,
-  /// The same with the acceleration given as its peak: edges pi/2 times as long.
+  /// The same law, but the given acceleration is the peak: ramps take pi/2 times as long.
   sigmoid_limit = 2,
-  /// Trapezoidal acceleration with the jerk given: the velocity is made of parabolas.
+  /// Acceleration as a trapezoid, with the given jerk: the velocity consists of parabolas and
+  /// lines.
   quadratic = 3,
 };
 
-/// One move's velocity, ramps and their law.
+/// Velocity and ramps of one move.
 struct Ramps {
-  double velocity = 0;      ///< u/s, > 0
-  double acceleration = 0;  ///< u/s^2, > 0
-  double deceleration = 0;  ///< u/s^2; 0: as acceleration
-  double jerk = 0;          ///< u/s^3; > 0 in mode quadratic, else not used
+  double velocity = 0;      ///< velocity, u/s, > 0
+  double acceleration = 0;  ///< acceleration, u/s^2, > 0
+  double deceleration = 0;  ///< deceleration, u/s^2; 0: acceleration
+  double jerk = 0;          ///< jerk, u/s^3; > 0 in mode quadratic, otherwise unused
   VelocityMode mode = VelocityMode::trapezoid;
 };
 
-/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
+/// MC_MoveAbsolute from standstill (manual 5.2.2). MC_MoveRelative is move_absolute(from, from +
+/// distance, ramps).
 Trajectory move_absolute(double from, double to, const Ramps& ramps);
 
-/// Default of StartVel and EndSecondVel, u/s; the velocity instead, if that is lower.
+/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower, the velocity is
+/// used.
 inline constexpr double default_end_velocity = 20;
 
-/// LS_MoveAbs and LS_MoveRel (5.2.4): a trapezoid that steps to a start velocity, and from an end
-/// velocity to rest.
+/// LS_MoveAbs and LS_MoveRel (manual 5.2.4): a trapezoid whose velocity steps from rest to a start
+/// velocity, and from an end velocity to rest.
 struct LsMove {
-  double from = 0;
-  double to = 0;
-  double velocity = 0;                                ///< u/s, > 0
-  double acceleration = 0;                            ///< u/s^2, > 0
-  double deceleration = 0;                            ///< u/s^2; 0: as acceleration
-  double start_velocity = default_end_velocity;       ///< StartVel, u/s, >= 0.001, at most velocity
-  double end_second_velocity = default_end_velocity;  ///< EndSecondVel, u/s, likewise
+  double from = 0;                                    ///< start position, u
+  double to = 0;                                      ///< target, u
+  double velocity = 0;                                ///< velocity, u/s, > 0
+  double acceleration = 0;                            ///< acceleration, u/s^2, > 0
+  double deceleration = 0;                            ///< deceleration, u/s^2; 0: acceleration
+  double start_velocity = default_end_velocity;       ///< StartVel, u/s, 0.001 to velocity
+  double end_second_velocity = default_end_velocity;  ///< EndSecondVel, u/s, 0.001 to velocity
 };
 
-/// Ends at `to` with end_second_velocity, after which the axis stands. If the distance is too short
-/// for the change from one of the two velocities to the other, the higher one is lowered.
+/// Returns the move. It ends at `to` with end_second_velocity; the axis then stands still. If the
+/// distance is too short to change from one of these velocities to the other, the higher one is
+/// reduced.
 Profile ls_move(const LsMove& move);
 
-/// LS_MoveVel: from standstill, stepping to start_velocity (not above |velocity|), to `velocity`
-/// (signed), and on.
+/// LS_MoveVel from standstill: the velocity steps to start_velocity (at most |velocity|), changes
+/// to `velocity` (u/s, signed), and stays.
 Profile ls_move_velocity(double from, double velocity, double acceleration,
                          double start_velocity = default_end_velocity);
 
-/// LS_PositionToVelocity (5.2.4): two moves with no stop at the joint.
+/// LS_PositionToVelocity (manual 5.2.4): two moves without a stop in between. Arrays contain the
+/// values of the first and of the second move.
 struct PositionToVelocity {
-  double from = 0;
-  bool relative = false;  ///< MoveMode: end positions count from the one before
-  std::array<double, 2> end_pos{};
-  std::array<double, 2> velocity{10, 10};
-  std::array<double, 2> acceleration{10, 10};
-  std::array<double, 2> deceleration{10, 10};
-  std::array<double, 2> jerk{90'000'000, 90'000'000};
+  double from = 0;        ///< start position, u
+  bool relative = false;  ///< MoveMode; true: each end position counts from the previous one
+  std::array<double, 2> end_pos{};                     ///< end positions, u
+  std::array<double, 2> velocity{10, 10};              ///< u/s, > 0
+  std::array<double, 2> acceleration{10, 10};          ///< u/s^2, > 0
+  std::array<double, 2> deceleration{10, 10};          ///< u/s^2, > 0
+  std::array<double, 2> jerk{90'000'000, 90'000'000};  ///< u/s^3, > 0, for mode quadratic
   VelocityMode mode = VelocityMode::sigmoid;
 };
 
-/// Passes end_pos[0] without acceleration at the lower of the two velocities; slower, if the first
-/// move is too short to reach it or the second to stop from it; at rest, if the direction reverses.
+/// Returns both moves. The axis passes end_pos[0] without acceleration, at the lower of the two
+/// velocities. It passes more slowly if the first move is too short to reach this velocity, or the
+/// second one too short to stop from it. If the direction reverses, the axis comes to rest at
+/// end_pos[0].
 Trajectory position_to_velocity(const PositionToVelocity& move);
 
-// ---- in flight: these take any running motion; t in s ---------------------------------------------
-// LS_MoveAbsChangePosVel is with_target, LS_MoveChangeVel, MC_Halt and MC_Stop are with_velocity.
+// Functions for any running motion; t: time of the change, s. LS_MoveAbsChangePosVel is
+// with_target(); LS_MoveChangeVel, MC_Halt and MC_Stop are with_velocity().
 
-/// MC_MoveAdditive: to the previous target plus `distance`, with this block's dynamics from t on;
-/// after a velocity command (a motion that ends moving): `distance` from the position at t.
+/// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these
+/// dynamics. After a velocity command (a motion that ends at a velocity), `distance` counts from
+/// the position at t.
 Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 
-/// MC_MoveSuperImposed: a second motion over `distance` on top of the running one from t on;
-/// dynamics.velocity is its VelocityDiff. At `abort`, if given, it stops with its deceleration,
-/// while the running motion continues. After a velocity command: as move_additive.
+/// MC_MoveSuperImposed: from t on, adds a second motion over `distance` (u) to the running one.
+/// dynamics.velocity is its VelocityDiff. If `abort` (s) is given, the added motion stops then with
+/// its deceleration, and the running one continues. After a velocity command: the same as
+/// move_additive().
 Trajectory move_superimposed(const Trajectory& running, double t, double distance,
                              const Dynamics& dynamics, std::optional<double> abort = {});
 
-/// SMC_Inch: one step of `distance` (signed) from standstill; the input dropped at `released` s ends
-/// it early with a stop.
+/// SMC_Inch: one step of `distance` (u, signed) from standstill. If the input is released at the
+/// time `released` (s), the axis stops early.
 Trajectory inch(double from, double distance, const Dynamics& dynamics,
                 std::optional<double> released = {});
 
-/// MC_Jog's inputs from a time on; both at once mean no motion.
+/// Inputs of MC_Jog from a time on. Both inputs at once mean no motion.
 struct JogInput {
-  double time = 0;  ///< s
-  bool forward = false;
-  bool backward = false;
+  double time = 0;        ///< s
+  bool forward = false;   ///< the input JogForward
+  bool backward = false;  ///< the input JogBackward
 };
 
-/// MC_Jog from standstill; times ascend, none equal to the one before. The velocity is clipped to
-/// `max_velocity`, if given. Begins with the first input and ends when the velocity of the last one
-/// is reached.
+/// MC_Jog from standstill. Times ascend strictly. `max_velocity` (u/s), if given, limits the
+/// velocity. The motion begins with the first input and ends when the velocity of the last one is
+/// reached.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});
 

@@ -9,17 +9,20 @@
 
 #include "jounce/io/table_file.hpp"
 
-/// Parts that the CSV and the JSON form of a table share.
+/// Parts that the CSV and the JSON format of a table share.
 namespace jounce::io_detail {
 
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 1;  ///< version of the table format
+/// The values of Domain that a file can contain.
 inline constexpr std::array axes{Domain::time, Domain::master};
+/// The interpolation rules that a file can contain.
 inline constexpr std::array rules{Interpolation::linear, Interpolation::cubic_hermite,
                                   Interpolation::quintic_hermite};
+/// The policies outside that a file can contain.
 inline constexpr std::array policies{Extrapolation::refuse, Extrapolation::hold,
                                      Extrapolation::wrap, Extrapolation::advance};
 
-/// A table file in pieces, before it is put together and its hash compared.
+/// The parts of a table file, before they are combined and the hash is compared.
 struct TableParts {
   Domain axis = Domain::time;
   Interpolation rule = Interpolation::linear;
@@ -28,16 +31,17 @@ struct TableParts {
   Columns columns;
   std::string sha256;
   Provenance provenance;
-  int line_before_knots = 0;  ///< line before the knots of the file, if it has lines
+  int line_before_knots = 0;  ///< number of the line before the knots; 0 in JSON
 };
 
-/// "time", "position", "velocity": as many as the rule uses.
+/// Returns the names of the columns of a rule: "time", "position", "velocity", ...
 std::vector<std::string> column_names(Domain axis, Interpolation rule);
 
-/// Copies the unit of a column into the parts; returns the rule that it breaks, or "".
+/// Copies the unit of a column into the parts. Returns the rule that the unit breaks, or "".
 std::string take_unit(TableParts& parts, std::size_t column, const std::string& unit);
 
-/// The value of `all` that has this name; fail(value, rule) throws.
+/// Returns the value of `all` that has this name. If there is none, calls fail(value, rule), which
+/// must throw.
 template <class T, std::size_t n, class Fail>
 T choice(const std::string& text, std::span<const T, n> all, Fail fail) {
   const auto it =
@@ -49,6 +53,7 @@ T choice(const std::string& text, std::span<const T, n> all, Fail fail) {
   return all.front();
 }
 
+/// Calls fail(value, rule) if the file has another version of the format.
 template <class Fail>
 void require_version(const std::string& version, Fail fail) {
   if (version != std::to_string(schema_version))
@@ -56,6 +61,7 @@ void require_version(const std::string& version, Fail fail) {
                       ", the format version that this program reads");
 }
 
+/// Reads the parts from CSV or JSON. `name`: name of the file for errors. Throws InputError.
 TableParts parse_csv(const std::string& text, const std::string& name);
 TableParts parse_json(const std::string& text, const std::string& name);
 

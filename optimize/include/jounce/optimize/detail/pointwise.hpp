@@ -11,63 +11,67 @@
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 
-/// Figures that are made of a function of a few linear quantities at one place, which is not convex:
-/// power, torque with friction and gravity, energy.
+/// Figures that are computed from a function of a few linear quantities at each place, and that are
+/// not convex: power, torque with friction and gravity, energy.
 namespace jounce::optimizer {
 
-/// g(x, q_0(x), q_1(x), ...) on a interval of a shape where it is smooth:
+/// The function g(x, q_0(x), q_1(x), ...) on an interval of a shape on which it is smooth:
 ///
 ///     (1)  g = polynomial + gravity sin(angle)
 struct Wave {
-  std::size_t piece = 0;  ///< piece of the shape
-  double from = 0;        ///< x
-  double to = 0;
-  double sign = 1;  ///< sign of the velocity here
-  Segment polynomial = {};
-  double gravity = 0;
-  Segment angle = {};
+  std::size_t piece = 0;    ///< index of the piece of the shape
+  double from = 0;          ///< start of the interval, x
+  double to = 0;            ///< end of the interval, x
+  double sign = 1;          ///< sign of the velocity in the interval
+  Segment polynomial = {};  ///< first term
+  double gravity = 0;       ///< amplitude of the sine
+  Segment angle = {};       ///< angle of the sine, rad
 
-  /// The value at s in [0, 1] of the interval.
+  /// Returns the value at s, where s from 0 to 1 runs over the interval.
   [[nodiscard]] double at(double s) const;
 };
 
-/// A figure as a search sees it.
+/// A figure in the form that the search needs.
 struct Pointwise {
   enum class Over { peak, rms, integral };  ///< max |g|; root of the mean of g^2; integral of g
 
-  Over over = Over::peak;
-  std::vector<LinearQuantity> of = {};        ///< q
-  std::optional<std::size_t> signed_by = {};  ///< the quantity whose sign g depends on, if it does
-  /// g at x for given q and sign; its derivatives by q into `slope`.
+  Over over = Over::peak;               ///< kind of the figure
+  std::vector<LinearQuantity> of = {};  ///< the quantities q
+  /// Index of the quantity whose sign g depends on; nullopt: none.
+  std::optional<std::size_t> signed_by = {};
+  /// Returns g at x for given values q and the sign; writes its derivatives with respect to q to
+  /// `slope`.
   std::function<double(double x, double sign, std::span<const double> q, std::span<double> slope)>
       g = {};
-  /// For a whole shape; the integrand is g^2 or g.
+  /// Returns the waves of a whole shape; they contain g, or g^2 for the rms.
   std::function<std::vector<Wave>(const std::vector<Segment>& shape, double begin)> waves = {};
 };
 
-/// Nothing for figures that are convex. `begin`: of the shapes.
+/// Returns the figure in that form; nullopt for a convex figure. `begin`: x at the start of the
+/// shapes.
 std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin);
 
-/// The least and the greatest g of a wave: exact for a polynomial, otherwise within `tolerance` (by
-/// a bound of its second derivative).
+/// Returns the least and the greatest value of a wave: exact for a polynomial, otherwise within
+/// `tolerance` (from a bound of its second derivative).
 Range range_of(const Wave& wave, double tolerance);
 
-/// The figure of a shape: a peak by range_of(), with a tolerance of 1e-8 of its value; the others
-/// by quadrature between the places where T is not smooth, to about 1e-10; energy, whose integrand
-/// has a kink at each change of sign of T, to about 1e-6.
+/// Returns the value of the figure for a shape. A peak is computed by range_of() to 1e-8 of its
+/// value. The others are computed by quadrature between the places where g is not smooth, to about
+/// 1e-10; energy to about 1e-6, since its integrand has a kink at each change of sign of the
+/// torque.
 double value_of(const Pointwise& figure, const std::vector<Segment>& shape, double begin);
 
-/// Places where a peaked figure reaches the level, with its sign: each run of pieces once. Empty for the
-/// others.
+/// Returns the places at which a peak figure reaches the level, with its sign, one for each run of
+/// pieces. Empty for other figures.
 std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segment>& shape,
                                 double begin, double level);
 
-/// Throws InputError, its key beginning with `key`, for a load out of range, or if a product would
-/// exceed the capacity of a Segment. Does nothing for the convex figures.
+/// Throws InputError, with a key that begins with `key`, for a load out of range, and if a product
+/// exceeds the capacity of a Segment. Does nothing for a convex figure.
 void require_pointwise(const std::string& key, const ShapeFigure& figure,
                        const ShapeProblem& problem);
 
-/// f g; nothing if it would exceed the capacity of a Segment. Neither has sines.
+/// Returns the product of two polynomial segments; nullopt if it exceeds the capacity of a Segment.
 std::optional<Segment> product(const Segment& f, const Segment& g);
 
 }  // namespace jounce::optimizer

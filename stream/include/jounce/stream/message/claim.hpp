@@ -12,14 +12,15 @@
 
 namespace jounce {
 
+/// Times of a claim.
 struct ClaimOptions {
-  Nanos repeat = std::chrono::milliseconds(30);  ///< during the start
-  int asked = 10;                                ///< number of requests before it is up
-  Nanos again = std::chrono::seconds(1);         ///< after it is up
+  Nanos repeat = std::chrono::milliseconds(30);  ///< time between two requests during the start
+  int asked = 10;                                ///< number of requests before the claim is up
+  Nanos again = std::chrono::seconds(1);         ///< time between two requests after that
 };
 
-/// The claim of an executor to its names: a pure state machine without thread, clock or link. All
-/// executors of one network run it, each with the names of its axes and its boot.
+/// The claim of an executor to its names, as a pure state machine without thread, clock or link.
+/// Every executor of a network runs one, with the names of its axes and a random number, its boot.
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
 ///     claim.receive(message, now);                       // each arrived message
@@ -27,27 +28,31 @@ struct ClaimOptions {
 ///     if (claim.lost()) ...                              // another executor has this name
 ///     if (claim.up()) ...                                // all names are this executor's
 ///
-/// **The rule.** Of two executors, one that is up wins over one that starts; otherwise the smaller
-/// boot wins. An executor asks before it is up, and continues to ask afterwards: two networks may
-/// be joined, or neither may have received messages before.
+/// **The rule.** If two executors have the same name, an executor that is up wins over one that
+/// starts; otherwise the smaller boot wins. An executor asks before it is up, and continues to ask
+/// afterwards, because two networks may be connected later, or messages may have been lost before.
 ///
-/// **Exactly one.** An executor gives up only if a claim names its boot: the other one has then
-/// received its claim, applies the same rule and wins. Messages recorded from an earlier run never
-/// name this boot. Decision 0063 has the argument.
+/// **Exactly one.** An executor gives up only if it receives a claim that contains its boot. The
+/// other executor has then received its claim, applies the same rule, and wins. Messages recorded
+/// in an earlier run never contain this boot. Decision 0063 gives the proof.
 class Claim {
  public:
-  /// `boot` > 0: a random number, different at every start.
+  /// `names`: names of the axes. `boot` > 0: a random number, different at each start.
   Claim(std::vector<std::string> names, std::int64_t boot, ClaimOptions options = {});
 
+  /// Takes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
+  /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
 
-  /// True if it has asked as often as required, and waited for the answers. All messages waiting on
-  /// the link must have been received before.
+  /// True if the claim has asked as often as required, and has waited for answers. Before this
+  /// call, receive all messages that wait on the link.
   [[nodiscard]] bool up() const { return up_; }
-  /// The name that another executor owns.
+  /// The name that another executor owns; nullopt: none.
   [[nodiscard]] const std::optional<std::string>& lost() const { return lost_; }
+  /// The claimed names.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// The number of this start of the executor.
   [[nodiscard]] std::int64_t boot() const { return boot_; }
 
  private:
@@ -63,8 +68,8 @@ class Claim {
   std::vector<wire::Message> outgoing_;
 };
 
-/// Claims the names over the link until this executor owns them, or has lost them. Drops messages
-/// on other channels meanwhile. Returns true if it is up.
+/// Claims the names over the link, until this executor owns them or has lost one. Messages on other
+/// channels are dropped meanwhile. Returns true if the executor owns all names.
 bool claim_names(Transport& link, Claim& claim, const std::optional<wire::Key>& key,
                  const Clock& clock);
 

@@ -8,18 +8,18 @@
 
 namespace jounce::wire {
 
-/// A command to an axis other than playing tables, with its fields as the wire has them: a sender
-/// may have sent any numbers. The receiver checks them and makes the ClientCommand.
+/// A command to an axis (except those for tables), with the fields of the wire format. A received
+/// message may contain any numbers; the receiver checks them and makes a ClientCommand.
 ///
 ///     wire::message_of(command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}})
 struct Command {
-  std::int32_t command = 0;  ///< see Arm
-  CommandKind kind = CommandKind::enable;
-  std::int64_t at = -1;  ///< tick; -1: the next one
-  CommandValues value{};
+  std::int32_t command = 0;                ///< number of the command in its session, see Arm
+  CommandKind kind = CommandKind::enable;  ///< kind of the command
+  std::int64_t at = -1;                    ///< tick in which the axis executes it; -1: the next one
+  CommandValues value{};                   ///< its fields, in the order of CommandInfo::fields
 };
 
-/// `at`: tick; -1: the next one.
+/// Returns the message for a command. `at`: tick in which the axis executes it; -1: the next one.
 inline Command message_of(const ClientCommand& command, std::int64_t at = -1) {
   return {.kind = kind_of(command), .at = at, .value = values_of(command)};
 }

@@ -17,325 +17,359 @@
 #include "jounce/stream/message/command.hpp"
 #include "jounce/stream/message/queue.hpp"
 
-/// The messages of stream protocol version 2, as values. docs/stream-protocol.md defines sender and
-/// time of each; stream/lcm/*.lcm is their layout on the wire; wire.hpp converts between both.
+/// The messages of version 2 of the stream protocol, as values. docs/stream-protocol.md defines
+/// their senders and their order. stream/lcm/*.lcm defines their layout on the wire; wire.hpp
+/// converts between both.
 namespace jounce::wire {
 
+/// Version of the protocol in each message.
 inline constexpr std::int32_t protocol_version = 2;
-inline constexpr std::size_t chunk_values = 7680;    ///< doubles of a chunk, at most: one datagram
-inline constexpr std::size_t message_values = 1600;  ///< doubles of a message, the unit of credit
-inline constexpr std::size_t credit_values = 2048;   ///< doubles of space for one message of credit
-inline constexpr std::size_t executor_bytes =
-    24;                                        ///< bytes of an executor's name, final zero included
-inline constexpr std::size_t unit_bytes = 16;  ///< bytes of a unit, final zero included
-inline constexpr std::size_t reason_bytes =
-    160;  ///< bytes of a reason in words, final zero included
-inline constexpr std::uint32_t most_tables = 64;  ///< tables of one session, at most
+/// Greatest number of doubles in a chunk, which is sent as one datagram.
+inline constexpr std::size_t chunk_values = 7680;
+/// Doubles in a message of 12.8 KB. Credit, the number of messages that may be in transit, counts
+/// such messages.
+inline constexpr std::size_t message_values = 1600;
+/// Doubles of buffer space for each message of credit.
+inline constexpr std::size_t credit_values = 2048;
+/// Length of the name of an executor, with a final zero, bytes.
+inline constexpr std::size_t executor_bytes = 24;
+inline constexpr std::size_t unit_bytes = 16;  ///< length of a unit, with a final zero, bytes
+/// Length of a reason as text, with a final zero, bytes.
+inline constexpr std::size_t reason_bytes = 160;
+inline constexpr std::uint32_t most_tables = 64;  ///< greatest number of tables in a session
 
-/// Drive of the slave.
+/// The motion that an axis plays, and the master that it follows.
 enum class ArmMode : std::int8_t {
-  play = 0,          ///< the slave table is over time
-  follow_input = 1,  ///< the slave table is over master and follows the executor's master input
-  follow_table = 2,  ///< the slave table is over master and follows a master table over time
+  play = 0,          ///< a table over time
+  follow_input = 1,  ///< a table over a master; the master is the live master of the axis
+  follow_table = 2,  ///< a table over a master; the master is virtual: a second table over time
   queue = 3,         ///< no table: a queue, which accepts rows during the motion
 };
 
+/// Kind of a stop.
 enum class StopMode : std::int8_t {
-  stop = 0,   ///< a jerk-limited stop, as configured
+  stop = 0,   ///< a stop with the configured deceleration and jerk
   abort = 1,  ///< the fastest stop of the axis
 };
 
-/// Reason why the executor rejects a message; 0: accepted. name(Refusal) has the words.
+/// Reason why the executor rejects a message; name(Refusal) gives its name.
 enum class Refusal : std::int8_t {
-  none = 0,
-  busy = 1,         ///< the axis belongs to another live session
-  unknown_session,  ///< no header opened this session: the executor has restarted
-  session_ended,    ///< this session was released, timed out, or was ended by an operator's stop
-  bad_header,       ///< the header contradicts itself, or an earlier one with the same index
-  too_large,        ///< more knots than the executor permits
-  out_of_memory,    ///< the executor's memory for tables is full
-  bad_chunk,        ///< a chunk contradicts its header
-  hash_mismatch,    ///< every chunk arrived, but the table differs from the announced one
-  bad_table,        ///< the announced table is invalid: see the reason
-  table_missing,    ///< the table to arm has not arrived completely
-  wrong_axis,       ///< a table over time instead of one over master, or the reverse
-  wrong_unit,       ///< a table over time not in s, or a master in another unit
-  not_armed,        ///< start without arm
-  axis,             ///< rejected by the axis: see the reason
-  stale_challenge,  ///< it does not carry the executor's newest challenge; the answer has it
-  bad_queue,        ///< the queue contradicts itself, or an earlier one with the same index
-  bad_rows,         ///< rows contradict their queue, or earlier rows
-  bad_row,          ///< a row would violate a limit, or leave the path: see row and reason
-  queue_missing,    ///< the requested queue is not open
-  prefill_missing,  ///< the queue has fewer rows than its prefill
+  none = 0,         ///< accepted
+  busy = 1,         ///< another session owns the axis
+  unknown_session,  ///< no header has opened this session: the executor was restarted
+  /// The session was released, has timed out, or was ended by a stop of an operator.
+  session_ended,
+  bad_header,  ///< the header is inconsistent, or differs from an earlier one with the same index
+  too_large,   ///< the table has more knots than the executor permits
+  out_of_memory,  ///< the executor's memory for tables is full
+  bad_chunk,      ///< a chunk does not match its header
+  hash_mismatch,  ///< all chunks have arrived, but the table differs from the announced one
+  bad_table,      ///< the table is invalid: see the reason
+  table_missing,  ///< the table to be armed has not arrived completely
+  wrong_axis,     ///< a table over time where one over a master is required, or the reverse
+  wrong_unit,     ///< a table over time that is not in s, or a master in another unit
+  not_armed,      ///< a start, but nothing is armed
+  axis,           ///< rejected by the axis: see the reason
+  /// The message does not contain the newest challenge of the executor; the answer contains it.
+  stale_challenge,
+  bad_queue,      ///< the queue is inconsistent, or differs from an earlier one with the same index
+  bad_rows,       ///< rows do not match their queue, or earlier rows
+  bad_row,        ///< a row breaks a limit, or is not continuous: see row and reason
+  queue_missing,  ///< the queue is not open
+  prefill_missing,  ///< the queue has fewer rows than it needs for a start
   bad_order,        ///< a value of a command is out of its range
 };
-inline constexpr int refusals = 22;
+inline constexpr int refusals = 22;  ///< number of refusals
 
-/// Outcome of an accepted start: a later start is checked when it takes place.
+/// Outcome of an accepted start. A start for later is checked again when it takes place.
 enum class StartOutcome : std::int8_t {
   none = 0,     ///< no start was accepted in this session
-  waiting = 1,  ///< for its tick, its master position, or the end of the active motion
-  begun = 2,
-  dropped = 3,  ///< it did not begin: see start_reason
+  waiting = 1,  ///< waits for its tick, its master position, or the end of the present motion
+  begun = 2,    ///< the motion has begun
+  dropped = 3,  ///< the motion did not begin: see start_reason
 };
 
-/// Progress of a command.
+/// Outcome of a command.
 enum class Outcome : std::int8_t { pending = 0, accepted = 1, refused = 2 };
 
-/// Progress of the motion.
+/// Progress of a motion.
 enum class Progress : std::int8_t {
   none = 0,      ///< no motion
-  waiting = 1,   ///< for its master, or an event
+  waiting = 1,   ///< waits for its master or an event
   engaging = 2,  ///< approaches its coupled position: ramp, clutch
-  running = 3,
+  running = 3,   ///< a path is played, or the slave is in step
   starving = 4,  ///< buffer underrun: the available rows end
-  done = 5,
-  broken = 6,  ///< it could not continue
+  done = 5,      ///< has reached its end
+  broken = 6,    ///< could not continue
 };
 
-/// Its next action.
+/// Next action of an axis, after the present motion.
 enum class Next : std::int8_t {
   nothing = 0,
-  armed = 1,    ///< a table waits for its start
-  waiting = 2,  ///< the start waits for its tick
+  armed = 1,    ///< a table is armed and waits for a start
+  waiting = 2,  ///< a start was accepted and waits for its tick
 };
 
 // ---- from the streamer -------------------------------------------------------------------------
 
-/// Announces a table; the first header of a session opens it.
+/// Announces a table. The first header of a session opens the session.
 struct Header {
-  std::uint32_t table = 0;  ///< index within the session, 0...63
-  Sha256 hash{};            ///< content_hash(table, units); zeros: it follows later
-  Domain axis = Domain::time;
-  Interpolation rule = Interpolation::linear;
-  Extrapolation outside = Extrapolation::refuse;
-  Units units;
-  std::uint32_t knots = 0;      ///< >= 2
-  std::uint32_t columns = 0;    ///< 2...4, depending on the rule
-  std::uint32_t per_chunk = 0;  ///< knots of a full chunk, 1...chunk_values / columns
-  std::uint32_t chunks = 0;     ///< ceil(knots / per_chunk)
+  std::uint32_t table = 0;     ///< index of the table in the session, 0 to 63
+  Sha256 hash{};               ///< content_hash(table, units); zeros: it follows in a later header
+  Domain axis = Domain::time;  ///< variable of the table
+  Interpolation rule = Interpolation::linear;     ///< interpolation rule
+  Extrapolation outside = Extrapolation::refuse;  ///< policy outside the table
+  Units units;                                    ///< units of x and of the position
+  std::uint32_t knots = 0;                        ///< number of knots, >= 2
+  std::uint32_t columns = 0;    ///< number of columns, 2 to 4, depending on the rule
+  std::uint32_t per_chunk = 0;  ///< knots in a full chunk, 1 to chunk_values / columns
+  std::uint32_t chunks = 0;     ///< number of chunks: ceil(knots / per_chunk)
 
+  /// True if the header contains the hash.
   [[nodiscard]] bool has_hash() const { return hash != Sha256{}; }
 };
 
-/// Some knots, column after column: x of all, then p of all, ...
+/// Some knots of a table, column after column: x of all these knots, then p of all, ...
 struct Chunk {
-  std::uint32_t table = 0;
-  std::uint32_t seq = 0;         ///< 0...chunks - 1
-  std::uint32_t first_knot = 0;  ///< seq * per_chunk
-  std::uint32_t knots = 0;       ///< full except for the last chunk
-  std::uint32_t columns = 0;
-  std::vector<double> values{};  ///< knots * columns <= chunk_values
+  std::uint32_t table = 0;       ///< index of the table
+  std::uint32_t seq = 0;         ///< number of the chunk, 0 to chunks - 1
+  std::uint32_t first_knot = 0;  ///< index of its first knot: seq * per_chunk
+  std::uint32_t knots = 0;       ///< number of knots; full, except for the last chunk
+  std::uint32_t columns = 0;     ///< number of columns
+  std::vector<double> values{};  ///< knots * columns values, at most chunk_values
 };
 
-/// Commands are numbered within a session, from 1, ascending. The answer to a repeated number is
-/// its recorded outcome; a number lower than the last is ignored. A late start can therefore not
-/// cancel a stop.
+/// Arms a motion.
+///
+/// The commands of a session have ascending numbers, from 1. If a number is repeated, the answer
+/// repeats the recorded outcome. A number below the last one is ignored, so that a late start
+/// cannot follow a stop.
 struct Arm {
-  std::int32_t command = 0;
-  ArmMode mode = ArmMode::play;
-  Sha256 slave{};              ///< hash of the slave table
-  Sha256 master{};             ///< hash of the master table; zero unless mode is follow_table
-  CouplingSpec coupling{};     ///< coupling of a slave table over master; without master_jump
-  std::uint32_t queue = 0;     ///< for mode queue: 64...127
-  std::uint8_t bank = 0;       ///< bank of a static queue: the bank that begins
-  CamEnd end = CamEnd::brake;  ///< for follow_input
+  std::int32_t command = 0;      ///< number of the command
+  ArmMode mode = ArmMode::play;  ///< the motion that the axis plays
+  Sha256 slave{};                ///< hash of the slave's table
+  Sha256 master{};               ///< hash of the master's table; zeros except for follow_table
+  /// Coupling of a slave's table over a master; its master_jump is not transmitted.
+  CouplingSpec coupling{};
+  std::uint32_t queue = 0;     ///< for ArmMode::queue: index of the queue, 64 to 127
+  std::uint8_t bank = 0;       ///< for a static queue: the bank that is played first
+  CamEnd end = CamEnd::brake;  ///< for follow_input: behavior at the end of the cam
 };
 
+/// Starts the armed motion.
 struct Start {
-  std::int32_t command = 0;
-  std::int64_t tick = -1;  ///< start tick of the executor; -1: the next one
-  StartAt when = StartAt::tick;
-  double position = 0;  ///< m, with master_position
+  std::int32_t command = 0;      ///< number of the command
+  std::int64_t tick = -1;        ///< tick of the start; -1: the next one
+  StartAt when = StartAt::tick;  ///< condition of the start
+  /// Master position of the start, m (unit of the master), for master_position.
+  double position = 0;
 };
 
-/// Stops the axis. In session 0 it is an operator's stop, and ends the present session.
+/// Stops the axis. In session 0, it is a stop of an operator, which also ends the present session.
 struct Stop {
-  std::int32_t command = 0;
-  StopMode mode = StopMode::stop;
+  std::int32_t command = 0;        ///< number of the command
+  StopMode mode = StopMode::stop;  ///< kind of the stop
 };
 
-/// Keeps a session alive, or ends it. A motion continues without its session.
+/// Keeps a session alive, or ends it. A motion continues when its session ends.
 struct Heartbeat {
-  std::int32_t command = 0;
-  bool release = false;
+  std::int32_t command = 0;  ///< number of the command
+  bool release = false;      ///< true: ends the session
 };
 
 // ---- from the executor -------------------------------------------------------------------------
 
-/// Progress of a table.
+/// Acknowledges the chunks of a table.
 struct Ack {
-  std::int64_t boot = 0;     ///< random number of each start of the executor
-  std::uint32_t table = 0;   ///< index within the session
-  std::uint32_t next = 0;    ///< every chunk below has arrived
+  std::int64_t boot = 0;     ///< random number of this start of the executor
+  std::uint32_t table = 0;   ///< index of the table in the session
+  std::uint32_t next = 0;    ///< all chunks below this number have arrived
   std::uint64_t mask = 0;    ///< bit i: chunk next + 1 + i has arrived
-  std::uint32_t credit = 0;  ///< chunks from `next` on that may be in transit
-  bool complete = false;     ///< the table is complete, its hash matches, and it is stored
-  Refusal refusal = Refusal::none;
-  std::string reason{};  ///< in words; may be empty
+  std::uint32_t credit = 0;  ///< number of chunks, from `next` on, that may be in transit
+  bool complete = false;     ///< true: the table is complete, its hash matches, and it is stored
+  Refusal refusal = Refusal::none;  ///< reason why the table is rejected
+  std::string reason{};             ///< the same as text; may be empty
 };
 
-/// Progress of a command.
+/// Answers a command.
 struct Reply {
-  std::int64_t boot = 0;
-  std::int32_t command = 0;
-  Outcome outcome = Outcome::pending;
-  Refusal refusal = Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};
+  std::int64_t boot = 0;               ///< see Ack
+  std::int32_t command = 0;            ///< number of the command
+  Outcome outcome = Outcome::pending;  ///< outcome of the command
+  Refusal refusal = Refusal::none;     ///< reason why it is rejected
+  std::int32_t cause = 0;              ///< for Refusal::axis: number of the Cause
+  std::string reason{};                ///< the same as text; may be empty
 };
 
-/// Progress of a queue. Two numbers: one for each bank.
+/// Acknowledges the rows of a queue. Arrays contain a value for each of the two banks.
 struct QueueAck {
-  std::int64_t boot = 0;
-  std::uint32_t queue = first_queue;
-  std::array<std::uint32_t, 2> next{};   ///< all messages of rows below it have been taken
+  std::int64_t boot = 0;              ///< see Ack
+  std::uint32_t queue = first_queue;  ///< index of the queue
+  /// All messages with rows below this number have been taken.
+  std::array<std::uint32_t, 2> next{};
   std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
-  std::array<std::uint32_t, 2> space{};  ///< free rows after those of `next`
-  std::int64_t played = 0;               ///< rows played to their end since the queue was opened
-  Progress progress = Progress::none;
-  Refusal refusal = Refusal::none;  ///< final for this queue
-  std::int64_t row = -1;            ///< rejected row, from 0 in its bank; -1: none
-  std::string reason{};
+  std::array<std::uint32_t, 2> space{};  ///< free rows after those of the messages below `next`
+  std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
+  Progress progress = Progress::none;  ///< progress of the motion
+  Refusal refusal = Refusal::none;     ///< reason why the queue was rejected; it stays
+  std::int64_t row = -1;               ///< index of the rejected row in its bank, from 0; -1: none
+  std::string reason{};                ///< the reason as text; may be empty
 };
 
-/// Histogram of durations: class i < 15 counts cycles below 2^i us that are in no lower class,
-/// class 15 all others.
+/// A histogram of durations. Class 0 counts durations below 1 us, class i from 1 to 14 those from
+/// 2^(i-1) us to below 2^i us, class 15 all others.
 using Histogram = std::array<std::int32_t, 16>;
 
-/// Bits of Status::unwritten: the file ended before the run, or was never created.
+/// Bits of Status::unwritten: a file that ended before the run, or was never created.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
-/// Status of the axis; published every few milliseconds, only the newest is valid.
+/// Status of an axis. It is sent every few milliseconds; only the newest one is valid.
 struct Status {
-  State state = State::disabled;
-  Next next = Next::nothing;
-  std::int64_t tick = 0;                ///< number of this cycle
-  std::int64_t cycle_ns = 1;            ///< length of a cycle, ns, > 0
-  double master_position = 0;           ///< the unit of the slave table's x; NaN: no master
-  double slave_position = 0;            ///< the unit of the slave table's position
-  double slave_velocity = 0;            ///< that unit per second
-  std::array<std::uint8_t, 8> table{};  ///< first bytes of the slave table's hash; zeros: none
-  std::int32_t last_error = 0;          ///< the axis's number of the error; 0: none
-  std::int64_t late_ticks = 0;          ///< cycles that began too late, since the executor started
-  std::int64_t finished = 0;            ///< motions since the start that reached their end
-  std::int64_t stopped = 0;             ///< motions since the start that a stop brought to rest
-  double actual_position = unknown;     ///< actual position of the drive
-  double following_error = unknown;     ///< commanded minus actual
-  double torque = unknown;              ///< share of the rated torque
-  double override_ = 1;                 ///< velocity factor
-  Progress progress = Progress::none;   ///< progress of the motion
-  std::int32_t reason = 0;              ///< cause of an early end of the last motion; 0: none
-  std::uint32_t queue_rows = 0;         ///< rows waiting in the armed or active queue
-  std::uint32_t queue_capacity = 0;     ///< rows that this queue can hold
-  std::uint32_t outputs = 0;            ///< switches: track 1 is bit 0
-  std::int64_t boot = 0;                ///< see Ack
-  std::int64_t rejected = 0;            ///< packets since the start that were not messages
-  std::int64_t not_authentic = 0;       ///< rejected packets with a wrong mac
-  Histogram lateness{};                 ///< lateness of the start of each cycle
-  Histogram computing{};                ///< computing time of each cycle
-  Units units{};                        ///< units of the axis; empty: any
-  std::int32_t start_command = 0;       ///< the last start of this session; 0: none
-  StartOutcome start = StartOutcome::none;  ///< its outcome
-  std::int32_t start_cause = 0;             ///< reason why it was dropped, like last_error
-  std::string start_reason{};               ///< in words
-  bool held = false;                        ///< a motion waits for the command resume
-  bool homed = false;                       ///< its position refers to its home position
-  std::uint8_t unwritten = 0;               ///< files that could not be written: see Unwritten
+  State state = State::disabled;  ///< state of the axis
+  Next next = Next::nothing;      ///< its next action
+  std::int64_t tick = 0;          ///< number of the tick
+  std::int64_t cycle_ns = 1;      ///< duration of a tick, ns, > 0
+  double master_position = 0;     ///< position of the master, in its unit; NaN: no master
+  double slave_position = 0;      ///< commanded position, in the unit of the axis
+  double slave_velocity = 0;      ///< commanded velocity, that unit per s
+  /// First bytes of the hash of the slave's table; zeros: none.
+  std::array<std::uint8_t, 8> table{};
+  std::int32_t last_error = 0;  ///< number of the Cause of the fault; 0: no fault
+  /// Number of cycles that began too late, since the executor started.
+  std::int64_t late_ticks = 0;
+  /// Number of motions that reached their end, since the executor started.
+  std::int64_t finished = 0;
+  /// Number of motions that a stop brought to rest, since the executor started.
+  std::int64_t stopped = 0;
+  double actual_position = unknown;    ///< actual position of the drive; NaN: unknown
+  double following_error = unknown;    ///< commanded minus actual position; NaN: unknown
+  double torque = unknown;             ///< share of the rated torque; NaN: unknown
+  double override_ = 1;                ///< override factor
+  Progress progress = Progress::none;  ///< progress of the motion
+  std::int32_t reason = 0;       ///< number of the Cause that ended the last motion early; 0: none
+  std::uint32_t queue_rows = 0;  ///< rows that wait in the armed or active queue
+  std::uint32_t queue_capacity = 0;  ///< capacity of this queue in rows
+  std::uint32_t outputs = 0;         ///< cam switches that are on; bit 0 is track 1
+  std::int64_t boot = 0;             ///< see Ack
+  /// Number of packets that were not valid messages, since the executor started.
+  std::int64_t rejected = 0;
+  /// Number of rejected packets whose authentication (mac) was wrong.
+  std::int64_t not_authentic = 0;
+  Histogram lateness{};                     ///< delays of the starts of the cycles
+  Histogram computing{};                    ///< computing times of the cycles
+  Units units{};                            ///< units of the axis; empty: any
+  std::int32_t start_command = 0;           ///< number of the last start of this session; 0: none
+  StartOutcome start = StartOutcome::none;  ///< outcome of this start
+  std::int32_t start_cause = 0;  ///< number of the Cause for which it was dropped; 0: none
+  std::string start_reason{};    ///< the same as text
+  bool held = false;             ///< true if a motion is held until the command resume
+  bool homed = false;            ///< true if the axis was homed
+  std::uint8_t unwritten = 0;    ///< files that could not be written, see Unwritten
 
+  /// Value of an unknown number: NaN.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Kind of an output.
 enum class EventKind : std::int8_t { compare = 0, track = 1, tappet = 2 };
 
-/// An output has switched. It may be sent several times, with one count.
+/// An output has switched. The message may be sent several times, with the same count.
 struct Event {
-  std::int64_t boot = 0;
-  std::int64_t count = 0;  ///< number of the event for this axis since the executor started, from 1
-  EventKind kind = EventKind::compare;
-  std::uint32_t number = 1;  ///< number of the output, from 1
-  bool on = false;
-  std::int64_t tick = 0;  ///< the cycle that detected it
-  double offset_s = 0;    ///< s before that cycle's instant, >= 0
-  double position = 0;    ///< position of the signal that the output depends on, at that time
+  std::int64_t boot = 0;  ///< see Ack
+  /// Number of the event for this axis, from 1, since the executor started.
+  std::int64_t count = 0;
+  EventKind kind = EventKind::compare;  ///< kind of the output
+  std::uint32_t number = 1;             ///< number of the output, from 1
+  bool on = false;                      ///< true: it was switched on
+  std::int64_t tick = 0;                ///< tick in which it was detected
+  double offset_s = 0;                  ///< time from the edge to the instant of that tick, s, >= 0
+  double position = 0;  ///< position at the edge, of the signal that the output depends on
 };
 
 // ---- from a master -----------------------------------------------------------------------------
 
-/// Position of a master; Message::executor is the name of the master.
+/// Position of an external master. Message::executor contains the name of the master.
 struct Master {
-  std::int64_t seq = 0;               ///< >= 0, rising
-  std::int64_t stamp_ns = 0;          ///< >= 0: measurement time by the sender's clock; ascending
-  std::int32_t clock = 0;             ///< a later clock, or epoch of it, has a greater number
-  bool valid = false;                 ///< false: it is lost, or its position unknown
-  double position = 0;                ///< finite
-  double velocity = Status::unknown;  ///< per second; NaN: unknown
+  std::int64_t seq = 0;  ///< number of the message, >= 0, ascending
+  /// Time of the measurement by the clock of the sender, ns, >= 0, ascending.
+  std::int64_t stamp_ns = 0;
+  /// Number of that clock; it increases when the clock is changed or restarted.
+  std::int32_t clock = 0;
+  bool valid = false;                 ///< false: the master is lost, or its position is unknown
+  double position = 0;                ///< position, finite
+  double velocity = Status::unknown;  ///< velocity per second; NaN: unknown
   std::string unit{};                 ///< unit of the position; not empty
 };
 
-/// State of a master in an executor; Message::executor is an axis that follows it, or the machine's
-/// first axis.
+/// State of a master in an executor. Message::executor contains the name of an axis that follows
+/// the master, or of the machine's first axis.
 struct MasterStatus {
   std::int64_t boot = 0;  ///< see Ack
-  std::string master{};   ///< its name, like that of an executor
+  std::string master{};   ///< name of the master
   std::string unit{};     ///< unit of the position; not empty
-  std::int64_t tick = 0;  ///< the cycle of these values
-  bool lost = true;       ///< no master, or no longer: position and velocity are NaN
-  double position = Status::unknown;
-  double velocity = Status::unknown;  ///< per second
-  double age_s = Status::unknown;     ///< age of the measurement; NaN: none; 0: computed
-  std::int64_t taken = 0;             ///< accepted samples from the bus
-  std::int64_t refused = 0;           ///< rejected samples: old, repeated, in another unit
+  std::int64_t tick = 0;  ///< tick of these values
+  bool lost = true;       ///< true: there is no master now, and position and velocity are NaN
+  double position = Status::unknown;  ///< position
+  double velocity = Status::unknown;  ///< velocity, per second
+  /// Age of the measurement, s; NaN: no measurement; 0: the position is computed.
+  double age_s = Status::unknown;
+  std::int64_t taken = 0;    ///< number of accepted samples from the link
+  std::int64_t refused = 0;  ///< number of rejected samples: old, repeated, or in another unit
 };
 
 // ---- between executors --------------------------------------------------------------------------
 
-/// An executor owns the name Message::executor, or claims it at its start.
+/// An executor claims, or already owns, the name Message::executor.
 struct Claim {
-  std::int64_t boot = 0;   ///< see Ack
-  std::int64_t rival = 0;  ///< boot of the executor that it answers; 0: a question to all
-  bool up = false;         ///< it accepts commands; false: it is starting
+  std::int64_t boot = 0;  ///< see Ack
+  /// Boot of the executor to which this is the answer; 0: a question to all.
+  std::int64_t rival = 0;
+  bool up = false;  ///< true: it accepts commands; false: it is starting
 };
 
+/// Any content of a message.
 using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Command,
                           Queue, Rows, QueueAck, Master, Event, MasterStatus, Claim>;
 
+/// A message of the protocol.
 struct Message {
-  std::string executor;  ///< 1 to 23 of A-Z a-z 0-9 _ -
-  std::int64_t session =
-      0;  ///< > 0; 0: none (Status of a free axis, an operator, Master, Event, MasterStatus, Claim)
-  Body body;
-  /// From an executor: the challenge that commands must carry. To it: the last received challenge,
-  /// 0 at first.
+  std::string executor;  ///< name of the executor: 1 to 23 of the characters A-Z a-z 0-9 _ -
+  /// Session, > 0; 0: no session (a Status of a free axis, a message of an operator, Master, Event,
+  /// MasterStatus, Claim).
+  std::int64_t session = 0;
+  Body body;  ///< the content
+  /// From an executor: the challenge that commands must contain. To an executor: the challenge
+  /// received last, 0 at first. See Receiver.
   std::int64_t challenge = 0;
 };
 
+/// Names of the enumerators: "follow_input", ...
 const char* name(ArmMode mode);
 const char* name(Refusal refusal);
 const char* name(Next next);
 const char* name(Progress progress);
 const char* name(EventKind kind);
 
-/// Division of a table into chunks.
+/// The chunks of a table.
 struct Cut {
   std::uint32_t columns = 0;    ///< 2, 3 or 4, depending on the rule
   std::uint32_t per_chunk = 0;  ///< knots of a full chunk
-  std::uint32_t chunks = 0;
+  std::uint32_t chunks = 0;     ///< number of chunks
 
-  /// Knots of chunk `seq`.
+  /// Number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Number of chunks that fit the space of that many messages of message_values. Longer chunks use
-  /// at most credit_values per message, but at least 1 chunk is possible.
+  /// Returns the number of chunks that fit into the buffer space of this number of messages of
+  /// message_values. Longer chunks use up to credit_values per message. At least 1.
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
-/// `values`: doubles of a full chunk, 4...chunk_values.
+/// Divides a table into chunks. `values`: doubles in a full chunk, 4 to chunk_values.
 Cut cut(Interpolation rule, std::uint32_t knots, std::size_t values = message_values);
-/// The division used by the sender of the header, per_chunk >= 1.
+/// Returns the division that the sender of this header uses. Requires per_chunk >= 1.
 Cut cut(const Header& header);
 
-/// True if this is a valid name of an executor.
+/// True if the text is a valid name of an executor.
 bool is_executor_name(std::string_view name);
+/// The rule of is_executor_name(), for errors.
 inline constexpr const char* executor_name_rule =
     "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -";
 

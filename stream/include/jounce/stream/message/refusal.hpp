@@ -7,26 +7,28 @@
 
 namespace jounce {
 
-/// A refusal with its reason in words; none: accepted.
+/// A refusal with its reason as text.
 struct Refused {
-  wire::Refusal refusal = wire::Refusal::none;
-  std::string reason;
+  wire::Refusal refusal = wire::Refusal::none;  ///< none: accepted
+  std::string reason;                           ///< may be empty
 
+  /// True if it is a refusal.
   explicit operator bool() const { return refusal != wire::Refusal::none; }
 };
 
-/// Error of a header: bad_header, or none.
+/// Returns bad_header for an inconsistent header; otherwise none.
 Refused contradiction(const wire::Header& header);
 
-/// A table with the units of its axes.
+/// A table with its units.
 struct TableInUnits {
   const Table& table;
   const Units& units;
 };
 
-/// The reason why these tables cannot be armed in this mode, or none. Checks the slave's axis and,
-/// in follow_table, that the master is over time and in the unit of the slave table's x. Every
-/// table over time is in s.
+/// Returns the reason why these tables cannot be armed in this mode, or none. The slave's table
+/// must be over time or over a master, as the mode requires. For follow_table, the master's table
+/// must be over time, and its position must have the unit of x of the slave's table. Each table
+/// over time must be in s. `master`: null if the mode has none.
 Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master);
 
 }  // namespace jounce

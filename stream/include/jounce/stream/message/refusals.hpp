@@ -7,15 +7,15 @@
 
 namespace jounce::wire {
 
-/// A refusal in words, for the author of a streamer or the machine operator.
+/// A refusal explained, for the author of a streamer and the operator of a machine.
 struct RefusalInfo {
-  Refusal refusal;
-  const char* name;
-  const char* meaning;  ///< one sentence: the event
+  Refusal refusal;      ///< the refusal
+  const char* name;     ///< its name
+  const char* meaning;  ///< one sentence: what happened
   const char* remedy;   ///< the next step of the operator
 };
 
-/// One entry for each Refusal, in the order of their numbers.
+/// Returns one entry for each Refusal, in the order of their numbers.
 std::span<const RefusalInfo> all_refusals();
 
 }  // namespace jounce::wire

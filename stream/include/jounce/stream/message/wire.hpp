@@ -11,49 +11,56 @@
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
 
-/// Messages <-> bytes. The bytes are those of the LCM types in stream/lcm, so that every LCM tool
-/// can read them. Arrays have a fixed size: a type has one length.
+/// Conversion between messages and bytes. The bytes are those of the LCM types in stream/lcm, so
+/// every tool of LCM can read them. Arrays have a fixed size, so all messages of a type have the
+/// same length.
 namespace jounce::wire {
 
+/// The bytes of a message.
 using Bytes = std::vector<std::byte>;
 
 /// Reason why bytes are not a message.
 enum class Reject {
-  too_short,       ///< shorter than type, magic and version
-  wrong_magic,     ///< not Jounce's
+  too_short,       ///< shorter than type, magic number and version
+  wrong_magic,     ///< not a message of Jounce
   wrong_version,   ///< another version of the protocol
-  unknown_type,    ///< a type hash unknown to this version
-  wrong_length,    ///< not the length of its type
-  wrong_checksum,  ///< damaged on the way
+  unknown_type,    ///< a hash of a type that this version does not have
+  wrong_length,    ///< another length than that of its type
+  wrong_checksum,  ///< changed during transmission
   bad_field,       ///< an enumeration, a count or a name is out of range
-  not_authentic,   ///< its mac does not match the key; or it has a mac, and no key is set
+  /// The authentication code (mac) does not match the key; or there is one, but no key is set.
+  not_authentic,
 };
-inline constexpr std::size_t reject_count = 8;
+inline constexpr std::size_t reject_count = 8;  ///< number of reasons
+/// Returns the name of a reason.
 const char* name(Reject reject);
 
-/// Encodes the message and signs it with the key, if any. Throws InputError for a name, unit or
-/// count that does not fit the wire. Shortens a reason that is too long.
+/// Encodes a message, with an authentication code if there is a key. Throws InputError for a name,
+/// unit or count that does not fit into the wire format. A reason that is too long is shortened.
 Bytes encode(const Message& message, const std::optional<Key>& key = {});
 
-/// Decodes a message. If there is a key, rejects messages without its signature before it reads any
-/// field. Never throws and never reads past the bytes, for any input.
+/// Decodes a message. With a key, a message whose authentication code is missing or wrong is
+/// rejected before its fields are read. For any input, the function does not throw and does not
+/// read beyond the bytes.
 std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
                                      const std::optional<Key>& key = {});
 
-/// The channels of an executor: each message has its own.
+/// The channels of an executor; each kind of message has one.
 enum class Lane {
   table,    ///< Header, Chunk, Queue, Rows: to the executor
   command,  ///< Arm, Start, Stop, Heartbeat, Command: to the executor
   reply,    ///< Ack, Reply, QueueAck: from the executor
-  status,   ///< Status: from the executor; only the newest counts
-  master,   ///< Master: to all executors that follow it, under the master's name
+  status,   ///< Status: from the executor; only the newest one is valid
+  /// Master: to all executors that follow this master; the channel has the name of the master.
+  master,
   event,    ///< Event: from the executor
-  masters,  ///< MasterStatus: from the executor; only the newest of each master counts
-  claim,    ///< Claim: between executors of one name
+  masters,  ///< MasterStatus: from the executor; only the newest one of each master is valid
+  claim,    ///< Claim: between executors
 };
+/// Returns the channel of a message.
 Lane lane(const Body& body);
 
-/// "JOUNCE2.<executor>.table", ...
+/// Returns the name of a channel: "JOUNCE2.<executor>.table", ...
 std::string channel(const std::string& executor, Lane lane);
 
 }  // namespace jounce::wire

@@ -13,27 +13,29 @@
 
 namespace jounce {
 
-/// Bytes of the knots that a consistent header announces.
+/// Returns the number of bytes of the knots that a consistent header announces.
 std::size_t bytes_of(const wire::Header& header);
 
-/// A table in transit: its columns, filled chunk by chunk in any order, and the hash of its
-/// complete leading part.
+/// A table in transit. Its columns are filled chunk by chunk, in any order, and its complete
+/// leading part is hashed.
 class Assembly {
  public:
-  /// Allocates the memory for all knots: check their number first. The header must be consistent.
+  /// Allocates the memory for all knots, so check their number before. The header must be
+  /// consistent.
   explicit Assembly(const wire::Header& header);
 
-  /// A repeated chunk has no effect. Returns false if it contradicts the header.
+  /// Adds a chunk; a repeated one has no effect. Returns false if it does not match the header.
   bool add(const wire::Chunk& chunk);
 
-  /// All chunks below it have arrived.
+  /// All chunks below this number have arrived.
   [[nodiscard]] std::uint32_t next() const { return next_; }
   /// Bit i: chunk next() + 1 + i has arrived.
   [[nodiscard]] std::uint64_t mask() const;
+  /// True if all chunks have arrived.
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Returns the table of a complete assembly, once: constructed and hashed from the received data,
-  /// if its hash equals the announced one.
+  /// Returns the table made from the received data, if its hash is the announced one; otherwise a
+  /// refusal. Call it once, for a complete assembly.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 
  private:

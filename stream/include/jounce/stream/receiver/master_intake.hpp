@@ -9,32 +9,37 @@
 
 namespace jounce {
 
+/// Options of a MasterIntake.
 struct MasterIntakeOptions {
-  std::string unit;    ///< unit of the master here
-  bool keyed = false;  ///< messages are signed: an old epoch never returns
-  /// Without a key: after this silence of a sender, any epoch is accepted again.
+  std::string unit;  ///< unit of the master in this executor
+  /// True: messages are authenticated, so an earlier epoch (clock) is never accepted again.
+  bool keyed = false;
+  /// Without a key: if the sender has been silent for this time, any epoch is accepted again.
   Nanos forget = std::chrono::seconds(1);
 };
 
-/// Filter of the messages about one master: accepts those with new content. A value type, without
+/// Filters the messages about one master: accepts those with new content. A value type, without
 /// clock and network.
 ///
 ///     MasterIntake intake({.unit = "mm"});
 ///     if (intake.take(message, now)) line.receive(...);
 ///
-/// Within an epoch (Master::clock) both `seq` and `stamp_ns` rise; a later epoch has a greater
-/// number. Duplicate, overtaken and repeated messages, and those in another unit, are counted and
-/// have no other effect. Of two senders of one name, the later one is accepted and the other
-/// rejected: the master never alternates between them.
+/// An epoch is a period in which the sender uses one clock (Master::clock); a later epoch has a
+/// greater number. Within an epoch, `seq` and `stamp_ns` ascend. Messages that are repeated, late,
+/// or in another unit are counted, and have no other effect. If two senders have the same name, the
+/// later one is accepted and the other one rejected, so the master never alternates between them.
 class MasterIntake {
  public:
   explicit MasterIntake(MasterIntakeOptions options) : options_(std::move(options)) {}
 
+  /// Returns true if the message is accepted. `now`: time of its arrival.
   bool take(const wire::Master& message, Nanos now);
 
+  /// Number of accepted messages.
   [[nodiscard]] std::int64_t taken() const { return taken_; }
+  /// Number of rejected messages.
   [[nodiscard]] std::int64_t refused() const { return refused_; }
-  /// The unit of a message that was rejected for it; empty: none was.
+  /// The unit of a message that was rejected for its unit; "": none.
   [[nodiscard]] const std::string& other_unit() const { return other_unit_; }
 
  private:

@@ -18,96 +18,101 @@
 
 namespace jounce {
 
+/// Options of a receiver.
 struct ReceiverOptions {
-  std::string executor;                        ///< the name of this axis
-  std::uint32_t most_knots = 1U << 24U;        ///< knots of one table, at most
-  std::size_t memory = std::size_t{1} << 28U;  ///< bytes of all tables, complete or in transit
-  Nanos session_timeout =
-      std::chrono::seconds(1);  ///< silence that ends a session and frees the axis
+  std::string executor;                  ///< name of the axis
+  std::uint32_t most_knots = 1U << 24U;  ///< greatest number of knots of a table
+  /// Greatest memory for all tables, complete or in transit, bytes.
+  std::size_t memory = std::size_t{1} << 28U;
+  /// A session without a message for this time ends, and the axis is free.
+  Nanos session_timeout = std::chrono::seconds(1);
   Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
-  std::uint32_t credit =
-      8;  ///< messages of 12.8 KB in transit, 1...64; 8 fit a socket's default buffer
-  std::uint32_t most_rows = 1U << 20U;  ///< rows of one bank of a queue, at most
-  std::size_t most_queues = 4;          ///< queues of one session, at most
-  std::optional<wire::Key> key{};       ///< key that must sign commands; nullopt: no key
+  /// Messages of 12.8 KB in transit, 1 to 64; 8 fit into the default buffer of a socket.
+  std::uint32_t credit = 8;
+  std::uint32_t most_rows = 1U << 20U;  ///< greatest number of rows of one bank of a queue
+  std::size_t most_queues = 4;          ///< greatest number of queues in a session
+  std::optional<wire::Key> key{};  ///< key with which commands are authenticated; nullopt: no key
 };
 
-/// A table is complete and its hash matches. It stays in the store.
+/// Event: a table is complete, and its hash matches. It stays in the store.
 struct TableReady {
-  std::int64_t session = 0;
-  StoredTable table;
+  std::int64_t session = 0;  ///< session of the sender
+  StoredTable table;         ///< the table
 };
 
-/// The tables are complete, and their axes and units fit the mode. Requires an answer.
+/// Event: an arm of complete tables, whose axes and units fit the mode. Requires an answer.
 struct ArmRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;
-  wire::ArmMode mode = wire::ArmMode::play;
-  StoredTable slave;
-  std::optional<StoredTable> master;  ///< for follow_table
-  CouplingSpec coupling{};            ///< coupling of a slave over master
-  CamEnd end = CamEnd::brake;         ///< for follow_input
+  std::int64_t session = 0;                  ///< session of the sender
+  std::int32_t command = 0;                  ///< number of the command; answer with it
+  wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
+  StoredTable slave;                         ///< table of the slave
+  std::optional<StoredTable> master;         ///< table of the master, for follow_table
+  CouplingSpec coupling{};                   ///< coupling of a slave's table over a master
+  CamEnd end = CamEnd::brake;                ///< for follow_input: behavior at the end of the cam
 };
 
-/// The queue is open. Requires an answer.
+/// Event: an arm of a queue that is open. Requires an answer.
 struct QueueArmRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;
-  std::uint32_t queue = 0;
-  std::uint8_t bank = 0;  ///< first bank of a static queue
+  std::int64_t session = 0;  ///< session of the sender
+  std::int32_t command = 0;  ///< number of the command; answer with it
+  std::uint32_t queue = 0;   ///< index of the queue
+  std::uint8_t bank = 0;     ///< for a static queue: the bank that is played first
 };
 
-/// Follows an accepted arm of the same session; a queue has its prefill. Requires an answer.
+/// Event: a start after an accepted arm of the same session; a queue has the rows that it needs.
+/// Requires an answer.
 struct StartRequested {
-  std::int64_t session = 0;
-  std::int32_t command = 0;
-  std::int64_t tick = -1;  ///< tick of the executor; -1: the next one
-  StartAt when = StartAt::tick;
-  double position = 0;  ///< position of the master, m, with master_position
+  std::int64_t session = 0;      ///< session of the sender
+  std::int32_t command = 0;      ///< number of the command; answer with it
+  std::int64_t tick = -1;        ///< tick of the start; -1: the next one
+  StartAt when = StartAt::tick;  ///< condition of the start
+  double position = 0;  ///< position of the master, m (unit of the master), for master_position
 };
 
-/// Another command to the axis. Its fields are within their ranges, and every queue that they name
-/// is open. Requires an answer.
+/// Event: another command to the axis. Its fields are within their ranges, and every queue in it is
+/// open. Requires an answer.
 struct CommandRequested {
   std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
-  std::int32_t command = 0;
-  std::int64_t at = -1;  ///< tick; -1: the next one
-  ClientCommand what{};
+  std::int32_t command = 0;  ///< number of the command; answer with it
+  std::int64_t at = -1;      ///< tick of the execution; -1: the next one
+  ClientCommand what{};      ///< the command
 };
 
-/// A queue was opened, and rows will follow. Receiver::refuse_queue() may reject it.
+/// Event: a queue was opened, and rows will follow. refuse_queue() rejects it.
 struct QueueOpened {
-  std::int64_t session = 0;
-  wire::Queue queue;
+  std::int64_t session = 0;  ///< session of the sender
+  wire::Queue queue;         ///< the queue
 };
 
-/// Rows in order and without gaps, within the free space. Receiver::refuse_row() rejects a row that
-/// would violate a limit.
+/// Event: rows in their order, without gaps, that fit into the free space. refuse_row() rejects a
+/// row that breaks a limit.
 struct RowsArrived {
-  std::int64_t session = 0;
-  wire::Rows rows;
+  std::int64_t session = 0;  ///< session of the sender
+  wire::Rows rows;           ///< the rows
 };
 
-/// A stop or an abort: always execute it. Requires an answer.
+/// Event: a stop or an abort, which must always be executed. Requires an answer.
 struct StopRequested {
-  std::int64_t session = 0;  ///< 0: an operator
-  std::int32_t command = 0;
-  wire::StopMode mode = wire::StopMode::stop;
+  std::int64_t session = 0;                    ///< 0: an operator
+  std::int32_t command = 0;                    ///< number of the command; answer with it
+  wire::StopMode mode = wire::StopMode::stop;  ///< stop or abort
 };
 
-/// The axis has no owner any more. Disarm an armed motion without a start; the axis decides whether
-/// a motion continues.
+/// Event: no session owns the axis any more. An armed motion without a start must be disarmed. The
+/// axis decides whether a motion in progress continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
-  std::int64_t session = 0;
-  Why why = Why::released;
+  std::int64_t session = 0;  ///< the session
+  Why why = Why::released;   ///< reason for its end
 };
 
+/// Any event of a receiver.
 using StreamEvent =
     std::variant<TableReady, ArmRequested, StartRequested, StopRequested, SessionEnded,
                  QueueArmRequested, CommandRequested, QueueOpened, RowsArrived>;
 
-/// The executor's half of the protocol: a pure state machine without thread, clock or link.
+/// The executor's half of the protocol for one axis, as a pure state machine without thread, clock
+/// or link.
 ///
 ///     Receiver receiver({.executor = "feeder"}, random_id());
 ///     receiver.receive(message, now);                      // each arrived message
@@ -115,53 +120,62 @@ using StreamEvent =
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
-/// Any message may be lost, duplicated, delayed or reordered. The receiver checks each: it bounds
-/// counts before it allocates memory, computes the hash from the received data, and constructs the
-/// table from them. It ignores messages for another executor and messages from executors.
+/// Any message may be lost, duplicated, delayed or reordered. The receiver checks each message: it
+/// checks counts before it allocates memory, computes hashes from the received data, and makes
+/// tables from these data. It ignores messages for other executors and messages from executors.
 ///
-/// **Challenge.** A number that every command must carry. The end of a session and the start of the
-/// executor draw a new one, so that older messages have no effect. The refusal `stale_challenge`
-/// carries the present one. Operators have no session; they have a separate challenge, which
-/// changes with each of their commands.
+/// **Challenge.** Every command must contain the present challenge, a number. A new one is drawn
+/// when the executor starts and when a session ends, so that older messages have no effect. The
+/// refusal `stale_challenge` contains the present challenge. Operators have no session; they have a
+/// separate challenge, which changes with each of their commands.
 class Receiver {
  public:
-  /// `boot` > 0: a random number, different at every start. Throws InputError for a bad name.
+  /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name.
   Receiver(ReceiverOptions options, std::int64_t boot);
 
+  /// Takes a message that has arrived at the time `now`.
   void receive(const wire::Message& message, Nanos now);
 
-  /// Ends a session after its timeout, and answers received messages. First receive all messages
-  /// that wait on the link, so that they do not count as silence.
+  /// Ends a session that has timed out, and returns the answers to received messages. First receive
+  /// all messages that wait on the link, so that they do not count as silence.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// Returns the answers alone: a streamer can then continue while the caller receives more of its
+  /// Returns only the answers. A streamer can then continue while the caller still receives
   /// messages.
   [[nodiscard]] std::vector<wire::Message> answers();
 
+  /// Returns the next event for the axis; nullopt: none.
   [[nodiscard]] std::optional<StreamEvent> take_event();
 
-  /// The axis's answer to the event of this session and command. An answer after another command or
-  /// the end of the session has no effect.
+  /// Answers an event: the axis has accepted the command. Without effect if another command has
+  /// followed, or if the session has ended.
   void accept(std::int64_t session, std::int32_t command);
-  /// `cause`: the axis's number of the cause.
+  /// Answers an event: the axis has rejected the command. `cause`: number of the Cause; 0: none.
   void refuse(std::int64_t session, std::int32_t command, std::string reason,
               std::int32_t cause = 0);
 
-  /// Progress of this queue of the present session: frees space for more rows.
+  /// Reports the progress of a queue of the present session, which frees space for more rows.
   void level(std::uint32_t queue, const QueueLevel& level);
-  /// Rejects this queue, or this row of it (from 0 in its bank).
+  /// Rejects a queue.
   void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
+  /// Rejects a row of a queue. `row`: index in its bank, from 0.
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
-  [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: the axis is free
-  [[nodiscard]] bool armed() const { return armed_; }  ///< a start would be passed to the axis
+  /// Session that owns the axis; 0: none.
+  [[nodiscard]] std::int64_t session() const { return session_; }
+  /// True if an arm was accepted, so a start is passed to the axis.
+  [[nodiscard]] bool armed() const { return armed_; }
+  /// The complete tables.
   [[nodiscard]] const TableStore& store() const { return tables_.store(); }
+  /// Name of the axis.
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
+  /// The number of this start of the executor.
   [[nodiscard]] std::int64_t boot() const { return boot_; }
-  /// Challenge of the messages of a session, and of those of an operator.
+  /// The challenge for the messages of a session.
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
+  /// The challenge for the messages of an operator.
   [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
 
-  /// Returns the status message of this axis, complete.
+  /// Returns the status message of the axis: adds name, session and challenge.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:

@@ -11,37 +11,43 @@
 
 namespace jounce {
 
-/// Progress of an executor with a queue. Two numbers: one for each bank.
+/// Progress of a queue on an axis. Arrays contain a value for each of the two banks.
 struct QueueLevel {
-  std::array<std::uint64_t, 2> freed{};  ///< rows freed since it was opened
-  std::int64_t played = 0;               ///< rows played to their end since it was opened
-  wire::Progress progress = wire::Progress::none;
+  /// Number of rows that were freed since the queue was opened.
+  std::array<std::uint64_t, 2> freed{};
+  std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
+  wire::Progress progress = wire::Progress::none;  ///< progress of the motion
 };
 
-/// The arriving rows of one queue: sorted, checked, and never more than fit the free space. Holds
-/// at most `credit` messages that have overtaken others.
+/// The arriving rows of one queue. It puts them into order, checks them, and never accepts more
+/// than the free space. It keeps at most `credit` messages that have arrived before their
+/// predecessors.
 class RowIntake {
  public:
+  /// `credit`: greatest number of messages in transit.
   RowIntake(const wire::Queue& queue, std::uint32_t credit);
 
-  /// Takes the rows that fit. Rows received before have no effect.
+  /// Adds rows, if they fit into the free space. Rows that were already received have no effect.
   void add(const wire::Rows& rows);
 
-  /// Returns the rows that are now in order, each once; of both banks.
+  /// Returns the rows of both banks that are now in order and were not returned before.
   [[nodiscard]] std::vector<wire::Rows> take();
 
-  /// Drops the rows of this bank that are not played; its messages count again from `seq`.
+  /// Drops the rows of this bank. The next message of the bank has the number `seq`.
   void clear(std::uint8_t bank, std::uint32_t seq);
 
-  /// Returns true if there is something new to acknowledge.
+  /// Reports the progress of the axis. Returns true if there is something new to acknowledge.
   bool level(const QueueLevel& level);
-  /// The first refusal stays.
+  /// Rejects the queue. Later calls have no effect.
   void refuse(Refused refused, std::int64_t row = -1);
 
+  /// Returns the acknowledgment. `boot`: number of this start of the executor.
   [[nodiscard]] wire::QueueAck ack(std::int64_t boot) const;
-  /// True if there are enough rows for a start, or all.
+  /// True if the bank has enough rows for a start, or all of its rows.
   [[nodiscard]] bool filled(std::uint8_t bank) const;
+  /// The queue as it was opened.
   [[nodiscard]] const wire::Queue& queue() const { return queue_; }
+  /// True if the queue was rejected.
   [[nodiscard]] bool refused() const { return static_cast<bool>(refused_); }
 
  private:

@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// A queue of two banks on an executor's axis, like Googol's static FIFOs: each bank is filled,
-/// then played as a whole, `loops` times, and kept until it is cleared.
+/// A queue of two banks on an axis, like the static FIFOs of Googol: each bank is filled, played as
+/// a whole for `loops` passes, and kept until it is cleared.
 ///
 ///     StaticQueue fifos(client, {.units = {"s", "mm"}, .mode = wire::QueueMode::static_});
 ///     fifos.open();
@@ -23,26 +23,30 @@ namespace jounce {
 ///     fifos.clear(0), fifos.fill(0, another);          // meanwhile
 ///     while (fifos.level()->progress == wire::Progress::running) ...   // keeps the session alive
 ///
-/// Bank: 0 or 1. Each call returns once the executor has accepted or rejected it, like the client's
-/// own calls. It belongs to the client's session: the queue ends with that session. Source: Googol,
-/// GT_PtData, GT_PtSpace, GT_FollowSwitch, GT_FollowClear (static mode).
+/// `bank` is 0 or 1. Each call returns when the executor has accepted or rejected it, as the calls
+/// of Client do. The queue belongs to the session of the client, and ends with it. Source:
+/// GT_PtData, GT_PtSpace, GT_FollowSwitch, GT_FollowClear of Googol (static mode).
 class StaticQueue {
  public:
-  /// The client must outlive it. Throws InputError for an inconsistent or dynamic queue.
+  /// `client` must outlive the queue. Throws InputError for an inconsistent or a dynamic queue.
   StaticQueue(Client& client, wire::Queue queue);
 
+  /// Opens the queue.
   CallOutcome open();
-  /// Appends all rows to the bank. `stalled`: the bank has no space for all of them, or the
-  /// executor took none within the client's patience, although it answered.
+  /// Appends rows to a bank. The outcome is `stalled` if the bank has no space for all rows, or if
+  /// the executor answers but takes no row within the patience of the client.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
+  /// Arms the queue; `bank` will be played first.
   CallOutcome arm(std::uint8_t bank = 0);
+  /// Starts the motion. `tick`: tick of the executor; -1: the next one.
   CallOutcome start(std::int64_t tick = -1);
-  /// Continues with the other bank at the end of the active one.
+  /// Continues with the other bank at the end of the present one.
   CallOutcome switch_over();
-  /// Clears a bank that does not play; its x begins at 0 again.
+  /// Empties a bank that is not being played. Its x begins at 0 again.
   CallOutcome clear(std::uint8_t bank);
 
-  /// Present progress; nullopt: no answer. Keeps the session alive if called once per second.
+  /// Returns the present progress; nullopt: no answer. Call it at least once a second to keep the
+  /// session alive.
   [[nodiscard]] std::optional<wire::QueueAck> level();
 
  private:

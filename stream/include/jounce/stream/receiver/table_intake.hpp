@@ -14,15 +14,15 @@
 
 namespace jounce {
 
-/// Limits of the tables of a receiver.
+/// Limits for the tables of a receiver.
 struct TableLimits {
-  std::uint32_t most_knots = 0;  ///< knots of one table, at most
-  std::size_t memory = 0;        ///< bytes of all tables, complete or in transit
-  std::uint32_t credit = 0;      ///< full messages in transit
+  std::uint32_t most_knots = 0;  ///< greatest number of knots of a table
+  std::size_t memory = 0;        ///< greatest memory for all tables, complete or in transit, bytes
+  std::uint32_t credit = 0;      ///< greatest number of messages of 12.8 KB in transit
 };
 
-/// The arriving tables of a session, each with an index of its own, and the store of the complete
-/// ones. A table in transit has its bytes reserved in the store.
+/// The arriving tables of a session, each with its index, and the store of the complete ones.
+/// Memory for a table in transit is reserved in the store.
 ///
 ///     TableIntake tables(limits);
 ///     if (Refused no = tables.add(header)) ...           // an answer to its sender
@@ -34,17 +34,19 @@ class TableIntake {
  public:
   explicit TableIntake(const TableLimits& limits) : limits_(limits), store_(limits.memory) {}
 
-  /// A refusal that is no part of the table's own acknowledgment: the index belongs to another
-  /// table, or the chunk contradicts its header.
+  /// Adds a header or a chunk. Returns a refusal if it is not part of the acknowledgment of a
+  /// table: the index belongs to another table, or the chunk does not match its header.
   [[nodiscard]] Refused add(const wire::Header& header);
   [[nodiscard]] Refused add(const wire::Chunk& chunk);
 
-  /// The table that the last add() has completed, or found in the store.
+  /// Returns the table that the last add() has completed or found in the store; nullopt: none.
   [[nodiscard]] std::optional<StoredTable> take_ready();
+  /// Returns the acknowledgments that are due. `boot`: number of this start of the executor.
   [[nodiscard]] std::vector<wire::Ack> acks(std::int64_t boot);
-  /// Drops the tables in transit; the complete ones stay in the store.
+  /// Drops the tables in transit. The complete ones stay in the store.
   void clear();
 
+  /// The complete tables.
   [[nodiscard]] const TableStore& store() const { return store_; }
 
  private:

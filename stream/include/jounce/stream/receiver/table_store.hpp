@@ -11,34 +11,37 @@
 
 namespace jounce {
 
-/// A complete table, shared with its players.
+/// A complete table, which is shared with the motions that play it.
 struct StoredTable {
-  Sha256 hash{};
-  Units units;
+  Sha256 hash{};  ///< content_hash() of the table
+  Units units;    ///< its units
   std::shared_ptr<const Table> table;
 };
 
-/// Complete tables by their hash, within a memory bound shared with tables in transit.
+/// Complete tables by their hash. Their memory is limited, together with that of tables in transit.
 ///
-/// New tables replace the oldest ones without another owner. The thread that owns the store
-/// therefore frees a table's memory, never the thread that plays the table and releases it.
+/// New tables replace the oldest ones that have no other owner. The memory of a table is therefore
+/// always freed by the thread that owns the store, never by a thread that has played the table.
 class TableStore {
  public:
-  /// `bytes`: memory of all knots, at most.
+  /// `bytes`: greatest memory of all knots.
   explicit TableStore(std::size_t bytes) : limit_(bytes) {}
 
+  /// Returns the table with this hash; nullopt: none.
   [[nodiscard]] std::optional<StoredTable> find(const Sha256& hash) const;
 
-  /// Reserves bytes for a table in transit; returns false if they do not fit, even without old
-  /// tables.
+  /// Reserves memory for a table in transit. Returns false if it does not fit, even if old tables
+  /// are removed.
   [[nodiscard]] bool reserve(std::size_t bytes);
-  /// Returns bytes of reserve().
+  /// Frees memory that reserve() has reserved.
   void release(std::size_t bytes);
 
-  /// Stores a table whose bytes are reserved; the table then owns them.
+  /// Stores a table for which memory is reserved; the reservation then belongs to the table.
   void put(StoredTable table);
 
+  /// Number of tables.
   [[nodiscard]] std::size_t tables() const { return tables_.size(); }
+  /// Memory of all tables, and reserved memory.
   [[nodiscard]] std::size_t bytes() const { return used_; }
 
  private:

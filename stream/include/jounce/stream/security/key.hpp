@@ -6,23 +6,25 @@
 #include <filesystem>
 #include <optional>
 
-/// The shared key of an executor and its authorized senders. It is never transmitted and never on a
-/// command line: it is in a file of 64 hexadecimal digits that only its owner can read.
+/// Keys that authenticate messages. An executor and its authorized senders share a key. It is never
+/// transmitted and never on a command line. It is in a file of 64 hexadecimal digits that only its
+/// owner can read.
 ///
 ///     write_new_key("line.key");                      // once; then copied to both machines
 ///     const wire::Key key = read_key("line.key");
 ///     stream_tables(link, plan, {.key = key});
 namespace jounce {
 namespace wire {
+/// A secret key of 256 bits.
 using Key = std::array<std::uint8_t, 32>;
 }  // namespace wire
 
-/// Throws InputError if the file cannot be read, contains anything but 64 hexadecimal digits and
-/// surrounding white space, or if other users can read or write it.
+/// Reads a key file. Throws InputError if the file cannot be read, if it contains anything but 64
+/// hexadecimal digits and white space around them, or if other users can read or write it.
 wire::Key read_key(const std::filesystem::path& path);
 
-/// Draws a key and writes it into a new file of mode 0600. Throws InputError if the file exists: a
-/// key is never overwritten by accident; std::system_error if it cannot be written.
+/// Writes a new random key into a new file of mode 0600. Throws InputError if the file exists,
+/// since a key must not be overwritten by mistake, and std::system_error if it cannot be written.
 void write_new_key(const std::filesystem::path& path);
 
 }  // namespace jounce

@@ -8,16 +8,18 @@
 
 namespace jounce {
 
+/// Options of ask().
 struct AskOptions {
   std::optional<wire::Key> key{};                ///< key of the executor; nullopt: none
-  Nanos patience = std::chrono::seconds(2);      ///< until the outcome
-  Nanos repeat = std::chrono::milliseconds(20);  ///< interval of repetition
+  Nanos patience = std::chrono::seconds(2);      ///< greatest time until the outcome
+  Nanos repeat = std::chrono::milliseconds(20);  ///< time between two repetitions
 };
 
-/// Repeats the command of the slot in the session of `message` until its outcome, for at most
-/// `patience`. Returns the last reply, which is pending without an outcome; nullopt: no answer. On
-/// a challenge (for an operator, or the first command of a session), stores it in `message` and
-/// resends the command. The link must have subscribed to replies.
+/// Sends the command of the slot in the session of `message`, and repeats it until it has an
+/// outcome, for at most `patience`. Returns the last reply, which is `pending` if there was no
+/// outcome; nullopt: no answer. If the executor requires another challenge (to an operator, or to
+/// the first command of a session), stores it in `message` and sends the command again. The link
+/// must have subscribed to the replies.
 std::optional<wire::Reply> ask(Transport& link, wire::Message& message, CommandSlot& slot,
                                const AskOptions& options, const Clock& clock, Rejects& rejects);
 

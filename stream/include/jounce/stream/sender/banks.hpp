@@ -8,24 +8,28 @@
 
 namespace jounce {
 
-/// The rows of a static queue with two banks: the second, if it has rows, follows at the end of the first.
+/// The rows of a static queue with two banks. The second bank, if it has rows, follows at the end
+/// of the first one.
 struct BankPlan {
-  wire::Queue queue = {};
-  std::vector<wire::Row> first = {};
-  std::vector<wire::Row> second = {};
+  wire::Queue queue = {};              ///< the queue, see StaticQueue
+  std::vector<wire::Row> first = {};   ///< rows of bank 0
+  std::vector<wire::Row> second = {};  ///< rows of bank 1; may be empty
 };
 
+/// Options of play_banks().
 struct BankOptions {
+  /// The goal: the start is accepted, the motion has begun, or the motion has ended.
   enum class Until { accepted, started, finished };
-  Until until = Until::finished;  ///< started: the axis no longer waits for the event of the queue
-  std::function<void(const wire::QueueAck&)> progress =
-      {};  ///< called ten times a second; may be empty
-  std::function<bool()> cancelled =
-      {};  ///< true: starts nothing, or stops the axis, and ends; may be empty
+  /// `started`: the axis no longer waits for the event of the queue.
+  Until until = Until::finished;
+  /// Called ten times a second; may be empty.
+  std::function<void(const wire::QueueAck&)> progress = {};
+  /// Returns true to stop: nothing is started, or the axis is stopped; may be empty.
+  std::function<bool()> cancelled = {};
 };
 
-/// Fills both banks, starts, and waits for the goal. It keeps the session of the client, so the
-/// caller releases it.
+/// Fills both banks, starts the motion, and waits for the goal. It uses the session of the client;
+/// the caller must release it.
 ///
 ///     Client client(link, "feeder");
 ///     const CallOutcome outcome = play_banks(client, plan);

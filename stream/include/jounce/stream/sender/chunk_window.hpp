@@ -10,33 +10,40 @@
 
 namespace jounce {
 
-/// Options for sending the chunks of a table. The defaults suit a local network and Linux's default
-/// socket buffer, which holds 8 messages of 12.8 KB, or chunks of the same total length.
+/// Options for sending the chunks of a table. The defaults suit a local network and the default
+/// socket buffer of Linux, which holds 8 messages of 12.8 KB, or longer chunks of the same total
+/// length.
 struct Pace {
-  std::uint32_t window = 8;    ///< messages of 12.8 KB in transit, 1...64
-  std::uint32_t chunk = 4096;  ///< doubles of a chunk, 4...7680: longer ones cost less per byte
-  Nanos resend = std::chrono::milliseconds(6);     ///< minimum time until a chunk is sent again
-  Nanos slowest = std::chrono::milliseconds(100);  ///< maximum: doubles while nothing arrives
-  Nanos fast_resend =
-      std::chrono::milliseconds(2);  ///< minimum, for a chunk that a later one has overtaken
+  std::uint32_t window = 8;  ///< messages of 12.8 KB in transit, 1 to 64
+  /// Doubles in a chunk, 4 to 7680; longer chunks cost less time for each byte.
+  std::uint32_t chunk = 4096;
+  Nanos resend = std::chrono::milliseconds(6);  ///< least time until a chunk is sent again
+  /// Greatest time until then; the time doubles while nothing arrives.
+  Nanos slowest = std::chrono::milliseconds(100);
+  /// Least time until a chunk is sent again if a later chunk has arrived.
+  Nanos fast_resend = std::chrono::milliseconds(2);
 };
 
-/// The chunks of one table in transit: selects those to send now, and to send again. Selective
-/// repeat within a window; the time until a repeat follows the measured round trip (RFC 6298) with
-/// back-off. A chunk counts as missing if a chunk that was sent after it has arrived (RFC 8985).
-/// Without an ack, the first repeat is one chunk alone: a receiver that was only delayed has all
-/// the others already.
+/// The chunks of one table in transit: selects those to be sent now, and those to be sent again.
+/// The method is selective repeat within a window. The time until a repeat follows the measured
+/// round trip (RFC 6298) and increases while nothing arrives. A chunk counts as lost if a chunk
+/// that was sent later has arrived (RFC 8985). If no acknowledgment arrives at all, the first
+/// repeat is one chunk only, because a receiver that was merely delayed already has all the others.
 class ChunkWindow {
  public:
+  /// `chunks`: number of chunks of the table.
   ChunkWindow(std::uint32_t chunks, Pace pace);
 
-  /// Returns true if at least one more chunk has arrived. An inconsistent ack changes nothing.
+  /// Takes an acknowledgment. Returns true if more chunks have arrived. An inconsistent
+  /// acknowledgment has no effect.
   bool acknowledge(const wire::Ack& ack, Nanos now);
 
-  /// Returns the chunks to send now; they count as sent.
+  /// Returns the numbers of the chunks to send now. They then count as sent.
   [[nodiscard]] std::vector<std::uint32_t> due(Nanos now);
 
+  /// Number of chunks that have arrived.
   [[nodiscard]] std::size_t arrived() const { return arrived_; }
+  /// Number of chunks that were sent again.
   [[nodiscard]] std::size_t resent() const { return resent_; }
 
  private:

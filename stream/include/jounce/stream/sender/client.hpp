@@ -10,23 +10,28 @@
 
 namespace jounce {
 
-/// Outcome of a call.
+/// Outcome of a call of Client.
 struct CallOutcome {
-  StreamError error = StreamError::none;  ///< no_answer, command_timeout, restarted or refused
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};    ///< in words; may be empty
+  /// One of none, no_answer, command_timeout, restarted and refused.
+  StreamError error = StreamError::none;
+  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
+  std::int32_t cause = 0;  ///< if the axis has rejected it: number of the Cause; otherwise 0
+  std::string reason{};    ///< the reason as text; may be empty
 
+  /// True if the call was accepted.
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
+/// Options of a client.
 struct ClientOptions {
-  std::optional<wire::Key> key{};                ///< key of the executor; nullopt: none
-  Nanos patience = std::chrono::seconds(2);      ///< for one call
-  Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of a command, until it is answered
+  std::optional<wire::Key> key{};            ///< key of the executor; nullopt: none
+  Nanos patience = std::chrono::seconds(2);  ///< greatest duration of a call
+  /// Time between two repetitions of a command without an answer.
+  Nanos repeat = std::chrono::milliseconds(20);
 };
 
-/// Commands an axis of an executor, one call after another, like the function blocks of PLCopen.
+/// Sends commands to an axis of an executor, one call after another, like the function blocks of
+/// PLCopen. Each function sends the command of the same name (jounce/command/commands.hpp).
 ///
 ///     Client client(link, "feeder");
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
@@ -34,43 +39,50 @@ struct ClientOptions {
 ///     client.override_(0.5);
 ///     client.release();                               // the motion continues
 ///
-/// Each call returns once the axis has accepted or rejected it. It throws only InputError, for a
-/// value out of range for any axis, and TransportError. The first call begins a session, which owns
-/// the axis; while another session owns it, calls are rejected as busy. After a second without a
-/// call the axis is free again, and the next call begins another session.
+/// A call returns when the axis has accepted or rejected the command; the motion may still continue
+/// then. A call throws only InputError, for a value that is out of range for any axis, and
+/// TransportError. Units are those of the axis and of its master.
+///
+/// The first call opens a session, which owns the axis. If another session owns it, the call is
+/// rejected as busy. If there is no call for a second, the session ends, and the next call opens
+/// another one.
 class Client {
  public:
-  /// Subscribes. The link must outlive the client. Throws InputError for a bad name.
+  /// Subscribes to the replies. `link` must outlive the client. Throws InputError for an invalid
+  /// name.
   Client(Transport& link, std::string executor, ClientOptions options = {},
          Clock clock = steady_now);
 
   CallOutcome enable() { return command(command::Enable{}); }
   CallOutcome disable() { return command(command::Disable{}); }
   CallOutcome reset() { return command(command::Reset{}); }
+  /// Assigns a value to the present position, or adds the value to it.
   CallOutcome set_position(double position, bool relative = false);
-  /// Sets the present position as home, with this value, without motion.
+  /// Homes at the present position, without motion: assigns this value to it.
   CallOutcome home(double position);
-  /// Searches for home by a method of CiA 402; 0 and NaN: as configured for the axis. Accepted: the
-  /// search has begun.
+  /// Starts a homing by a method of CiA 402. `offset`: position to assign to the home position. 0
+  /// and NaN: as configured. The call returns when the search has begun; see await_home().
   CallOutcome search_home(int method = 0, double offset = as_configured);
   CallOutcome hold() { return command(command::Hold{}); }
   CallOutcome resume() { return command(command::Resume{}); }
+  /// Sets the override, 0 to 2.
   CallOutcome override_(double factor);
 
-  /// `direction` of a rotary axis: 1 or -1, 0 the shorter way.
+  /// `direction`, on a modulo axis: 1 or -1; 0: the shorter way.
   CallOutcome move_absolute(double position, const MoveDynamics& dynamics = {}, int direction = 0);
   CallOutcome move_relative(double distance, const MoveDynamics& dynamics = {});
   CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
-  /// dynamics.velocity: the greatest difference to the motion below.
+  /// dynamics.velocity is the velocity of the added move alone.
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
-  /// `velocity` is signed, 0: to rest.
+  /// `velocity`: signed; 0: to rest.
   CallOutcome move_velocity(double velocity, const RampDynamics& dynamics = {});
-  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
-  /// keeps it running.
+  /// The same as a hold-to-run jog: the axis stops if the session ends, or sends nothing for 0.2 s.
+  /// Call beat() repeatedly to continue.
   CallOutcome jog(double velocity, const RampDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
   CallOutcome halt(const StopDynamics& dynamics = {});
+  /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 
   CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator,
@@ -81,17 +93,19 @@ class Client {
   CallOutcome gear_out() { return command(command::GearOut{}); }
   CallOutcome cam_out() { return command(command::CamOut{}); }
 
-  /// Sends any command to the axis. `at`: its tick in the executor, -1: the next one. Throws
-  /// InputError for a value out of range.
+  /// Sends any command to the axis. `at`: tick in which the axis executes it; -1: the next one.
+  /// Throws InputError for a value out of range.
   CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
-  /// Sends any message of a client, in the present session or in a new one. A heartbeat keeps it.
+  /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
+  /// the session alive.
   CallOutcome tell(wire::Body body);
 
-  /// Ends the session; a motion continues.
+  /// Ends the session. A motion continues.
   CallOutcome release();
 
-  [[nodiscard]] std::int64_t session() const { return session_; }  ///< 0: none yet
+  /// The present session; 0: none yet.
+  [[nodiscard]] std::int64_t session() const { return session_; }
 
  private:
   friend class StaticQueue;

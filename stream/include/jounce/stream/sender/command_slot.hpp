@@ -9,30 +9,36 @@
 
 namespace jounce {
 
-/// The one command of a session without an outcome, repeated until it has one. Every streamer,
-/// client and operator sends its commands through this class.
+/// The command of a session that has no outcome yet; it is repeated until it has one. Every
+/// streamer, client and operator sends its commands through this class.
 class CommandSlot {
  public:
-  /// The first command gets the number after `last`.
+  /// `last`: number of the last command of the session; the next one gets the number after it.
   explicit CommandSlot(std::int32_t last = 0) : number_(last) {}
 
-  /// Numbers the command; it replaces the previous one.
+  /// Numbers a command, and replaces the previous one.
   void issue(wire::Body body);
+  /// Removes the command: it has an outcome.
   void clear() { body_.reset(); }
-  /// The next due() returns the command at once, because it has changed.
+  /// Makes the next due() return the command at once, because it has changed.
   void hurry() { hurried_ = true; }
 
-  /// The message to send now, repeatedly.
+  /// Returns the command if it must be sent now: at first, and then after each time `repeat`.
+  /// nullopt: nothing to send.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
+  /// True if there is no command without an outcome.
   [[nodiscard]] bool empty() const { return !body_; }
   [[nodiscard]] std::int32_t number() const { return number_; }  ///< number of the last command
+  /// True if this is a reply to the command.
   [[nodiscard]] bool is_answered_by(const wire::Reply& reply) const {
     return body_.has_value() && reply.command == number_;
   }
+  /// True if the command was first sent more than `patience` ago.
   [[nodiscard]] bool is_older(Nanos now, Nanos patience) const {
     return body_.has_value() && begun_ && now - *begun_ > patience;
   }
+  /// The command; nullopt: none.
   [[nodiscard]] const std::optional<wire::Body>& body() const { return body_; }
 
  private:

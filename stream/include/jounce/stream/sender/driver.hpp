@@ -18,56 +18,61 @@
 
 namespace jounce {
 
+/// Options of stream_tables().
 struct StreamOptions {
-  SenderOptions sender;
-  Nanos total = std::chrono::seconds(60);               ///< bound on the whole call
-  Nanos period = std::chrono::milliseconds(1);          ///< longest wait on the link
+  SenderOptions sender;                                 ///< options of the Sender
+  Nanos total = std::chrono::seconds(60);               ///< time limit of the whole call
+  Nanos period = std::chrono::milliseconds(1);          ///< longest wait for messages
   std::function<void(const StreamProgress&)> progress;  ///< called in each iteration; may be empty
-  std::function<bool()> cancelled;  ///< true: stops the armed motion and ends; may be empty
-  std::optional<wire::Key> key{};   ///< key of the executor; nullopt: none
+  /// Returns true to stop: the armed motion is stopped, and the call ends; may be empty.
+  std::function<bool()> cancelled;
+  std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
 
 /// Runs a Sender to its goal, then releases the session; a motion continues. Returns within
-/// options.total for any state of the link. Throws InputError like Sender, and TransportError.
+/// options.total, in any state of the link. Throws InputError like Sender, and TransportError.
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
 
+/// Options of stream_rows().
 struct RowOptions {
-  SenderOptions sender;
-  Nanos period = std::chrono::milliseconds(1);       ///< longest wait on the link
+  SenderOptions sender;                              ///< options of the RowSender
+  Nanos period = std::chrono::milliseconds(1);       ///< longest wait for messages
   std::function<void(const RowProgress&)> progress;  ///< called in each iteration; may be empty
-  std::function<bool()> cancelled;  ///< true: stops the axis and ends; may be empty
-  std::optional<wire::Key> key{};   ///< key of the executor; nullopt: none
+  /// Returns true to stop: the axis is stopped, and the call ends; may be empty.
+  std::function<bool()> cancelled;
+  std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
 
-/// Runs a RowSender to the end of the motion, without a time limit; returns early with an error.
-/// Throws InputError like RowSender, TransportError, and, after a stop, the exceptions of the
-/// source.
+/// Runs a RowSender to the end of the motion, without a time limit. Returns earlier in case of an
+/// error. Throws InputError like RowSender, and TransportError. If the source of the rows throws,
+/// stops the axis and passes the exception on.
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
 
-/// An operator's Stop, or Command to hold, resume or override, which need no session; the function
-/// draws its number. Repeats it until the executor decides, for at most `patience`: then its
-/// outcome is pending.
+/// Sends a command of an operator, who needs no session: a Stop, or a Command to hold, resume or
+/// override. The function sets its number, and repeats it until the executor answers, for at most
+/// `patience`. Returns the reply; its outcome is `pending` if there was no answer.
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
                              const std::optional<wire::Key>& key,
                              Nanos patience = std::chrono::seconds(2),
                              const Clock& clock = steady_now);
 
-/// An operator's stop: it needs no session and ends the present one. Repeats it until the executor
-/// answers, for at most `patience`. Returns true if it was confirmed.
+/// Stops an axis as an operator, without a session; this ends the present session of the axis. The
+/// stop is repeated until the executor answers, for at most `patience`. Returns true if the
+/// executor has confirmed it.
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
                    Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now,
                    const std::optional<wire::Key>& key = {});
 
-/// Returns the present status of an axis: drops the waiting status messages, then waits for the
-/// next one, for at most `timeout`. The link must have subscribed to the axis's status channel,
-/// with capacity 1.
+/// Returns the present status of an axis: drops the status messages that wait on the link, then
+/// waits for the next one, for at most `timeout`. nullopt: none has arrived. The link must have
+/// subscribed to the status channel of the axis, with capacity 1.
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
                                          Nanos timeout, const Clock& clock = steady_now,
                                          const std::optional<wire::Key>& key = {});
 
-/// The loop of the communication thread around its Receivers: one for each axis, all on one link.
+/// The loop of the communication thread around its Receivers, one for each axis, on one link.
 ///
 ///     ReceiverPump pump(link, {.executor = "feeder"}, random_id());
 ///     for (;;) {
@@ -77,32 +82,38 @@ std::optional<wire::Message> next_status(Transport& link, const std::string& exe
 ///     }
 class ReceiverPump {
  public:
-  /// Subscribes. The link must outlive the pump.
+  /// Subscribes to the channels of the axes. `link` must outlive the pump. `boot`: number of this
+  /// start of the executor.
   ReceiverPump(Transport& link, const std::vector<ReceiverOptions>& options, std::int64_t boot,
                Clock clock = steady_now);
   ReceiverPump(Transport& link, const ReceiverOptions& options, std::int64_t boot,
                Clock clock = steady_now)
       : ReceiverPump(link, std::vector{options}, boot, std::move(clock)) {}
 
-  /// Receives the waiting messages, waiting for the first for at most `timeout`, and sends the
-  /// answers. A complete table adds the time of its hash: one second for some hundred megabytes.
+  /// Waits for messages for at most `timeout`, takes all that have arrived, and sends the answers.
+  /// If a table becomes complete, the call takes longer, for its hash: about one second for some
+  /// hundred megabytes.
   void run(Nanos timeout);
   /// Sends the answers that are ready.
   void answer();
-  /// Sets boot and the counts of rejected packets, and sends the status.
+  /// Sends the status of an axis, with the boot number and the counts of rejected packets.
   void publish(wire::Status status, std::size_t axis = 0);
-  /// Sets boot and sends the event.
+  /// Sends an event of an axis, with the boot number.
   void announce(wire::Event event, std::size_t axis = 0);
+  /// Sends the state of a master that an axis follows.
   void publish_master(wire::MasterStatus status, std::size_t axis = 0);
 
-  /// Subscribes to the samples of the master with this name, and passes each to `take`.
+  /// Subscribes to the samples of the master with this name, and passes each of them to `take`.
   void hear(const std::string& master, std::function<void(const wire::Master&)> take);
-  /// Subscribes to the claims of its axes' names, and passes each of them to `take`.
+  /// Subscribes to the claims for the names of its axes, and passes each of them to `take`.
   void hear_claims(std::function<void(const wire::Message&)> take);
+  /// Sends a message.
   void send(const wire::Message& message) { send_message(link_, message, key_); }
 
+  /// The receiver of an axis.
   [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
   [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
+  /// Counts of the packets that were rejected.
   [[nodiscard]] const Rejects& rejects() const { return rejects_; }
 
  private:

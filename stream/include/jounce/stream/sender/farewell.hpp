@@ -10,15 +10,18 @@
 
 namespace jounce {
 
-/// The last messages of a failed streamer: a stop, if a motion of its session may be in progress,
-/// and the end of its session, so that the next streamer finds the axis free. Sends them a few
-/// times, since any of them may be lost, until the end of the session is answered.
+/// The last messages of a streamer that has failed. They stop the axis, if a motion of the session
+/// may be in progress, and end the session, so that the axis is free. Each message may be lost, so
+/// they are repeated a few times, until the end of the session is answered.
 class Farewell {
  public:
-  /// `last`: the number of the session's last command.
+  /// `last`: number of the last command of the session. `stops`: true if the axis must be stopped.
   void begin(std::int32_t last, bool stops);
+  /// Returns the messages to send now. `repeat`: time between two repetitions.
   [[nodiscard]] std::vector<wire::Body> due(Nanos now, Nanos repeat);
+  /// Takes a reply of the executor.
   void take(const wire::Reply& reply);
+  /// True if the end of the session is answered, or all repetitions were sent.
   [[nodiscard]] bool over() const { return left_ == 0; }
 
  private:

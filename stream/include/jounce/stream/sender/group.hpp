@@ -12,15 +12,18 @@
 
 namespace jounce {
 
+/// Options of a group.
 struct GroupOptions {
-  SenderOptions sender = {};
-  std::int64_t tick = -1;  ///< start tick of all; -1: as soon as all can have accepted it
-  Nanos lead = std::chrono::milliseconds(300);  ///< for tick -1: distance from the newest tick
-  bool watch = true;  ///< ends when all motions have ended; false: when all have begun
+  SenderOptions sender = {};  ///< options of each Sender
+  /// Common tick of the start; -1: the first tick by which all axes can have accepted it.
+  std::int64_t tick = -1;
+  /// For tick -1: time from the newest known tick to the start.
+  Nanos lead = std::chrono::milliseconds(300);
+  bool watch = true;  ///< true: ends when all motions have ended; false: when all have begun
 };
 
-/// Several axes of one machine as one: a pure state machine over a Sender each, without thread,
-/// clock or link.
+/// Streams to several axes of one machine that start together, as a pure state machine that
+/// contains a Sender for each axis. It has no thread, clock or link.
 ///
 ///     Group group({plan_of("x"), plan_of("y")}, 11);
 ///     while (!group.ended()) {
@@ -28,32 +31,37 @@ struct GroupOptions {
 ///       group.receive(message, now);                      // replies and statuses of all axes
 ///     }
 ///
-/// The group downloads and arms all. If one axis rejects, none starts, and each outcome has its own
-/// reason. They start at one common tick, so axes of different machines are rejected. If one then
-/// cannot start, stops during its motion, or fails, the others stop too: the executor stops them in
-/// that cycle or the next one, because one session has started them; the group stops those that
-/// continue (an older executor).
+/// The group sends all tables and arms all axes. If one axis rejects, none starts; the outcome of
+/// each axis has its own reason. The axes start in the same tick. Axes of different machines are
+/// therefore rejected.
+///
+/// If one axis then cannot start, stops, or fails, the others stop, too. The executor stops them in
+/// the same cycle or the next one, since one session has started them. With an older executor, the
+/// group stops them itself.
 class Group {
  public:
-  /// Throws InputError like Sender, and for fewer than 2 plans or a duplicate name.
+  /// `session` > 0: a random number. Throws InputError like Sender, and for fewer than 2 plans or a
+  /// duplicate name.
   Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options = {});
 
+  /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  /// Takes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
 
   /// Stops all axes and ends.
   void stop(wire::StopMode mode);
-  /// Fails: releases armed axes, stops moving ones.
+  /// Ends with this error: releases armed axes, and stops axes in motion.
   void fail(StreamError error, const std::string& reason);
 
+  /// True if the group has ended.
   [[nodiscard]] bool ended() const;
-  /// True if all have begun.
+  /// True if all motions have begun.
   [[nodiscard]] bool started() const { return phase_ >= Phase::playing; }
-  /// The outcome of each axis, in the order of the plans.
+  /// Outcome of each axis, in the order of the plans.
   [[nodiscard]] std::vector<StreamOutcome> outcomes() const;
-  [[nodiscard]] std::int64_t tick() const {
-    return tick_;
-  }  ///< common start tick; -1: not yet available
+  /// Common tick of the start; -1: not known yet.
+  [[nodiscard]] std::int64_t tick() const { return tick_; }
 
  private:
   enum class Phase { arming, starting, playing, leaving };
@@ -80,8 +88,8 @@ class Group {
   std::int64_t tick_ = -1;
 };
 
-/// Runs a Group over a link. `options.total` bounds the time until all have begun; `cancelled`
-/// stops all.
+/// Runs a Group over a link. `options.total` is the time limit until all motions have begun;
+/// `options.cancelled` stops all axes. Returns the outcome of each axis.
 std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan> plans,
                                         const GroupOptions& group,
                                         const StreamOptions& options = {},

@@ -11,28 +11,31 @@
 /// Calls of an operator: one question or one command, without a streamer.
 namespace jounce {
 
-/// Subscribes to the statuses of an executor and returns the next one; nullopt: none arrives within the time.
+/// Subscribes to the status of an axis and returns the next one; nullopt if none arrives within
+/// `timeout`.
 std::optional<wire::Status> present_status(Transport& link, const std::string& executor,
                                            Nanos timeout, const std::optional<wire::Key>& key = {},
                                            const Clock& clock = steady_now);
 
-/// The answer to operator_command() as the outcome of a call.
+/// Returns the reply to operator_command() as an outcome.
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor);
 
-/// Sends one command, with a session if it needs one, and waits for its answer. `at`: its tick in
-/// the executor, -1: the next one. Throws InputError for a value out of range, and TransportError.
+/// Sends one command, in a session if the command needs one, and waits for its answer. `at`: tick
+/// in which the axis executes it; -1: the next one. Throws InputError for a value out of range, and
+/// TransportError.
 CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
                          std::int64_t at = -1, const std::optional<wire::Key>& key = {});
 
-/// Waits until the axis is at rest: its state standstill, disabled or error_stop. nullopt: not
-/// within the time. The link must have subscribed to the status channel, with capacity 1.
+/// Waits until the axis is at rest: in the state standstill, disabled or error_stop. Returns this
+/// state; nullopt if the axis is not at rest within `patience`. The link must have subscribed to
+/// the status channel, with capacity 1.
 std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
                                 const std::optional<wire::Key>& key = {},
                                 const Clock& clock = steady_now);
 
-/// Waits until a homing that the axis has accepted is over, and keeps the session of the client
-/// meanwhile. If `cancelled` returns true, stops the axis once and waits for rest. The outcome is
-/// `refused`, with the cause of the fault or stop, if the axis is not homed then. The link must
+/// Waits for the end of a homing that the axis has accepted, and keeps the session of the client
+/// alive. If `cancelled` returns true, stops the axis once and waits for rest. If the axis is not
+/// homed at the end, the outcome is `refused`, with the cause of the fault or stop. The link must
 /// have subscribed as for await_rest().
 CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
                        const std::function<bool()>& cancelled,

@@ -14,60 +14,64 @@
 
 namespace jounce {
 
-/// Returns the next rows of a stream, at most `most`; empty: none available yet. The last row of
-/// all has `last` set.
+/// Returns the next rows of a stream, at most `most`. An empty result means that no row is
+/// available yet. The last row of the stream has `last` set.
 using RowSource = std::function<std::vector<wire::Row>(std::size_t most)>;
 
-/// A stream of rows: longer than any memory, or computed on the fly.
+/// A stream of rows, which may be longer than any memory, or computed while it is played.
 struct RowPlan {
-  std::string executor;  ///< its name
-  wire::Queue queue{};   ///< dynamic; over time in s, or over a master
-  RowSource rows;
-  std::int64_t start_tick = -1;  ///< start tick of the executor; -1: the next one
-  bool resume = false;           ///< after an underrun, continues once the prefill has arrived
+  std::string executor;          ///< name of the axis
+  wire::Queue queue{};           ///< a dynamic queue, over time in s or over a master
+  RowSource rows;                ///< source of the rows
+  std::int64_t start_tick = -1;  ///< tick of the start; -1: the next one
+  /// True: after an underrun, the stream continues when the prefill has arrived again.
+  bool resume = false;
 };
 
-/// The rows of a table, from its first knot on; x and p are relative to it.
+/// Returns the rows of a table, from its first knot on. x and p are relative to this knot.
 RowSource source_of(Table table);
 
-/// A row in its wire format.
+/// Returns a row in its wire format.
 wire::Row on_wire(const SegmentRow& row);
 
-/// Range of a table, u, relative to its first knot, as a queue of its rows announces it.
+/// Range of a table's positions, relative to its first knot, as a queue of its rows must announce
+/// it. Unit u: the unit of the position.
 struct Travel {
-  double lowest = 0;   ///< <= 0
-  double highest = 0;  ///< >= 0
-  double net = 0;      ///< displacement at its end
+  double lowest = 0;   ///< lowest position, u, <= 0
+  double highest = 0;  ///< highest position, u, >= 0
+  double net = 0;      ///< position at the end, u
 };
-/// Exact: the rows' own extrema, as an executor computes them.
+/// Returns the exact range: the extrema of the rows, as an executor computes them.
 Travel travel_of(const Table& table);
 
 /// Progress of a stream of rows.
 struct RowProgress {
-  std::uint64_t sent = 0;          ///< rows taken from the source
-  std::uint64_t acknowledged = 0;  ///< rows acknowledged by the executor
-  std::uint64_t played = 0;        ///< rows played to their end
-  std::size_t messages = 0;        ///< messages of rows, sent for the first time
-  std::size_t resent = 0;          ///< sent again
-  int underruns = 0;               ///< stops of the axis for lack of rows
-  bool started = false;
-  bool all = false;       ///< the executor has the last row
-  bool finished = false;  ///< the executor has played the last row
+  std::uint64_t sent = 0;          ///< number of rows taken from the source
+  std::uint64_t acknowledged = 0;  ///< number of rows that the executor has acknowledged
+  std::uint64_t played = 0;        ///< number of rows that were played
+  std::size_t messages = 0;        ///< number of messages with rows, without repetitions
+  std::size_t resent = 0;          ///< number of messages that were sent again
+  int underruns = 0;               ///< number of stops of the axis because rows were missing
+  bool started = false;            ///< true: the motion has begun
+  bool all = false;                ///< true: the executor has the last row
+  bool finished = false;           ///< true: the executor has played the last row
 };
 
+/// Outcome of a stream of rows.
 struct RowOutcome {
-  StreamError error = StreamError::none;  ///< underrun, unless the plan resumes
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};    ///< in words; may be empty
-  RowProgress progress{};
+  StreamError error = StreamError::none;        ///< `underrun` only if the plan does not resume
+  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
+  std::int32_t cause = 0;  ///< if the axis has rejected a command: number of the Cause; otherwise 0
+  std::string reason{};    ///< the reason as text; may be empty
+  RowProgress progress{};  ///< progress at the end
 
+  /// True if there was no error.
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
-/// The streamer's half of a rolling stream: a pure state machine without thread, clock or link. It
-/// opens the queue, fills it up to the prefill (or with all rows), arms, starts, and continues as
-/// played rows free space, to the end of the motion.
+/// The streamer's half of a rolling stream, as a pure state machine without thread, clock or link.
+/// It opens the queue, sends the prefill (or all rows, if there are fewer), arms, starts, and sends
+/// more rows as played rows free space, up to the end of the motion.
 ///
 ///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
@@ -75,26 +79,31 @@ struct RowOutcome {
 ///       sender.receive(message, now);                      // each arrived message
 ///     }
 ///
-/// If the source is too slow, the axis stops on the path and within its limits before it runs out
-/// of rows: an underrun. The stream then ends with that error, or continues if the plan resumes.
-/// The stream also ends if it needs rows and the source has none for `progress_patience`:
-/// `underrun` after the start, `stalled` before. If an operator or a fault has stopped the axis,
-/// the stream ends as `stopped`, for every plan.
+/// If the source is too slow, the axis stops on its path, within its limits, before its rows run
+/// out: an underrun. The stream then ends with this error, or continues if the plan resumes. If
+/// rows are needed and the source has none for `progress_patience`, the stream ends, too: with
+/// `underrun` after the start, with `stalled` before the start. If an operator or a fault stops the
+/// axis, any stream ends with `stopped`.
 class RowSender {
  public:
-  /// Throws InputError for a plan that cannot be sent.
+  /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent.
   RowSender(RowPlan plan, std::int64_t session, SenderOptions options = {});
 
+  /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  /// Takes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
 
   /// Stops the axis, and ends.
   void stop(wire::StopMode mode);
+  /// Ends with this error.
   void fail(StreamError error, std::string reason);
 
+  /// True if the stream has ended.
   [[nodiscard]] bool ended() const { return stage_ == Stage::ended; }
-  /// True if it has ended, and a failed one has sent its farewell.
+  /// True if the stream has ended and, after an error, its farewell was sent (farewell.hpp).
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
+  /// The outcome so far.
   [[nodiscard]] const RowOutcome& outcome() const { return outcome_; }
 
  private:

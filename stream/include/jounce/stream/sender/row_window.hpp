@@ -10,27 +10,33 @@
 
 namespace jounce {
 
-/// The rows of one bank in transit: selective repeat, and never more than the free space.
+/// The rows of one bank in transit. They are sent by selective repeat, and never exceed the free
+/// space of the bank.
 class RowWindow {
  public:
+  /// `bank`: 0 or 1.
   explicit RowWindow(const wire::Queue& queue, std::uint8_t bank = 0, Pace pace = {});
 
-  /// Number of rows that it can take now: by free space and free messages.
+  /// Returns the number of rows that push() accepts now. It depends on the free space and on the
+  /// messages in transit.
   [[nodiscard]] std::size_t wants() const;
-  /// Takes 1...min(wants(), 200) rows.
+  /// Adds 1 to min(wants(), 200) rows.
   void push(std::vector<wire::Row> rows);
 
-  /// Ignores an ack that is inconsistent or older than a previous one.
+  /// Takes an acknowledgment. Ignores one that is inconsistent or older than a previous one.
   void acknowledge(const wire::QueueAck& ack);
 
-  /// Returns the messages to send now; they count as sent.
+  /// Returns the messages to send now. They then count as sent.
   [[nodiscard]] std::vector<wire::Rows> due(Nanos now);
 
   /// Number of rows that the executor has.
   [[nodiscard]] std::uint64_t acknowledged() const { return before_; }
+  /// True if no message is in transit.
   [[nodiscard]] bool idle() const { return under_way_.empty(); }
+  /// Number of messages that were sent again.
   [[nodiscard]] std::size_t resent() const { return resent_; }
-  [[nodiscard]] std::size_t sent() const { return next_ + under_way_.size(); }  ///< messages
+  /// Number of messages without repetitions.
+  [[nodiscard]] std::size_t sent() const { return next_ + under_way_.size(); }
 
  private:
   struct Sent {

@@ -16,70 +16,79 @@
 
 namespace jounce {
 
-/// Times of a streamer.
+/// Times of a streamer. The patience values are times after which a stream fails.
 struct SenderOptions {
-  Pace pace;
-  Nanos repeat = std::chrono::milliseconds(20);  ///< repeat of headers and commands, until answered
-  Nanos heartbeat = std::chrono::milliseconds(100);    ///< interval of heartbeats
-  Nanos patience = std::chrono::seconds(5);            ///< without any answer
-  Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
-  Nanos progress_patience = std::chrono::seconds(10);  ///< without one more chunk arriving
+  Pace pace;  ///< options for the chunks
+  /// Time between two repetitions of a header or command without an answer.
+  Nanos repeat = std::chrono::milliseconds(20);
+  Nanos heartbeat = std::chrono::milliseconds(100);  ///< time between two heartbeats
+  Nanos patience = std::chrono::seconds(5);          ///< greatest time without any answer
+  /// Greatest time until the outcome of a command.
+  Nanos command_patience = std::chrono::seconds(5);
+  /// Greatest time until a further chunk arrives.
+  Nanos progress_patience = std::chrono::seconds(10);
 };
 
-/// Reason why a stream failed.
+/// Reason why a stream has failed.
 enum class StreamError {
-  none,             ///< it did not fail
+  none,             ///< no failure
   no_answer,        ///< the executor has never answered
-  contact_lost,     ///< it has answered before, but no longer does
-  stalled,          ///< it answers, but no chunk gets through
-  command_timeout,  ///< it answers, but without an outcome of arm, start or stop
-  out_of_time,      ///< the total time limit was reached
-  restarted,        ///< the executor has restarted and lost its state
-  refused,          ///< see refusal and reason
+  contact_lost,     ///< the executor has answered before, but does not any more
+  stalled,          ///< the executor answers, but no further chunk arrives
+  command_timeout,  ///< the executor answers, but an arm, a start or a stop has no outcome
+  out_of_time,      ///< the time limit of the call was reached
+  restarted,        ///< the executor was restarted and has lost its state
+  refused,          ///< the executor has rejected a message: see refusal and reason
   underrun,         ///< rows arrived too slowly, and the axis has stopped on its path
-  stopped,          ///< another sender has stopped the axis, or a fault has
-  dropped,          ///< the start was accepted for later, but could not take place: see reason
+  stopped,          ///< another sender, or a fault, has stopped the axis
+  dropped,          ///< an accepted start could not take place later: see reason
 };
+/// Returns the name of an error.
 const char* name(StreamError error);
 
+/// Stage of a stream.
 enum class StreamStage {
-  downloading,
+  downloading,  ///< sends the tables
   arming,
   starting,
   stopping,
-  swapping,   ///< the swap is accepted, and waits for its boundary
-  waiting,    ///< the last start is accepted, and has not taken place yet
-  holding,    ///< the goal is reached, heartbeats hold the session
-  releasing,  ///< the session is about to end; a motion continues
-  released,
-  failed,
+  swapping,   ///< a swap was accepted, and waits for its boundary
+  waiting,    ///< the last start was accepted, and has not taken place yet
+  holding,    ///< the goal is reached, and heartbeats keep the session alive
+  releasing,  ///< ends the session; a motion continues
+  released,   ///< the session has ended
+  failed,     ///< has ended with an error
 };
+/// Returns the name of a stage.
 const char* name(StreamStage stage);
 
+/// Progress of a stream.
 struct StreamProgress {
-  StreamStage stage = StreamStage::downloading;
-  std::size_t chunks = 0;   ///< chunks of all tables
-  std::size_t arrived = 0;  ///< chunks acknowledged
-  std::size_t resent = 0;   ///< chunks sent again
+  StreamStage stage = StreamStage::downloading;  ///< present stage
+  std::size_t chunks = 0;                        ///< number of chunks of all tables
+  std::size_t arrived = 0;                       ///< number of chunks that have arrived
+  std::size_t resent = 0;                        ///< number of chunks that were sent again
 };
 
-/// Outcome or state of a stream. Each flag is set once the executor has confirmed it.
+/// Outcome or present state of a stream. A flag is set when the executor has confirmed it.
 struct StreamOutcome {
-  StreamError error = StreamError::none;
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason;      ///< in words; may be empty
-  bool downloaded = false;
-  bool armed = false;
-  bool started = false;  ///< for StreamPlan::await: it has begun; otherwise it may still wait
-  bool stopped = false;
-  std::size_t swaps = 0;  ///< accepted
-  StreamProgress progress;
+  StreamError error = StreamError::none;        ///< reason of a failure
+  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
+  std::int32_t cause = 0;  ///< if the axis has rejected a command: number of the Cause; otherwise 0
+  std::string reason;      ///< the reason as text; may be empty
+  bool downloaded = false;  ///< all tables have arrived
+  bool armed = false;       ///< the motion is armed
+  bool started = false;   ///< the start was accepted; with StreamPlan::await: the motion has begun
+  bool stopped = false;   ///< the axis was stopped
+  std::size_t swaps = 0;  ///< number of swaps that were accepted
+  StreamProgress progress;  ///< progress so far
 
+  /// True if there was no failure.
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
-/// The streamer's half of the protocol: a pure state machine without thread, clock or link.
+/// The streamer's half of the protocol for tables, as a pure state machine without thread, clock or
+/// link.
 ///
 ///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
 ///     while (!sender.ended()) {
@@ -89,39 +98,46 @@ struct StreamOutcome {
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
-/// A failed sender has a farewell, which frees the axis: poll at least once more, preferably until
-/// done().
+/// After a failure, a sender has last messages that free the axis (farewell.hpp). Call poll() at
+/// least once more then, or better until done().
 class Sender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
   Sender(StreamPlan plan, std::int64_t session, SenderOptions options = {});
 
+  /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
+  /// Takes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
-  /// Hashes one chunk of the present table, if the plan has no hash of it; returns false if there
-  /// was nothing to hash. Call it while no message arrives. Otherwise the hash is computed at once
-  /// when all chunks have arrived.
+  /// Hashes one chunk of the present table, if the plan has no hash for it. Call it while no
+  /// message arrives; otherwise the whole hash is computed when all chunks have arrived. Returns
+  /// false if there is nothing to hash.
   bool hash();
 
-  /// Continues to a further goal.
+  /// Changes the goal to a later one.
   void raise(StreamGoal goal);
-  /// Continues to the start, at this tick of the executor.
+  /// Changes the goal to a start in this tick of the executor.
   void start_at(std::int64_t tick);
-  /// Stops the axis if anything was armed, and abandons the goal.
+  /// Stops the axis if anything was armed, and gives the goal up.
   void stop(wire::StopMode mode);
   /// Ends the session; a motion continues.
   void release();
   /// Ends with this error.
   void fail(StreamError error, std::string reason);
 
+  /// True if the goal is reached and the session is kept alive.
   [[nodiscard]] bool at_goal() const { return stage() == StreamStage::holding; }
-  /// True if it has ended, and a failed one has sent its farewell.
+  /// True if the stream has ended and, after a failure, its last messages were sent.
   [[nodiscard]] bool done() const { return ended() && farewell_.over(); }
+  /// True if the stream has ended.
   [[nodiscard]] bool ended() const {
     return stage() == StreamStage::released || stage() == StreamStage::failed;
   }
+  /// The outcome so far.
   [[nodiscard]] const StreamOutcome& outcome() const { return outcome_; }
+  /// Number of the session.
   [[nodiscard]] std::int64_t session() const { return session_; }
+  /// The last challenge of the executor.
   [[nodiscard]] std::int64_t challenge() const { return challenge_; }
 
  private:

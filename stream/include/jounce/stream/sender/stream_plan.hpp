@@ -11,58 +11,62 @@
 
 namespace jounce {
 
-/// Last step of a streamer.
+/// Last step of a stream: send the tables, arm, or start.
 enum class StreamGoal { download, arm, start };
 
-/// Tables that replace the active motion without a stop, if position, velocity and acceleration
-/// meet.
+/// Tables that take over from the present motion without a stop. Position, velocity and
+/// acceleration must be continuous there.
 struct SwapPlan {
-  std::size_t slave = 0;   ///< in StreamPlan::tables, from 0
-  std::size_t master = 0;  ///< for follow_table
-  wire::ArmMode mode = wire::ArmMode::play;
-  CouplingSpec
-      coupling{};  ///< coupling of a slave that follows a master, in s; without master_jump
-  StartAt when = StartAt::end_of_table;
-  double position = 0;         ///< position of the master, m, with master_position
-  CamEnd end = CamEnd::brake;  ///< for follow_input
+  std::size_t slave = 0;                     ///< index of the slave's table in StreamPlan::tables
+  std::size_t master = 0;                    ///< index of the master's table; for follow_table
+  wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
+  /// Coupling of a slave over a master, times in s; its master_jump is not transmitted.
+  CouplingSpec coupling{};
+  StartAt when = StartAt::end_of_table;  ///< instant of the swap
+  double position = 0;  ///< for master_position: position of the master, m (unit of the master)
+  CamEnd end = CamEnd::brake;  ///< for follow_input: behavior at the end of the cam
 };
 
-/// Content, target and goal of a stream.
+/// A stream: its tables, its axis, and its goal.
 struct StreamPlan {
+  /// A table of the stream.
   struct Item {
-    Table table;
-    Units units;
-    std::optional<Sha256> hash{};  ///< content_hash(table, units), if already computed
+    Table table;                   ///< the table
+    Units units;                   ///< its units
+    std::optional<Sha256> hash{};  ///< content_hash(table, units), if it is known already
   };
-  std::string executor;      ///< its name
-  std::vector<Item> tables;  ///< 1...64; the first one is the slave's, the second the master's
-  StreamGoal goal = StreamGoal::start;
-  wire::ArmMode mode = wire::ArmMode::play;
-  CouplingSpec
-      coupling{};  ///< coupling of a slave that follows a master, in s; without master_jump
-  std::int64_t start_tick = -1;  ///< start tick of the executor; -1: the next one
-  StartAt when = StartAt::tick;  ///< or when the live master passes `position`
-  double position = 0;           ///< position of the master, m, with master_position
-  CamEnd end = CamEnd::brake;    ///< for follow_input
-  bool await =
-      false;  ///< the goal is reached when the last start has taken place, not when it is accepted
-  std::vector<SwapPlan>
-      swaps{};  ///< executed after that, each once the previous one has taken place
+  std::string executor;                 ///< name of the axis
+  std::vector<Item> tables;             ///< 1 to 64 tables: the slave's first, then the master's
+  StreamGoal goal = StreamGoal::start;  ///< the last step
+  wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
+  /// Coupling of a slave over a master, times in s; its master_jump is not transmitted.
+  CouplingSpec coupling{};
+  std::int64_t start_tick = -1;  ///< tick of the start; -1: the next one
+  /// `tick`, or `master_position`: when the live master passes `position`.
+  StartAt when = StartAt::tick;
+  double position = 0;  ///< for master_position: position of the master, m (unit of the master)
+  CamEnd end = CamEnd::brake;  ///< for follow_input: behavior at the end of the cam
+  /// True: the goal is reached when the last start has taken place; false: when it is accepted.
+  bool await = false;
+  /// Swaps after the start, each sent when the previous one has taken place.
+  std::vector<SwapPlan> swaps{};
 };
 
-/// Throws InputError for no or too many tables, or a bad tick. Unless the goal is download, also
-/// for tables whose axes or units do not fit the mode, and a bad coupling.
+/// Throws InputError for no tables, too many tables, or an invalid tick. Unless the goal is
+/// `download`, also for tables whose axes or units do not fit the mode, and for an invalid
+/// coupling.
 void require_valid(const StreamPlan& plan);
 
-/// All starts of the plan: the first tables at their tick, then the swaps.
+/// Returns all starts of the plan in their order: that of the first tables, then the swaps.
 std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
-/// Header of this table as number `index` of a session, in chunks of at most `values` doubles;
-/// without its hash if the plan has none. Throws InputError for too many knots.
+/// Returns the header of a table. `index`: index of the table in the session. `values`: greatest
+/// number of doubles in a chunk. The header has no hash if the item has none. Throws InputError for
+/// too many knots.
 wire::Header header_of(const StreamPlan::Item& item, std::size_t index,
                        std::size_t values = wire::message_values);
 
-/// Chunk `seq` of the table with this header.
+/// Returns chunk `seq` of the table with this header.
 wire::Chunk chunk_of(const Table& table, const wire::Header& header, std::uint32_t seq);
 
 }  // namespace jounce

@@ -9,31 +9,35 @@
 
 namespace jounce {
 
-/// A period during which a link is cut: [from, to) since its construction. Packets sent then are
-/// lost.
+/// A period in which a link is interrupted: from `from` to `to` after its construction. Packets
+/// sent in this period are lost.
 struct Partition {
+  /// Direction of the loss.
   enum class Way { both, out, in };
-  Nanos from{};
-  Nanos to{};
-  Way way = Way::both;  ///< `out`: packets of this side are lost, but it receives
+  Nanos from{};  ///< start of the period
+  Nanos to{};    ///< end of the period
+  /// `out`: packets from this side are lost; `in`: packets to this side; `both`: both.
+  Way way = Way::both;
 };
 
-/// Faults of packets, in each direction. Shares are probabilities from 0 to 1.
+/// Faults of a link, in both directions. Shares are probabilities from 0 to 1.
 struct LossSpec {
-  std::uint64_t seed = 1;
-  double lost = 0;
-  double doubled = 0;
-  double corrupted = 0;  ///< one bit of it inverted
-  double delayed = 0;    ///< for up to `delay`: later ones overtake it
-  Nanos delay = std::chrono::milliseconds(5);
-  std::vector<Partition> partitions = {};
+  std::uint64_t seed = 1;  ///< seed of the random numbers
+  double lost = 0;         ///< share of packets that are lost
+  double doubled = 0;      ///< share of packets that are sent twice
+  double corrupted = 0;    ///< share of packets in which one bit is inverted
+  /// Share of packets that are delayed by up to `delay`; later packets overtake them.
+  double delayed = 0;
+  Nanos delay = std::chrono::milliseconds(5);  ///< greatest delay
+  std::vector<Partition> partitions = {};      ///< interruptions
 };
 
-/// A degraded link, in both directions; the seed makes it reproducible. The link below and the
-/// clock must outlive it.
+/// A link with simulated faults, in both directions; the same seed gives the same faults. `link`
+/// and `clock` must outlive it.
 class LossyTransport : public Transport {
  public:
-  /// Throws InputError for a share out of range, or a partition that ends before it begins.
+  /// Throws InputError for a share out of range, and for an interruption that ends before it
+  /// begins.
   LossyTransport(Transport& link, const LossSpec& spec, Clock clock);
 
   void subscribe(const std::string& channel, int capacity) override;

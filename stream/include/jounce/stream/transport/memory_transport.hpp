@@ -13,12 +13,12 @@ namespace jounce {
 
 class MemoryTransport;
 
-/// Connects the links of one process: a message sent on one reaches all subscribers, the sender
-/// included, at once and complete.
+/// Connects links within one process. A message on one of them reaches all subscribers at once and
+/// complete, even its sender.
 class MemoryNetwork {
  public:
-  /// Called at the points at which a real link would wait, with the longest time to wait: a test
-  /// advances its virtual clock and the other side here. May be empty.
+  /// Called where a real link would wait, with the longest time of the wait. A test advances its
+  /// virtual clock here, and runs the other side. May be empty.
   std::function<void(Nanos)> on_wait;
 
  private:
@@ -26,7 +26,8 @@ class MemoryNetwork {
   std::vector<MemoryTransport*> links_;
 };
 
-/// One link of a MemoryNetwork, which must outlive it. One thread uses all links of a network.
+/// One link of a MemoryNetwork, which must outlive it. All links of a network must be used by one
+/// thread.
 class MemoryTransport : public Transport {
  public:
   explicit MemoryTransport(MemoryNetwork& network);

@@ -11,7 +11,7 @@ namespace jounce {
 /// Opens the link for an address:
 ///
 ///     udpm://239.255.76.67:7667    LCM multicast on this machine, ?ttl=1: network (UdpTransport)
-///     memq://                      this object alone
+///     memq://                      within this object only, for tests
 ///     unix://FOLDER                Unix sockets in a folder (UnixTransport)
 ///
 /// Throws InputError for any other address, and the exceptions of that transport.

@@ -12,41 +12,43 @@
 
 namespace jounce {
 
+/// A duration, or a time by a Clock.
 using Nanos = std::chrono::nanoseconds;
 
-/// The time since a fixed instant; it is monotonic.
+/// Returns the time since a fixed instant. The time never goes back.
 using Clock = std::function<Nanos()>;
 
-/// The machine's monotonic clock.
+/// Returns the time of the system's monotonic clock.
 Nanos steady_now();
 
 /// Bytes received on a channel.
 struct Packet {
-  std::string channel;
-  std::vector<std::byte> bytes;
+  std::string channel;           ///< name of the channel
+  std::vector<std::byte> bytes;  ///< content
 };
 
-/// The link itself failed (no network, no route): a fault of the machine, not of the input.
+/// The link itself has failed (no network, no route). The cause is the computer, not the input.
 class TransportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Moves bytes on named channels. It may lose, duplicate, delay and reorder them: the protocol
-/// above tolerates that. One thread uses it.
+/// Moves bytes on named channels. Packets may be lost, duplicated, delayed and reordered, which the
+/// protocol tolerates. Only one thread may use it.
 class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on, once. At most `capacity` >= 1 packets of it wait for
-  /// receive(); further ones are lost. (LCM keeps the oldest ones: for the newest state, drain the
-  /// link, then wait.)
+  /// Receives this channel from now on; call it once for a channel. At most `capacity` >= 1 packets
+  /// of the channel wait for receive(); further packets are lost. (LCM keeps the oldest packets.
+  /// For the newest state, first remove all waiting packets, then wait for one.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 
+  /// Sends bytes on a channel.
   virtual void send(const std::string& channel, std::span<const std::byte> bytes) = 0;
 
-  /// Returns the next packet, after waiting for at most `timeout` >= 0. Throws TransportError if
-  /// the link has failed.
+  /// Waits for at most `timeout` >= 0 and returns the next packet; nullopt: none has arrived.
+  /// Throws TransportError if the link has failed.
   virtual std::optional<Packet> receive(Nanos timeout) = 0;
 
  protected:

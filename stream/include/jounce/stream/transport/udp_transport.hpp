@@ -13,30 +13,32 @@
 
 namespace jounce {
 
-/// A link over UDP multicast that carries LCM's packets (lcm-proj.github.io, "UDP Multicast
-/// Protocol"): LCM's own programs, and others that use LCM, send to it and receive from it. A
-/// message is one datagram. LCM splits messages above 65 499 bytes into fragments: these are longer
-/// than any message of this protocol and are dropped.
+/// A link over UDP multicast with the packets of LCM (lcm-proj.github.io, "UDP Multicast
+/// Protocol"). Programs that use LCM can send to it and receive from it. A message is one datagram.
+/// LCM splits messages above 65 499 bytes into fragments. No message of this protocol is that long,
+/// so fragments are dropped.
 ///
-/// It receives only packets to its group and port through its own interface:
-/// - with ttl 0 that interface is loopback, so that packets come from this machine alone. LCM's own
-///   library, with ttl 0, limits only its output, and receives from every machine.
-/// - its socket is bound to the group: it does not receive datagrams to this machine's own address.
-/// - it does not receive groups that another program has joined on another interface
-///   (IP_MULTICAST_ALL is off).
+/// The link receives only packets to its group and port, and only through its own interface:
+/// - with ttl 0, this interface is the loopback interface, so all packets come from this machine.
+///   (With ttl 0, the library of LCM restricts only what it sends, and receives from every
+///   machine.)
+/// - its socket is bound to the group: datagrams to the address of this machine are not received;
+/// - groups that another program has joined on another interface are not received (IP_MULTICAST_ALL
+///   is off).
 class UdpTransport : public Transport {
  public:
-  /// Throws TransportError if the interface is missing or down, or if there is no route to the
-  /// group.
+  /// Throws TransportError if the interface does not exist or is down, and if there is no route to
+  /// the group.
   explicit UdpTransport(const MulticastAddress& address);
   ~UdpTransport() override;
   UdpTransport(const UdpTransport&) = delete;
   UdpTransport& operator=(const UdpTransport&) = delete;
 
-  /// `channel`: at most 63 characters, LCM's limit. A * stands for any text without a dot:
-  /// "JOUNCE2.*.status" matches those of all executors.
+  /// `channel`: at most 63 characters, the limit of LCM. A * stands for any text without a dot:
+  /// "JOUNCE2.*.status" matches the status channels of all executors.
   void subscribe(const std::string& channel, int capacity) override;
-  /// A packet that the network rejects is lost, like others. At most 65 499 bytes with the channel.
+  /// Sends at most 65 499 bytes, including the name of the channel. A packet that the network
+  /// rejects is lost.
   void send(const std::string& channel, std::span<const std::byte> bytes) override;
   std::optional<Packet> receive(Nanos timeout) override;
 

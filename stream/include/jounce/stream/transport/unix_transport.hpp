@@ -8,21 +8,22 @@
 
 namespace jounce {
 
-/// A link between the programs of one machine through Unix sockets in a given folder. It needs no
-/// network and no privilege, and its packets cannot leave the machine. It also connects containers
-/// that share the folder.
+/// A link between the programs of one machine, through Unix sockets in a folder. It needs no
+/// network and no privileges, and its packets cannot leave the machine. Containers that share the
+/// folder can use it, too.
 ///
-/// The folder's permissions are the only access control: any program that can enter it and write in
-/// it takes part. Each program has its own socket in the folder, and sends to all of them.
+/// The permissions of the folder are the only access control: any program that can enter the folder
+/// and write into it can send and receive. Each program has its own socket in the folder; a packet
+/// is sent to all sockets.
 ///
 ///     UnixTransport link("/run/jounce");
 ///     link.subscribe(wire::channel("feeder", wire::Lane::status), 1);
 ///     const auto packet = link.receive(1s);
 class UnixTransport : public Transport {
  public:
-  /// Creates the folder, for its owner alone, if it does not exist. Throws InputError for an empty
-  /// name or one of more than 75 bytes, and for a folder that all users may write; TransportError
-  /// if the folder cannot be used, or if 64 programs use it.
+  /// Creates the folder, for its owner only, if it does not exist. Throws InputError for an empty
+  /// name, a name of more than 75 bytes, and a folder into which all users can write;
+  /// TransportError if the folder cannot be used, and if 64 programs use it already.
   explicit UnixTransport(const std::string& folder);
   ~UnixTransport() override;
   UnixTransport(const UnixTransport&) = delete;
@@ -31,8 +32,8 @@ class UnixTransport : public Transport {
   /// `channel`: at most 63 characters. A * stands for any text without a dot.
   void subscribe(const std::string& channel, int capacity) override;
 
-  /// `bytes`: at most 65000. Throws TransportError once this program's socket is no longer in the
-  /// folder: it could no longer receive.
+  /// Sends at most 65000 bytes. Throws TransportError if the socket of this program is no longer in
+  /// the folder, since the program could not receive any more.
   void send(const std::string& channel, std::span<const std::byte> bytes) override;
   std::optional<Packet> receive(Nanos timeout) override;
 
