@@ -211,8 +211,8 @@ void spec_detail::require_version(TomlReader& top) {
 
 namespace {
 
-/// Throws InputError for a dotted key of too many parts. The parser nests a table for each part and destroys them
-/// recursively: 50 000 parts overrun the stack. It limits nested values itself.
+/// Throws InputError for a dotted key of too many parts. The parser nests a table for each part and
+/// destroys them recursively: 50 000 parts overrun the stack. It limits nested values itself.
 void require_shallow_keys(const Document& document) {
   constexpr std::size_t most = 256;
   int line = 1;

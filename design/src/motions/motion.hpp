@@ -24,9 +24,9 @@ QueueMotion motion_of(const QueueSpec& queue);
 /// The motions of [[axis]], one for each, over one interval.
 std::vector<Trajectory> motions_of(const AxesSpec& axes);
 
-/// Applies the operators, one after another, to the motions of all axes. `unit`: seconds in one unit
-/// of time. If motions were fitted, returns for each the greatest distance of the motion and its
-/// derivatives from the exact result.
+/// Applies the operators, one after another, to the motions of all axes. `unit`: seconds in one
+/// unit of time. If motions were fitted, returns for each the greatest distance of the motion and
+/// its derivatives from the exact result.
 std::vector<Jet> apply(std::span<const Operator> then, std::span<const AxisPart> parts, double unit,
                        std::vector<Trajectory>& motions);
 

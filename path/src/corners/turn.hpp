@@ -8,10 +8,13 @@
 
 // The corner of two lines with directions u and w, D = w - u (docs/path/README.md, "Turns"):
 //
-//   (1)  r' = u + D T(x),   x = q / l,   T from 0 to 1: T' rises over a share b of x, holds 1 / (1 - b), falls
+//   (1)  r' = u + D T(x),   x = q / l,   T from 0 to 1: T' rises over a share b of x, is then
+//        1 / (1 - b), and falls over a share b
 //   (2)  both trims are l / 2: q has the same length as the two sides
-//   (3)  the corner's distance is e = |D| l i,   i(b) = (3 - 6 b + 4 b^2) / (24 (1 - b)),   0 <= b <= 1/2
-//   (4)  at constant q' = v the acceleration is at most v^2 |D_i| / ((1 - b) l), the jerk v^3 |D_i| / (b (1 - b) l^2)
+//   (3)  the corner's distance is e = |D| l i, where
+//        i(b) = (3 - 6 b + 4 b^2) / (24 (1 - b)),   0 <= b <= 1/2
+//   (4)  at constant q' = v the acceleration is at most v^2 |D_i| / ((1 - b) l), the
+//        jerk at most v^3 |D_i| / (b (1 - b) l^2)
 //   (5)  the greatest curvature is |D| / ((1 - b) l C^2), C the cosine of half the angle
 //
 // Tajima and Sencer's kinematic smoothing; e, i and (5) are integrals of (1).

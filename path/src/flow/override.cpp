@@ -19,10 +19,10 @@
 // those of a plan with the greatest factor. At each step of the override, the rest of the law is
 // computed again, from a place with acceleration 0:
 //
-//   (1)  backward  b_k = min(c_k, F(b_k+1, L_k))                 c_k: lowered velocities, those of the units
-//   (2)  a descent, while the velocity is above that of the unit: one ramp down to it; or, if the unit is too short,
-//        to the lowest velocity that it permits
-//   (3)  forward   v_k+1 = min(b_k+1, F(v_k, L_k))                as in stations.cpp
+//   (1)  backward  b_k = min(c_k, F(b_k+1, L_k)),   c_k: the lowered velocities of the units
+//   (2)  a descent, while the velocity is above that of the unit: one ramp down to it; or, if the
+//        unit is too short, to the lowest velocity that it permits
+//   (3)  forward   v_k+1 = min(b_k+1, F(v_k, L_k)),   as in stations.cpp
 //
 // The law that the step interrupts is itself within the boxes. The descent is at no place faster
 // (hold.cpp), so it passes every corner and rest at most as fast as the interrupted law. The place

@@ -14,7 +14,8 @@
 // Two box averages of width l / 2 of a polyline over its own length. At the vertices q_k, the
 // direction of the polyline steps by D_k:
 //
-//   (1)  r' = u_0 + sum over k of D_k T((q - q_k) / l + 1/2),   T' = 4 x, then 4 (1 - x)     (a turn of share 1/2)
+//   (1)  r' = u_0 + sum over k of D_k T((q - q_k) / l + 1/2),   T' = 4 x, then 4 (1 - x)
+//        (T of a turn with the share 1/2: turn.hpp)
 //
 // The polyline is continued beyond both ends by point reflection, so the average begins and ends at
 // its ends. r is cubic between the places q_k - l/2, q_k, q_k + l/2, and r'' is continuous. |r'| <=

@@ -25,8 +25,8 @@
 // six coefficients at both ends of a piece, which define the Hermite polynomial of degree 11. This
 // polynomial is the path. With X = x / a, Y = y / b,
 //
-//   (2)  its distance from the ellipse is at most a |sqrt(X^2 + Y^2) - 1| <= a g / (1 + sqrt(1 - g)),
-//        g >= |X^2 + Y^2 - 1|
+//   (2)  its distance from the ellipse is at most
+//        a |sqrt(X^2 + Y^2) - 1| <= a g / (1 + sqrt(1 - g)),   g >= |X^2 + Y^2 - 1|
 
 namespace jounce {
 namespace {

@@ -16,8 +16,8 @@
 #include "path/src/geometry/septic.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// The joints f over a part of the path, s in [0, 1], are replaced by the polynomial p of degree 7 with the values and
-// three derivatives of f at both ends:
+// The joints f over a part of the path, s in [0, 1], are replaced by the polynomial p of degree 7
+// with the values and three derivatives of f at both ends:
 //
 //   (1)  |f - p| = |f^(8)(z)| / 8! (s (1 - s))^4 <= max |f^(8)| / 8! / 256
 //

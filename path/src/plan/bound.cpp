@@ -13,11 +13,11 @@
 // q''. The path is divided into cells. On a cell, r' of an axis is in [p, P] and r'' in [c, C]
 // (exact ranges). With p > 0 (or mirrored),
 //
-//   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p     where that is positive,   dB/dq <= 2 (f + s B)
+//   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p   if that is positive, so dB/dq <= 2 (f + s B)
 //   (2)  B(h) <= B(0) e^(2 s h) + f (e^(2 s h) - 1) / s      by comparison of solutions
 //   (3)  on a circle with a bound of the whole acceleration:  B = A R sin(2 q / R + const)
-//   (4)  at a point: for axes i and k with r'_i, r'_k > 0,
-//        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i       since one q'' must satisfy both
+//   (4)  at a point, because one q'' must satisfy both axes i and k with r'_i, r'_k > 0:
+//        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i
 //
 // A forward and a backward pass of (2) and (3), under (4) and the velocity limits, give upper
 // bounds of B at the ends of the cells, and the greatest slope within them. The integral of dq /

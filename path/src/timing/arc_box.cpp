@@ -27,8 +27,9 @@
 // and it has less acceleration where it is faster. Let y = a^2 / 2j for the greatest acceleration;
 // it is at most V / 2. Let A and J be reduced by what the drift h needs. Then it is sufficient that
 //
-//   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2         since (1) is convex in v where (3) binds
-//   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2          for v in [0, V]
+//   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2
+//        (because (1) is convex in v if (3) is an equality)
+//   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2   for v in [0, V]
 //
 // For a ramp over dv, y is at most dv / 2. (5) is greatest at V, or at the smaller root of k^2 v^4
 // - 8 j v + 6 j V, which is beyond 3 V / 4; its greatest value is convex in j. Of several

@@ -9,8 +9,8 @@
 
 #include "path/src/timing/stretch.hpp"
 
-// A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that one ramp reaches
-// from v over L. With caps c_k at the stations,
+// A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that
+// one ramp reaches from v over L. With caps c_k at the stations,
 //
 //   (1)  backward  v_k = min(c_k, F(v_k+1, L_k)),     forward  v_k+1 = min(v_k+1, F(v_k, L_k)).
 //

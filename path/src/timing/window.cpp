@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-// s(t) is the average of a law s0 of second order over a window w. With accelerations of at most A0,
+// s(t) is the average of a law s0 of second order over a window w. With accelerations up to A0,
 //
 //   (1)  |s(t) - s0(t)| <= A0 w^2 / 24
 //
@@ -17,7 +17,8 @@
 // the velocity lasts at least w (because it is lowered), and a local minimum lasts 2 d / V >= w. So
 // no window contains accelerations of both signs, and |jerk| <= A0 / w.
 //
-// Lowering: F(q) is the greatest p such that q lies in an interval of length >= p w over which v >= p.
+// Lowering: F(q) is the greatest p such that q lies in an interval of length >= p w
+// over which v >= p.
 
 namespace jounce {
 namespace {

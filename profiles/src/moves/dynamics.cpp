@@ -14,12 +14,13 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// A velocity ramp from (v0, a0) to (v1, 0). If a0 only falls to zero at jerk_end, the velocity changes by
+// A velocity ramp from (v0, a0) to (v1, 0). If a0 only falls to zero at jerk_end, the velocity
+// changes by
 //
 //   (1)  f = a0 |a0| / (2 je)
 //
-// so s = sign(v1 - v0 - f) is the sign of the ramp's acceleration. With all quantities multiplied by s,
-// the rest of the change is
+// so s = sign(v1 - v0 - f) is the sign of the ramp's acceleration. With all quantities multiplied
+// by s, the rest of the change is
 //
 //   (2)  dv = v1 - v0            if a0 > 0, and the acceleration rises on from a0
 //        dv = v1 - v0 + a0^2/2je if a0 <= 0, after it has fallen to zero first, a0 = 0 then
@@ -52,7 +53,8 @@ Dynamics completed(Dynamics d) {
   return d;
 }
 
-// ---- velocity ramps ------------------------------------------------------------------------------
+// ---- velocity ramps
+// ------------------------------------------------------------------------------
 
 /// Phases that are appended to a state, and the state at their end; order 2 or 3.
 class Growing {
@@ -182,7 +184,8 @@ void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimi
   add_ramp(motion, v1, std::abs(v1) > std::abs(motion.now().velocity) ? up : down);
 }
 
-// ---- position moves in flight --------------------------------------------------------------------
+// ---- position moves in flight
+// --------------------------------------------------------------------
 
 /// The bounds by these dynamics for an axis that moves upwards (direction 1) or downwards (-1).
 Bounds bounds(const Dynamics& d, double direction) {

@@ -172,8 +172,8 @@ void ScaleSearch::start() {
     }
 }
 
-/// First varies the velocities, because an acceleration limits the change of a velocity; then all
-/// values.
+/// Varies the velocities at the knots and, with `bends`, also the accelerations. The first call is
+/// without them, because an acceleration keeps a velocity from its bound.
 void ScaleSearch::refine(bool bends) {
   constexpr double finest = 0x1p-14;
   constexpr int sweeps = 400;

@@ -46,7 +46,7 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
     throw InputError(key(k), "", "must differ from the previous point");
 }
 
-/// Checks the magnitude of each bound. move_to() checks the signs, and that the bounds fit together.
+/// Checks the magnitude of each bound; move_to() checks the signs, and that the bounds agree.
 void require_magnitudes(const Bounds& b, const std::string& axis) {
   const std::pair<const char*, double> values[] = {{"velocity_min", b.velocity_min},
                                                    {"velocity_max", b.velocity_max},

@@ -8,8 +8,9 @@
 
 namespace jounce::profiles_detail {
 
-// From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak velocity vp takes the
-// times x (rising acceleration), h (held) and x (falling), the ramp down is its mirror image, and the cruise lasts c:
+// From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak
+// velocity vp takes the times x (rising acceleration), h (held) and x (falling), the ramp down is
+// its mirror image, and the cruise lasts c:
 //
 //   (1)  vp = J x (x + h),   d = vp (2 x + h + c),   T = 4 x + 2 h + c
 //
@@ -21,7 +22,8 @@ namespace jounce::profiles_detail {
 //
 //   (3)  x = min(A/J, cbrt(d/(2 J))),   h = -3 x/2 + sqrt(x^2/4 + d/A) (or 0)
 //
-// The motion of a longer duration T cruises at a lower velocity. Without a hold, x = x0/y with x0 = sqrt(d/(J T)) and
+// The motion of a longer duration T cruises at a lower velocity. Without a hold, x = x0/y with x0 =
+// sqrt(d/(J T)) and
 //
 //   (4)  y^3 - y + u = 0,   u = 2 x0/T,   the greatest y;   u <= 1/sqrt(8), since 4 x <= T
 //

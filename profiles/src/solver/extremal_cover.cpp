@@ -22,7 +22,8 @@
 //
 //   (6)  d = K' + k (c x + (L/(2 jd) + c/L) x^2/2 + (k + 1/jd) x^3/6 + k x^4/(8 L))
 //
-// While both hold, vp runs: (7) d = d1 + (1/L1 + 1/L2) ((vp1 + L1 L2/(2 jd)) y + y^2/2), y = vp - vp1.
+// While both hold, vp runs. With y = vp - vp1, (7) d = d1 + (1/L1 + 1/L2)((vp1 + L1 L2/(2 jd)) y +
+// y^2/2).
 // K = -sum of c s/jp + s^3/(6 jp^2) over both halves; K' is (3) of both halves at x = 0.
 
 namespace jounce::profiles_detail {

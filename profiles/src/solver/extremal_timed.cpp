@@ -13,8 +13,8 @@
 //
 //   (8)   vp = n + k jp g + z h
 //
-// **jp is the small one.** While nothing is held, X = x1 + x2 runs. With S = z1 + z2 = s1 + s2 + jp X,
-// equal vp give
+// **jp is the small one.** While nothing is held, X = x1 + x2 runs. With S = z1 + z2 = s1 + s2 + jp
+// X, equal vp give
 //
 //   (9)   x1 - x2 = (2 (n2 - n1)/(k jp) + (s2 - s1) X)/S,   dT/dX = k jp
 //
@@ -26,7 +26,7 @@
 // **Otherwise** digits are lost only if the acceleration keeps its sign. One half holds L; the
 // other has z = jd y - L, where y, the duration of the fall, may be short compared with L/jd. Then
 //
-//   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L)        c' of the half that holds
+//   (10)  h = (c - c' + k jd y (z - L)/2)/L,   dT/dy = k jd (1 + z/L),   c': of the half that holds
 
 namespace jounce::profiles_detail {
 

@@ -234,8 +234,8 @@ bool PointToPoint::append_long(double t, Profile& out) const noexcept {
   return (out.phases() > 0 || t > 8 * direct.duration()) && append_stair(t, out);
 }
 
-/// A motion that cruises at a velocity between those of both ends, if there is time for that. It has
-/// fewer phases than the mean of two motions, and each phase has its own length. (Beside long
+/// A motion that cruises at a velocity between those of both ends, if there is time for that. It
+/// has fewer phases than the mean of two motions, and each phase has its own length. (Beside long
 /// phases, the ends of short ones would lose their digits.)
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   const Bounds bounds = ramps();

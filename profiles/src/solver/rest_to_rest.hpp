@@ -11,7 +11,7 @@ namespace jounce::profiles_detail {
 // covers D, which is less than a cruise at vp by E = vp t - D. With its limit L of acceleration,
 //
 //   (1)  z < L:  vp = k z^2/2,   t = k z,            D = k (k + q) z^3/6,  E = k (k + p) z^3/6
-//   (2)  z = L:  t = vp/L + k L/2,   D = vp^2/(2 L) + vp L q/2 - g,   E = vp^2/(2 L) + vp L p/2 + g,
+//   (2)  z = L:  t = vp/L + k L/2,  D = vp^2/(2 L) + vp L q/2 - g,  E = vp^2/(2 L) + vp L p/2 + g,
 //                g = L^3 (q^2 - p^2)/24
 //
 // The shortest motion has D + D' = d (or vp = vmax and a cruise). A motion of duration T satisfies

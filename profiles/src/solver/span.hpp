@@ -16,7 +16,7 @@
 // distance is the mirror image. The peak follows from D, by (1) or (2) for each of the two ramps:
 //
 //   (3)  both reach A, z = (p - h)/A:
-//          A z^2 + (2h + A tau) z = D - (l + h)/2 (d/A + tau) - h tau,     duration 2z + d/A + 2 tau
+//          A z^2 + (2h + A tau) z = D - (l + h)/2 (d/A + tau) - h tau,   duration 2z + d/A + 2 tau
 //   (4)  only the ramp from l does, x = sqrt((p - h)/J):
 //          J^2/(2A) x^4 + J x^3 + (h/tau + A/2) x^2 + 2h x = D - (l + h)/2 (d/A + tau),
 //                                                                duration 2x + (d + J x^2)/A + tau

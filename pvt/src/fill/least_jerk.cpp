@@ -3,8 +3,8 @@
 
 #include <vector>
 
-// The quintic piece of length h with the end states (p0, v0, a0, p1, v1, a1) has, with d = p1 - p0 and
-// u = (v0 h, a0 h^2, v1 h, a1 h^2),
+// The quintic piece of length h with the end states (p0, v0, a0, p1, v1, a1) has, with d = p1 - p0
+// and u = (v0 h, a0 h^2, v1 h, a1 h^2),
 //
 //   (1)  integral of jerk^2 = (720 d^2 - 2 d g' u + u' K u) / h^5
 //

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-// Fritsch and Carlson (SIAM J. Numer. Anal. 17, 1980): with alpha = v0 / d, beta = v1 / d, the cubic
-// piece of chord d is monotone if and only if alpha, beta >= 0 and
+// Fritsch and Carlson (SIAM J. Numer. Anal. 17, 1980): with alpha = v0 / d, beta = v1 / d, the
+// cubic piece of chord d is monotone if and only if alpha, beta >= 0 and
 //
 //   (1)  2 alpha + beta <= 3   or   alpha + 2 beta <= 3
 //        or   alpha^2 + alpha beta + beta^2 - 6 alpha - 6 beta + 9 <= 0

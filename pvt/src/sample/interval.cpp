@@ -11,13 +11,13 @@
 // The difference between the polynomial of the table and the segments of the curve. Each piece is
 // decided by the cheapest possible test:
 //
-//   (1)  A value of the difference anywhere is at most its maximum: a few values in the interval reveal most
-//        intervals that are too long.
-//   (2)  A segment is at most the sum of the magnitudes of its terms; a polynomial is within the hull of its
-//        Bernstein coefficients. A piece for which either is within the greatest error found so far adds
-//        nothing.
-//   (3)  Otherwise the error of the piece is the greatest of its values at its ends and where its derivative
-//        vanishes.
+//   (1)  A value of the difference anywhere is at most its maximum: a few values in the interval
+//        reveal most intervals that are too long.
+//   (2)  A segment is at most the sum of the magnitudes of its terms; a polynomial is within the
+//        range of its Bernstein coefficients. A piece for which either is within the greatest error
+//        found so far adds nothing.
+//   (3)  Otherwise the error of the piece is the greatest of its values at its ends and at the
+//        zeros of its derivative.
 namespace jounce::pvt_detail {
 namespace {
 

@@ -12,8 +12,8 @@
 // table. Neighboring segments on one line are one stretch. A stretch is kept if
 //
 //   (1)  the curve is bent on one side of it: then it is part of the design;
-//   (2)  or it stands still for at least 1/64 of the curve. (Between straight lines, the curve is a table itself,
-//        which may have been recorded in whole counts: its steps are not dwells.)
+//   (2)  or it stands still for at least 1/64 of the curve. (Between straight lines, the curve is a
+//        table itself, which may have been recorded in whole counts: its steps are not dwells.)
 //
 // The ends move inwards to steps of x. A stretch without two such steps is not kept.
 namespace jounce::pvt_detail {

@@ -26,7 +26,8 @@
 //
 //   (2)  U > G + 0.999e-12 max(|G|, scale),
 //
-// since no smaller value breaks the limit. For least values and lower limits the same holds with -f.
+// since no smaller value breaks the limit. For least values and lower limits the same holds
+// with -f.
 
 namespace jounce {
 namespace {

@@ -30,7 +30,8 @@ std::array<double, 2> end_slopes(const Segment& f) {
   return slopes;
 }
 
-/// A cubic from slope a to slope b over a chord of slope m stays between its ends if 0 <= a/m, b/m <= 3.
+/// A cubic from slope a to slope b over a chord of slope m stays between its ends if
+/// 0 <= a/m, b/m <= 3.
 std::string advice_against_overshoot(const Segment& f) {
   if (f.sines > 0 || f.degree > 3) return "move the knots, or lower the velocities at them";
   const auto [a, b] = end_slopes(f);
@@ -118,8 +119,8 @@ struct TableSegments {
   [[nodiscard]] Range range(std::size_t i) const {
     return segment_range(f.segment(i), f.breaks()[i], f.breaks()[i + 1], 0);
   }
-  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: the smallest excess
-  /// that counts; half of it is left for the rounding of the coefficients.
+  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: the smallest
+  /// excess that counts; half of it is left for the rounding of the coefficients.
   [[nodiscard]] bool surely_between_ends(std::size_t i, double least) const {
     const auto& [x, p, v, a] = f.columns();
     const double low = std::min(p[i], p[i + 1]) - least / 2;

@@ -26,8 +26,8 @@ double positive(TomlReader& reader, const char* key, const std::string& unit) {
   return value;
 }
 
-/// A time of the filter, at most a minute: a master that moves an axis is measured many times a second, and a longer
-/// time would stop the axis too late.
+/// A time of the filter, at most a minute: a master that moves an axis is measured many times a
+/// second, and a longer time would stop the axis too late.
 constexpr double longest = 60;
 
 void may_last(TomlReader& reader, const char* key, double& seconds) {

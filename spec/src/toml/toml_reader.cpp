@@ -87,7 +87,8 @@ void TomlReader::report(const InputError& error) const {
   errors_->add(error);
 }
 
-/// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder returned.
+/// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder
+/// returned.
 template <class Value, class Read>
 Value TomlReader::or_else(Value placeholder, Read read) {
   try {

@@ -33,7 +33,8 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find('\n'));
 }
 
-/// The `key = value` in which a place of a line lies. Without an = before the place, both are empty.
+/// The `key = value` in which a place of a line lies. Without an = before the place, both are
+/// empty.
 struct Pair {
   std::string key, value;
 };

@@ -27,12 +27,12 @@ namespace jounce {
 /// including the rounding of the knots. It comes from extrema of the difference, not from samples.
 ///
 /// **Fewest.** Knots may be anywhere, not only at the breaks of the curve. First, each interval is
-/// made as long as possible. This gives the fewest knots, if every part of an interval within the
-/// tolerance is also within it. Then all intervals are shortened together until they have the same
-/// error. For a smooth curve, the result is within a hundredth of the best table with this number
-/// of knots. For other curves it is near the best. For tables of at most 64 knots and curves of at
-/// most 128 segments there is a further search, over the breaks of the curve and 64 divisions of
-/// it: no subset of these places is better by more than a hundredth
+/// made as long as possible. This gives the fewest knots if, for every interval that keeps the
+/// tolerance, each part of it also keeps it. Then all intervals are shortened together until they
+/// have the same error. For a smooth curve, the result is within a hundredth of the best table with
+/// this number of knots. For other curves it is near the best. For tables of at most 64 knots and
+/// curves of at most 128 segments there is a further search, over the breaks of the curve and 64
+/// divisions of it: no subset of these places is better by more than a hundredth
 /// (pvt/src/sample/best_places.hpp). Except for knots at dwells and straight lines, no knot can be
 /// removed: two intervals in one would break the tolerance.
 ///
@@ -43,8 +43,8 @@ namespace jounce {
 /// no dwell or line is kept if `spacing` leaves no place.
 ///
 /// **Quadratic pieces.** There is an additional knot in the middle of each interval between two
-/// knots of the curve. So the velocity does not step, and every other knot is on the curve, so that
-/// no error continues. One piece is enough if the curve is quadratic.
+/// knots of the curve. So the velocity does not step. Every other knot is on the curve, so errors
+/// do not accumulate. One piece is enough if the curve is quadratic.
 ///
 /// **Steps.** A knot has one velocity and one acceleration. If those of the curve step, the knot
 /// takes the left values (beside a dwell: those of the dwell), and the next interval is as short as

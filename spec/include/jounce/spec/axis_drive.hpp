@@ -21,8 +21,8 @@ struct AxisDriveSpec {
     simulated,      ///< a simulation of `model`
     shared_memory,  ///< a CiA 402 drive in another process; see `shared`
   };
-  /// A drive in shared memory; see jounce/drive/shared_drive.hpp and cia402_axis.hpp. u is the axis'
-  /// unit.
+  /// A drive in shared memory; see jounce/drive/shared_drive.hpp and cia402_axis.hpp. u is the
+  /// axis' unit.
   struct Shared {
     std::string name = {};          ///< name of the shared memory
     double increments_per_rev = 0;  ///< increments of the encoder in one turn; a whole number, > 0

@@ -10,7 +10,7 @@ namespace jounce {
 /// Exact operations that make new cams from given cams.
 ///
 ///     Cam lane2 = phased(cam, 180);                               // half a turn later
-///     Cam both = superimposed(cam, correction);                   // periods 360 and 120: period 360
+///     Cam both = superimposed(cam, correction);                 // periods 360 and 120: period 360
 ///     Cam left = mirrored_about_slave(cam, 0);                    // slave position u becomes -u
 ///     Cam window = part(cam, 300, 420);                           // across the end of the period
 ///     Cam held = inserted(cam, 90, Cam({line(30, 50, 50)}));      // a dwell over 30 of the master
