@@ -159,7 +159,8 @@ void add_order(CommandLine& line) {
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
-  verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
+  verb.option("WHAT", options->words.what,
+              listed(command_words()) + " (the table of a virtual master)")
       .required()
       .check(command_word(*options));
   verb.option(
