@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -15,7 +16,7 @@ struct HomingSpec {
   double acceleration = 0;     ///< u/s^2, 609Ah; 0: the limit of the axis
   double offset = 0;           ///< u, 607Ch: the new position of the home position
   double timeout = 60;         ///< s, of the whole homing, > 0
-  double distance = 0;         ///< u, limit of each search; 0: not limited
+  std::optional<double> distance = {};  ///< u, > 0: limit of each search
 };
 
 /// Configuration of an axis, fixed when the executor starts. A value of 0 means off, unless noted

@@ -109,7 +109,7 @@ struct AxisSpec {
     double acceleration = 0;
     double offset = 0;
     double timeout = 60;  ///< s
-    double distance = 0;  ///< 0: not limited
+    std::optional<double> distance = {};
   };
 
   double cycle = 1e-3;  ///< s
