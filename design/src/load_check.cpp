@@ -50,14 +50,14 @@ Finding peak_finding(const LoadTorque& torque, const Cam& cam, const std::vector
 Report check_load(const Spec& spec, const Cam& cam) {
   const auto& load = spec.optimize.shape.load;
   if (!load || !spec.master) return {};
-  const LoadLimits& limits = load->limits;
   const double speed = spec.master->velocity / seconds_per_unit(spec);
   const LoadTorque torque = load_torque_of(*load, speed, spec.units.position);
   const std::vector<Segment> shape(cam.segments().begin(), cam.segments().end());
   Report report;
-  if (limits.torque) report.findings.push_back(peak_finding(torque, cam, shape, *limits.torque));
-  if (limits.rms_torque) {
-    Finding f = against(*limits.rms_torque, "limit/load_rms_torque", "rms torque");
+  if (load->peak_torque)
+    report.findings.push_back(peak_finding(torque, cam, shape, *load->peak_torque));
+  if (load->rms_torque) {
+    Finding f = against(*load->rms_torque, "limit/load_rms_torque", "rms torque");
     const auto figure = optimizer::pointwise(RmsTorqueOf{torque}, cam.start());
     f.where = cam.start();
     judge(f, optimizer::value_of(*figure, shape, cam.start()));

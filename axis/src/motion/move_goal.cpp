@@ -57,8 +57,8 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
                                const MoveRules& rules, Goal& goal) noexcept {
   const double velocity = what.velocity;
   if (!std::isfinite(velocity)) return Refusal{Cause::no_value, velocity, 0};
-  const auto& [a, d, j] = what.dynamics;
-  MoveDynamics dynamics{.acceleration = a, .deceleration = d, .jerk = j};
+  MoveDynamics dynamics = what.dynamics;
+  dynamics.velocity = as_configured;
   if (const auto no = fill(dynamics, rules.config)) return no;
   const double most = dynamics.velocity;
   if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most};

@@ -100,9 +100,7 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
   axis.axis.period = first.axis.period;
   axis.axis.longest_gap = first.axis.longest_gap;
   axis.axis.position = axis.table->table->jet(axis.table->table->start())[0];
-  axis.axis.limits.velocity = own.velocity;
-  axis.axis.limits.acceleration = own.acceleration;
-  axis.axis.limits.jerk = own.jerk;
+  axis.axis.limits = own.limits;
   axis.units = {"", spec.unit};
   axis.receiver.executor = spec.name;
   axis.receiver.session_timeout = first.receiver.session_timeout;

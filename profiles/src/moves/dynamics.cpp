@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/detail/velocity_ramp.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
@@ -39,6 +40,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::RampLimits;
 
 Dynamics completed(Dynamics d) {
   require_positive("acceleration", d.acceleration);
@@ -266,8 +269,8 @@ Profile point_to_point(double from, double to, const Dynamics& dynamics) {
       {from, to, d.velocity, d.acceleration, d.deceleration, d.jerk, d.deceleration_jerk});
 }
 
-Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
-                      const RampLimits& down) {
+Profile profiles_detail::velocity_ramp(const MotionState& from, double velocity,
+                                       const RampLimits& up, const RampLimits& down) {
   require_finite("from.position", from.position);
   require_finite("from.velocity", from.velocity);
   require_finite("from.acceleration", from.acceleration);
@@ -286,8 +289,8 @@ Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits
 
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics) {
   const Dynamics d = completed(dynamics);
-  return velocity_ramp(from, velocity, {d.acceleration, d.jerk, d.jerk},
-                       {d.deceleration, d.deceleration_jerk, d.deceleration_jerk});
+  return profiles_detail::velocity_ramp(from, velocity, {d.acceleration, d.jerk, d.jerk},
+                                        {d.deceleration, d.deceleration_jerk, d.deceleration_jerk});
 }
 
 Trajectory with_target(const Trajectory& running, double t, double target,

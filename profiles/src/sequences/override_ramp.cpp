@@ -82,7 +82,7 @@ double Clock::reaches(double path_time) const {
   return crossings(until(end()), 0, path_time).front();
 }
 
-void Clock::follow(const Ramp& ramp) {
+void Clock::follow(const ClockRamp& ramp) {
   std::vector<Segment> all;
   if (ramp.begin > start) {
     const Trajectory before = until(ramp.begin);
@@ -124,7 +124,7 @@ class FactorSearch {
         maximum_(maximum),
         over_(clock.reaches(path.end())) {}
 
-  [[nodiscard]] std::optional<Ramp> run() {
+  [[nodiscard]] std::optional<ClockRamp> run() {
     const auto starts = candidates();
     for (std::size_t i = 0; i < starts.size(); ++i) {
       const double next = i + 1 < starts.size() ? starts[i + 1] : starts[i];
@@ -169,7 +169,7 @@ class FactorSearch {
                               ? std::clamp(path_.room(now.position), 1.0, request_.factor)
                               : request_.factor;
     if (now.acceleration == 0 && std::abs(now.velocity - factor) <= 1e-14 * factor) {
-      best_ = Ramp{t, t, factor, now.position, {}};
+      best_ = ClockRamp{t, t, factor, now.position, {}};
       return;
     }
     for (const Shape& shape : shapes) steepest_of(t, now, factor, shape);
@@ -211,7 +211,7 @@ class FactorSearch {
     const Range rate = extrema(clock, 1);
     if (rate.min.value < -1e-12 || rate.max.value > maximum_ + 1e-12 || !path_.allows(clock))
       return Outcome::breaks_a_limit;
-    best_ = Ramp{t, end, factor, path, {clock.segments().begin(), clock.segments().end()}};
+    best_ = ClockRamp{t, end, factor, path, {clock.segments().begin(), clock.segments().end()}};
     return Outcome::holds;
   }
 
@@ -220,13 +220,13 @@ class FactorSearch {
   FactorRequest request_;
   double maximum_;
   double over_;  // end of the path without a change
-  std::optional<Ramp> best_;
+  std::optional<ClockRamp> best_;
 };
 
 }  // namespace
 
-std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
-                                  const FactorRequest& request, double maximum) {
+std::optional<ClockRamp> earliest_ramp(const Path& path, const Clock& clock,
+                                       const FactorRequest& request, double maximum) {
   return FactorSearch(path, clock, request, maximum).run();
 }
 

@@ -13,13 +13,13 @@
 namespace jounce::validate_detail {
 
 /// The bounds of the magnitude of an output.
-struct Bounds {
+struct Magnitude {
   double least = 0;  ///< 0 if it may cross zero
   double most = 0;
 };
 
 /// For an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
-inline Bounds bounds_of(double begin, double end, double length, double bend) {
+inline Magnitude bounds_of(double begin, double end, double length, double bend) {
   const double slack = length * length / 8 * bend;
   const double near = std::min(std::abs(begin), std::abs(end));
   return {(begin < 0) != (end < 0) ? 0 : std::max(0.0, near - slack),
@@ -36,7 +36,7 @@ struct TrajectorySpan {
   Eigen::VectorXd end;
   Eigen::VectorXd bend;
 
-  [[nodiscard]] Bounds bounds(Eigen::Index row) const {
+  [[nodiscard]] Magnitude bounds(Eigen::Index row) const {
     return bounds_of(begin(row), end(row), length, bend(row));
   }
 };

@@ -24,7 +24,7 @@ struct Steps {
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(squared.size()); }
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double length(Eigen::Index i) const { return begin(i + 1) - begin(i); }
-  [[nodiscard]] Bounds bounds(Eigen::Index i, Eigen::Index row) const {
+  [[nodiscard]] Magnitude bounds(Eigen::Index i, Eigen::Index row) const {
     return bounds_of(y(row, i), y(row, i + 1), length(i), bend(row, i));
   }
   [[nodiscard]] TrajectorySpan span(Eigen::Index i) const {

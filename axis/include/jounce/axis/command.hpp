@@ -35,7 +35,7 @@ struct Start {
 /// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
-  StopDynamics dynamics = {};
+  MoveDynamics dynamics = {};  ///< deceleration and jerk
 };
 /// Stops at once and sets a fault.
 struct Abort {

@@ -21,24 +21,12 @@ namespace jounce {
 /// A value that is not given: NaN. The axis uses its configured value.
 inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN();
 
-/// Dynamics of a move: magnitudes, > 0. The default of each is the limit of the axis.
+/// Dynamics of a command: magnitudes, > 0. The default of each is the limit of the axis. A command
+/// sends the values that its `each_field` lists, and ignores the others: a halt has no velocity.
 struct MoveDynamics {
   double velocity = as_configured;      ///< u/s
   double acceleration = as_configured;  ///< u/s^2, while it speeds up
   double deceleration = as_configured;  ///< u/s^2, while it slows down
-  double jerk = as_configured;          ///< u/s^3
-};
-
-/// The same of a motion whose velocity is not a limit.
-struct RampDynamics {
-  double acceleration = as_configured;  ///< u/s^2
-  double deceleration = as_configured;  ///< u/s^2
-  double jerk = as_configured;          ///< u/s^3
-};
-
-/// The same of a stop.
-struct StopDynamics {
-  double deceleration = as_configured;  ///< u/s^2
   double jerk = as_configured;          ///< u/s^3
 };
 
@@ -101,25 +89,21 @@ namespace jounce::command {
 template <class C, class T>
 concept Of = std::same_as<std::remove_const_t<C>, T>;
 
-template <Of<RampDynamics> C, class F>
-constexpr void each_field(C& c, F f) {
+/// The dynamics of a stop, of a change of velocity, and of a move.
+template <Of<MoveDynamics> C, class F>
+constexpr void each_field_of_stop(C& c, F f) {
+  f(deceleration, c.deceleration);
+  f(jerk, c.jerk);
+}
+template <Of<MoveDynamics> C, class F>
+constexpr void each_field_of_ramp(C& c, F f) {
   f(acceleration, c.acceleration);
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
+  each_field_of_stop(c, f);
 }
-
-template <Of<StopDynamics> C, class F>
-constexpr void each_field(C& c, F f) {
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
-}
-
 template <Of<MoveDynamics> C, class F>
 constexpr void each_field(C& c, F f) {
   f(velocity, c.velocity);
-  f(acceleration, c.acceleration);
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
+  each_field_of_ramp(c, f);
 }
 
 /// A command without fields.
@@ -265,23 +249,21 @@ constexpr void each_field(C& c, F f) {
     c.distance);
   f(Field{"velocity difference", velocity.quantity, velocity.range, velocity.option, velocity.help},
     c.dynamics.velocity);
-  f(acceleration, c.dynamics.acceleration);
-  f(deceleration, c.dynamics.deceleration);
-  f(jerk, c.dynamics.jerk);
+  each_field_of_ramp(c.dynamics, f);
 }
 
 /// Moves at a velocity, until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
-  double velocity = 0;  ///< u/s, signed; 0: to rest
-  RampDynamics dynamics = {};
+  double velocity = 0;         ///< u/s, signed; 0: to rest
+  MoveDynamics dynamics = {};  ///< without velocity
   BufferMode buffer = BufferMode::aborting;
   bool hold_to_run = false;  ///< the motion stops unless its session sends heartbeats
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"velocity", Quantity::velocity, FieldRange::finite, "VALUE"}, c.velocity);
-  each_field(c.dynamics, f);
+  each_field_of_ramp(c.dynamics, f);
   f(buffer_mode, c.buffer);
   f(Field{"hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
           "jog only while this command runs: the axis stops when it ends, or sends no heartbeat "
@@ -292,11 +274,11 @@ constexpr void each_field(C& c, F f) {
 /// Brings the axis to rest. Any command may follow at once.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
-  StopDynamics dynamics = {};
+  MoveDynamics dynamics = {};  ///< deceleration and jerk
 };
 template <Of<Halt> C, class F>
 constexpr void each_field(C& c, F f) {
-  each_field(c.dynamics, f);
+  each_field_of_stop(c.dynamics, f);
 }
 
 /// Couples the axis to its live master by a ratio, now, during any motion.
@@ -304,13 +286,13 @@ struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
   std::int32_t numerator = 0;
   std::int32_t denominator = 0;
-  RampDynamics dynamics = {};
+  MoveDynamics dynamics = {};  ///< without velocity
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
-  each_field(c.dynamics, f);
+  each_field_of_ramp(c.dynamics, f);
 }
 
 /// The same with a position at which both run in step.

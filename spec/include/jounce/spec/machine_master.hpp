@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/spec/axis_drive.hpp"
 
 namespace jounce {
@@ -45,10 +46,8 @@ struct MachineMasterSpec {
   };
   /// A virtual axis of this name, which plays a file when it is ordered to start.
   struct FromTable {
-    std::string file = {};            ///< spec or table over time, beside the machine's spec
-    double velocity = 0;              ///< u/s: limits of the axis, as in [limits]
-    double acceleration = 0;          ///< u/s^2
-    std::optional<double> jerk = {};  ///< u/s^3
+    std::string file = {};  ///< spec or table over time, beside the machine's spec
+    Limits limits = {};     ///< of the axis: velocity, acceleration; jerk if it is given
   };
 
   std::string name;

@@ -88,7 +88,8 @@ struct AgitoJogSpec {
 
 struct Pmc600Spec {
   double from = 0, to = 0;
-  pmc600::Ramps ramps;
+  Dynamics dynamics = {};
+  pmc600::VelocityMode mode = pmc600::VelocityMode::trapezoid;
 };
 
 struct Pmc600LsVelocitySpec {

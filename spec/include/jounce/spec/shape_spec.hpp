@@ -10,12 +10,6 @@
 
 namespace jounce {
 
-/// Limits of the motor, [load.limits]: checked by check_load().
-struct LoadLimits {
-  std::optional<double> torque = {};      ///< N m, peak
-  std::optional<double> rms_torque = {};  ///< N m, over the cam
-};
-
 /// Load of the slave's motor, [load], at the motor's shaft, whose angle is theta = 2 pi f /
 /// position_per_rev at the slave position f. With r the metres (rotary: radians) of the slave for a
 /// radian of the motor, and w the master's speed,
@@ -43,7 +37,9 @@ struct LoadSpec {
   double lever_angle = 0;       ///< rad, of the arm from hanging down, at slave position 0
   double recovered = 0;         ///< 0 a braking resistor ... 1 a drive without losses
   std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
-  LoadLimits limits = {};
+  // Limits of the motor, [load.limits]: checked by check_load().
+  std::optional<double> peak_torque = {};  ///< N m
+  std::optional<double> rms_torque = {};   ///< N m, over the cam
 };
 
 /// True if (1) is linear in the shape: no dry friction, no lever.

@@ -11,8 +11,8 @@
 /// manual, volume 4, 4.1, 5.2.2 and 5.2.4.
 ///
 ///     using namespace jounce::pmc600;
-///     const Ramps axis{.velocity = 2000, .acceleration = 4000, .mode = VelocityMode::sigmoid};
-///     const Trajectory move = move_absolute(0, 4000, axis);
+///     const Dynamics axis{.velocity = 2000, .acceleration = 4000};
+///     const Trajectory move = move_absolute(0, 4000, axis, VelocityMode::sigmoid);
 ///     const Profile quick = ls_move({.to = 50000, .velocity = 10000, .acceleration = 100000,
 ///                                    .start_velocity = 1000});
 ///     const Trajectory more = move_additive(move, 1, 500, {.velocity = 2000, .acceleration = 4000});
@@ -34,17 +34,10 @@ enum class VelocityMode {
   quadratic = 3,
 };
 
-/// One move's velocity, ramps and their law.
-struct Ramps {
-  double velocity = 0;      ///< u/s, > 0
-  double acceleration = 0;  ///< u/s^2, > 0
-  double deceleration = 0;  ///< u/s^2; 0: as acceleration
-  double jerk = 0;          ///< u/s^3; > 0 in mode quadratic, else not used
-  VelocityMode mode = VelocityMode::trapezoid;
-};
-
 /// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
-Trajectory move_absolute(double from, double to, const Ramps& ramps);
+/// Mode quadratic needs a jerk > 0; the other modes do not use it.
+Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
+                         VelocityMode mode = VelocityMode::trapezoid);
 
 /// Default of StartVel and EndSecondVel, u/s; the velocity instead, if that is lower.
 inline constexpr double default_end_velocity = 20;

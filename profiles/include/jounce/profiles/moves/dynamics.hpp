@@ -31,27 +31,12 @@ struct Dynamics {
 /// Rest to rest: trapezoid or s_curve. Throws InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// Limits of a velocity ramp, in one sense (speeding up, or slowing down).
-struct RampLimits {
-  double acceleration = 0;  ///< u/s^2, > 0, magnitude
-  double jerk_begin = 0;    ///< u/s^3, from zero to the greatest acceleration; 0: not limited
-  double jerk_end = 0;      ///< u/s^3, from there to zero; both are limited, or neither is
-
-  bool operator==(const RampLimits&) const = default;
-};
-
-/// A motion from any state to a velocity (signed) without acceleration, as fast as the limits
-/// permit; `up` while the axis speeds up, `down` while it slows down. With a jerk limit, the
-/// acceleration of the state is taken over. It falls first if it would lead past the velocity; if
-/// it would reverse the axis, it falls until the axis rests. If up and down differ, a change
-/// through rest is two ramps. From a state within them the limits hold throughout, except while an
-/// acceleration at rest, permitted in slowing down, falls. The jerks may differ between begin and
-/// end, or between up and down, but not both. Also throws InputError if time or position would
-/// overflow.
-Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
-                      const RampLimits& down);
-
-/// The same under dynamics (whose velocity is not used).
+/// A motion from any state to a velocity (signed) without acceleration, as fast as the dynamics
+/// permit (dynamics.velocity is not used). With a jerk limit, the acceleration of the state is taken
+/// over. It falls first if it would lead past the velocity; if it would reverse the axis, it falls
+/// until the axis rests. If speeding up and slowing down differ, a change through rest is two ramps.
+/// From a state within them the limits hold throughout, except while an acceleration at rest,
+/// permitted in slowing down, falls. Also throws InputError if time or position would overflow.
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
 
 // ---- in flight -------------------------------------------------------------------------------

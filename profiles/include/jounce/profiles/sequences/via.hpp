@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
 namespace jounce {
@@ -29,13 +30,6 @@ struct ViaRates {
   std::vector<double> acceleration = {};  ///< u/s^2, likewise
 };
 
-/// Limits of sqrt(x^2 + y^2 + ...) over the rates of all axes.
-struct ViaNorm {
-  double velocity = Bounds::none;      ///< u/s
-  double acceleration = Bounds::none;  ///< u/s^2
-  double jerk = Bounds::none;          ///< u/s^3
-};
-
 struct ViaSpec {
   std::vector<Bounds> axes;                 ///< limits of each axis
   std::vector<std::vector<double>> points;  ///< u; at least two, one position an axis each
@@ -43,7 +37,8 @@ struct ViaSpec {
   ViaRates end = {};                        ///< at the last one
   std::vector<std::vector<Bounds>> stretches =
       {};  ///< stretches of each, an axis each; empty: `axes`
-  ViaNorm norm = {};
+  /// Velocity, acceleration and jerk of the norm; its position has no limit.
+  Limits norm = {};
 };
 
 /// The passage of one point.

@@ -64,17 +64,17 @@ class Client {
   /// dynamics.velocity: the greatest difference to the motion below.
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
   /// `velocity` is signed, 0: to rest.
-  CallOutcome move_velocity(double velocity, const RampDynamics& dynamics = {});
+  CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
   /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
   /// keeps it running.
-  CallOutcome jog(double velocity, const RampDynamics& dynamics = {});
+  CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
-  CallOutcome halt(const StopDynamics& dynamics = {});
+  CallOutcome halt(const MoveDynamics& dynamics = {});
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 
   CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator,
-                      const RampDynamics& dynamics = {});
+                      const MoveDynamics& dynamics = {});
   CallOutcome gear_in_pos(std::int32_t numerator, std::int32_t denominator, double master_sync,
                           double slave_sync, double master_start_distance,
                           bool avoid_reversal = false);
