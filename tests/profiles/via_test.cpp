@@ -290,8 +290,9 @@ TEST(Via, KeepsALimitOfTheNorm) {
   Random random(21);
   for (int n = 0; n < 20; ++n) {
     ViaSpec spec = random_via(random, true);
-    spec.norm = {random.log_uniform(0.05, 1), random.log_uniform(0.05, 1),
-                 random.log_uniform(1, 10)};
+    spec.norm = {.velocity = random.log_uniform(0.05, 1),
+                 .acceleration = random.log_uniform(0.05, 1),
+                 .jerk = random.log_uniform(1, 10)};
     SCOPED_TRACE(text(spec));
     const ViaMotion m = via(spec);
     EXPECT_LE(greatest_norm(m, 0, m.duration, 1), *spec.norm.velocity * (1 + 1e-9));
