@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/load_check.hpp"
+#include "design/src/load_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,14 @@
 
 #include "jounce/design/make.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
+
+constexpr double torque_precision = 1e-8;  ///< share of the limit
 
 Finding against(double limit, const char* rule, const char* quantity) {
   Finding f;
@@ -25,7 +30,7 @@ void judge(Finding& f, double value) {
   f.value = value;
   f.limit = std::copysign(f.limit, value);
   f.margin = 1 - value / f.limit;
-  f.broken = f.margin < -1e-12;
+  f.broken = f.margin < -rounded_sum;
 }
 
 /// The greatest |torque| of the curve, with its segment.
@@ -35,7 +40,7 @@ Finding peak_finding(const LoadTorque& torque, const Cam& cam, const std::vector
   const auto figure = optimizer::pointwise(TorqueOf{torque}, cam.start());
   double peak = 0;
   for (const optimizer::Wave& wave : figure->waves(shape, cam.start())) {
-    const Extremum here = optimizer::range_of(wave, 1e-8 * limit).peak();
+    const Extremum here = optimizer::range_of(wave, torque_precision * limit).peak();
     if (f.segment && std::abs(here.value) <= std::abs(peak)) continue;
     peak = here.value;
     f.where = here.where;

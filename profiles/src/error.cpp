@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -19,6 +20,8 @@ std::string number(double value) {
 }
 
 namespace {
+
+using profiles_detail::rounded_sum;
 
 /// Rounded to this number of significant digits; an exponent without plus sign and leading zeros.
 std::string rounded(double value, int digits) {
@@ -58,7 +61,7 @@ std::string six_digits_up(double value) {
   const std::string text = six_digits(value);
   double shown = 0;
   std::from_chars(text.data(), text.data() + text.size(), shown);
-  const double rounding = 1e-12 * std::abs(value);  // the rounding of its computation
+  const double rounding = rounded_sum * std::abs(value);  // the rounding of its computation
   if (!std::isfinite(value) || shown >= value - rounding) return text;
   return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
 }

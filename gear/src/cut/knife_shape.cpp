@@ -8,6 +8,7 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // **The recovery** over b with z = u / b, from and to the slope g, and accelerations A and -A, jerk J:
 //
@@ -46,6 +47,8 @@
 namespace jounce::gear_detail {
 namespace {
 
+using profiles_detail::rounded_sum;
+
 profiles_detail::Majorant asin_series(double q) {
   profiles_detail::Majorant a{std::asin(q), 1 / std::sqrt((1 - q) * (1 + q))};
   for (std::size_t k = 0; k + 2 < a.size(); ++k) {
@@ -80,7 +83,7 @@ struct AsinPiece {
 /// True if the rise starts without jerk, to rounding of its greatest.
 bool starts_without_jerk(const std::vector<Segment>& rise) {
   const double most = std::abs(extrema(Cam(rise), 3).peak().value);
-  return std::abs(evaluate(rise.front(), 0)[3]) <= 1e-12 * most;
+  return std::abs(evaluate(rise.front(), 0)[3]) <= rounded_sum * most;
 }
 
 }  // namespace

@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::gearing {
 namespace {
+
+using profiles_detail::rounded_input;
 
 /// The peak of a derivative; infinite where the one before steps, by more than rounding.
 double peak(const Cam& law, const Ranges& ranges, int order) {
@@ -17,7 +20,7 @@ double peak(const Cam& law, const Ranges& ranges, int order) {
     return std::abs(ranges[static_cast<std::size_t>(k)].peak().value);
   };
   const double step = std::abs(largest_jump(law, order - 1).step);
-  const bool steps = order > 1 && step > 1e-9 * most(order - 1);
+  const bool steps = order > 1 && step > rounded_input * most(order - 1);
   return steps ? std::numeric_limits<double>::infinity() : most(order);
 }
 

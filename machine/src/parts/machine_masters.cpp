@@ -9,8 +9,9 @@
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/drive/encoder.hpp"
 #include "jounce/drive/shared_drive.hpp"
-#include "jounce/machine/axis_drive.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "machine/src/parts/axis_drive.hpp"
 
 namespace jounce::machine_detail {
 namespace {

@@ -15,6 +15,11 @@
 
 namespace jounce::optimizer {
 
+/// Residual of the equalities of a shape, relative, that no solution has.
+inline constexpr double greatest_contradiction = 1e-7;
+/// The least precise search of the knots of a shape, relative.
+inline constexpr double coarsest_knots = 1e-7;
+
 /// A figure that is not convex, with its unit.
 struct SearchedFigure {
   Pointwise figure;
@@ -61,7 +66,9 @@ class FixedKnots {
   FixedKnots(const ShapeProblem& problem, const std::vector<SearchedFigure>& parts,
              std::vector<double> knots, const std::vector<Segment>& near);
 
-  [[nodiscard]] bool contradicts() const { return reduced_.contradiction() > 1e-7; }
+  [[nodiscard]] bool contradicts() const {
+    return reduced_.contradiction() > greatest_contradiction;
+  }
   [[nodiscard]] bool finite() const { return finite_; }
   [[nodiscard]] bool has_no_freedom() const { return reduced_.size() == 0; }
   /// The only shape, where the ends leave nothing free.
@@ -127,7 +134,7 @@ class FixedKnots {
   int exchange(const std::vector<Segment>& shape, const Eigen::VectorXd& t);
 
   [[nodiscard]] double precision() const {
-    return std::min(1e-7, 0.1 * problem_.options.tolerance);
+    return std::min(coarsest_knots, 0.1 * problem_.options.tolerance);
   }
 
   int add_peaks(const SearchedFigure& part, std::size_t t, const std::vector<Segment>& shape,

@@ -4,12 +4,16 @@
 #include <array>
 #include <string>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/synchronise.hpp"
 
 namespace jounce {
 
 namespace {
+
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_value;
 
 Bounds bounds_of(const Limits& limits) {
   Bounds bounds =
@@ -37,7 +41,7 @@ void append_moves(std::span<const AxisMove> moves, Sync sync,
     }
     // The rest of the common duration; less than its rounding is none.
     const double to = moves[i].to.position;
-    if (result.duration - time > 1e-14 * result.duration)
+    if (result.duration - time > rounded_value * result.duration)
       axes[i].push_back(line(result.duration - time, to, to));
   }
 }
@@ -55,7 +59,7 @@ std::vector<Segment> until(const Trajectory& curve, double t) {
   for (std::size_t k = 0; k < curve.segments().size(); ++k) {
     const Segment& f = curve.segments()[k];
     const double share = (t - curve.breaks()[k]) / f.length;
-    if (!(share > 1e-13)) break;
+    if (!(share > rounded_root)) break;
     out.push_back(share < 1 ? part(f, 0, share) : f);
   }
   return out;

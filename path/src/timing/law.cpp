@@ -5,10 +5,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_value;
 
 struct Builder {
   std::span<LawPhase, 7> out;
@@ -63,7 +67,7 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
   const double cruise = stretch.length - builder.now.position - down;
   // A rest within rounding is no cruise.
-  if (cruise > 1e-14 * stretch.length) builder.add(cruise / stretch.peak, 0);
+  if (cruise > rounded_value * stretch.length) builder.add(cruise / stretch.peak, 0);
   builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
   // The phases cover the length but for rounding: distances and durations are multiplied, velocities stay.
   const double factor = stretch.length / builder.now.position;

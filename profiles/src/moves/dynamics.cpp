@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/detail/velocity_ramp.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
@@ -42,6 +43,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::RampLimits;
+using profiles_detail::rounded_root;
 
 Dynamics completed(Dynamics d) {
   require_positive("acceleration", d.acceleration);
@@ -220,7 +222,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
     return result;
   };
   const auto covered = [&](double peak) { return motion(peak, 0).now().position; };
-  const double rounding = 1e-13 * std::max({std::abs(from.position), std::abs(target), h});
+  const double rounding = rounded_root * std::max({std::abs(from.position), std::abs(target), h});
   const auto made = [&](double peak, double cruise) {
     Growing result = motion(peak, cruise);
     return result.finished().scaled(s, from, {target, 0, 0});
@@ -253,7 +255,7 @@ std::vector<Profile> approach(const MotionState& from, double target, const Dyna
   const double rest = halt.end().position;
   const double beyond = (target - rest) * direction;
   const double rounding =
-      1e-13 * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
+      rounded_root * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
   if (beyond > rounding) return {solved(move_to(from, to, limits))};
   if (beyond < -rounding) return {halt, point_to_point(rest, target, d)};
   halt.finish(to);

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/sequences/retime.hpp"
 
 // An axis f(c), played along a clock c(t):
@@ -41,9 +42,9 @@ constexpr int quarters = 4;     // starts tried from one break of the plan to th
 
 /// (1) at nine points inside each piece of the clock. Within 1e-9 of a limit it is left to `check`.
 bool is_broken_at_points(const Trajectory& axis, const Limits& limits, const Trajectory& clock) {
-  const double v = *limits.velocity * (1 + 1e-9);
-  const double a = *limits.acceleration * (1 + 1e-9);
-  const double j = *limits.jerk * (1 + 1e-9);
+  const double v = *limits.velocity * (1 + rounded_input);
+  const double a = *limits.acceleration * (1 + rounded_input);
+  const double j = *limits.jerk * (1 + rounded_input);
   for (const Segment& piece : clock.segments())
     for (int n = 0; n <= 8; ++n) {
       const Jet c = evaluate(piece, std::clamp(n / 8.0, 0x1p-10, 1 - 0x1p-10));
@@ -168,7 +169,7 @@ class FactorSearch {
     const double factor = request_.factor > 1
                               ? std::clamp(path_.room(now.position), 1.0, request_.factor)
                               : request_.factor;
-    if (now.acceleration == 0 && std::abs(now.velocity - factor) <= 1e-14 * factor) {
+    if (now.acceleration == 0 && std::abs(now.velocity - factor) <= rounded_value * factor) {
       best_ = ClockRamp{t, t, factor, now.position, {}};
       return;
     }
@@ -209,7 +210,8 @@ class FactorSearch {
       return Outcome::comes_too_late;
     const Trajectory clock = change.profile.curve();
     const Range rate = extrema(clock, 1);
-    if (rate.min.value < -1e-12 || rate.max.value > maximum_ + 1e-12 || !path_.allows(clock))
+    if (rate.min.value < -rounded_sum || rate.max.value > maximum_ + rounded_sum ||
+        !path_.allows(clock))
       return Outcome::breaks_a_limit;
     best_ = ClockRamp{t, end, factor, path, {clock.segments().begin(), clock.segments().end()}};
     return Outcome::holds;

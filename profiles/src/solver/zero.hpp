@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "profiles/src/solver/tolerances.hpp"
+
 namespace jounce::profiles_detail {
 
 /// Newton's step; none (NaN) where f does not go the way that it does at the zero.
@@ -24,7 +26,7 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
     double next = x - step;
     const bool inside = next > lo && next < hi;
     // Convergence is quadratic at least: after such a step the next is lost in rounding.
-    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
+    const bool done = std::abs(step) <= last_newton_step * std::abs(x);
     // Over many decades a step a factor at a time would take too long.
     if (!done && i > 8 && i % 2 == 0 && lo >= 0 && hi > 4 * lo)
       next = lo > 0 ? std::sqrt(lo * hi) : hi * 0x1p-20;

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "validate/src/linear/ladder.hpp"
 
@@ -60,7 +61,7 @@ class Enclosure {
   template <class Open, class Done, class Leaf>
   void search(const TrajectorySpan& s, const Open& open, const Done& done, const Leaf& leaf) {
     if (!open(s)) return done(s);
-    if (s.length <= ladder_->shortest() * (1 + 1e-12)) return leaf(s);
+    if (s.length <= ladder_->shortest() * (1 + profiles_detail::rounded_sum)) return leaf(s);
     const auto [first, second] = halves(s);
     search(first, open, done, leaf);
     search(second, open, done, leaf);

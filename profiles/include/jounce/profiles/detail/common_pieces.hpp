@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce::profiles_detail {
 
 /// Places on an axis whose numbers are of size `scale`, equal except for rounding.
 inline bool same_place(double a, double b, double scale) {
-  return std::abs(a - b) <= 1e-12 * scale;
+  return std::abs(a - b) <= rounded_sum * scale;
 }
 
 /// Calls visit(start, f, i, g, k) for each stretch of the interval that both curves have on which
