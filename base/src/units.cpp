@@ -9,6 +9,7 @@
 
 #include <udunits2.h>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 // UDUNITS-2 provides the grammar, the products and the conversion of units. The units are declared
@@ -18,6 +19,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 struct FreeUnit {
   void operator()(ut_unit* unit) const { ut_free(unit); }
@@ -115,7 +118,7 @@ double conversion(std::string_view from, std::string_view to) {
       ut_get_converter(a.get(), b.get()), &cv_free);
   // 1/s converts into s by inversion; only a plain factor is a change of unit.
   const double factor = cv_convert_double(converter.get(), 1);
-  if (std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) > 1e-12 * std::abs(factor))
+  if (std::abs(cv_convert_double(converter.get(), 2) - 2 * factor) > rounded_sum * std::abs(factor))
     throw InputError("unit", std::string(from), "cannot be converted to " + std::string(to));
   return factor;
 }

@@ -6,7 +6,8 @@
 
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/warnings.hpp"
-#include "jounce/design/master_check.hpp"
+
+#include "design/src/master_check.hpp"
 
 namespace jounce {
 namespace {

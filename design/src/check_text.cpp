@@ -10,13 +10,16 @@
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/design/cam_check.hpp"
-#include "jounce/design/master_check.hpp"
 #include "jounce/design/sync_check.hpp"
+
+#include "design/src/master_check.hpp"
 
 namespace jounce {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double uneven_peaks = 1e-5;  ///< share of the peak acceleration
 
 constexpr std::size_t most_rises = 8;
 
@@ -28,7 +31,7 @@ std::string rise_line(const Rise& rise, const Labels& labels) {
   });
   const auto n = fmt::format("{} .. {} {}", rounded(rise.cam.start()), rounded(rise.cam.end()),
                              labels.units.x);
-  const bool uneven = std::abs(c.ca.value - c.ca_star.value) > 1e-5 * c.peak_acceleration();
+  const bool uneven = std::abs(c.ca.value - c.ca_star.value) > uneven_peaks * c.peak_acceleration();
   std::string line = fmt::format("  {} {:<22} Cv {:.5g}  Ca {:.5g}{}  Cj {:.5g}  Cm {:.5g}",
                                  c.stroke < 0 ? "fall" : "rise", n, c.cv.value, c.ca.value,
                                  uneven ? fmt::format("  Ca* {:.5g}", c.ca_star.value) : "",

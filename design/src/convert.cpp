@@ -10,11 +10,13 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/io/points_text.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/fill.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
 /// The table in the requested units; periodic if requested.
 TableFile in_units(TableFile file, const Conversion& wanted) {
   const auto change = [](const char* key, std::string& unit, const std::string& to) {
@@ -36,7 +38,8 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
     for (auto* column : {&columns.p, &columns.v, &columns.a})
       for (double& value : *column) value *= factor;
   const auto [least, most] = std::minmax_element(columns.p.begin(), columns.p.end());
-  const bool closes = std::abs(columns.p.back() - columns.p.front()) <= 1e-9 * (*most - *least);
+  const bool closes =
+      std::abs(columns.p.back() - columns.p.front()) <= rounded_input * (*most - *least);
   const Extrapolation repeated = closes ? Extrapolation::wrap : Extrapolation::advance;
   file.table = Table(file.table.axis(), file.table.rule(),
                      wanted.periodic ? repeated : file.table.outside(), std::move(columns));

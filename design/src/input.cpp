@@ -15,15 +15,22 @@
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/time_table_limits.hpp"
 #include "jounce/design/disc.hpp"
-#include "jounce/design/load_check.hpp"
 #include "jounce/design/sync_check.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
 
+#include "design/src/load_check.hpp"
 #include "design/src/path/path_rounding.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_value;
+
+// Default tolerances of a table with equal intervals and of others, as shares of the stroke.
+constexpr double coarse_share = 1e-6;
+constexpr double fine_share = 1e-9;
 
 Input from_made(Made made, const Spec& spec, const std::string& path) {
   const AxisPart& part = made.part;
@@ -276,9 +283,9 @@ std::optional<double> table_tolerance(const Input& input) {
   const Range travel =
       std::visit([](const auto& curve) { return extrema(curve, 0); }, *input.curve);
   const double stroke = travel.max.value - travel.min.value;
-  const double asked = input.options.tolerance.value_or((input.options.intervals ? 1e-6 : 1e-9) *
-                                                        (stroke > 0 ? stroke : 1));
-  return std::max(asked, 1e-14 * std::abs(travel.peak().value));
+  const double asked = input.options.tolerance.value_or(
+      (input.options.intervals ? coarse_share : fine_share) * (stroke > 0 ? stroke : 1));
+  return std::max(asked, rounded_value * std::abs(travel.peak().value));
 }
 
 Input input_of(TableFile file, const std::string& path) {

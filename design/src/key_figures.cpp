@@ -12,9 +12,10 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/detail/quadrature.hpp"
 #include "jounce/design/driven.hpp"
-#include "jounce/design/master_check.hpp"
 #include "jounce/design/reference.hpp"
 #include "jounce/design/sync_check.hpp"
+
+#include "design/src/master_check.hpp"
 
 namespace jounce {
 namespace {

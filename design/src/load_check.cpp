@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/load_check.hpp"
+#include "design/src/load_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,14 @@
 
 #include "jounce/design/make.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
+
+constexpr double torque_precision = 1e-8;  ///< share of the limit
 
 Finding against(double limit, const char* rule, const char* quantity) {
   Finding f;
@@ -25,7 +30,7 @@ void judge(Finding& f, double value) {
   f.value = value;
   f.limit = std::copysign(f.limit, value);
   f.margin = 1 - value / f.limit;
-  f.broken = f.margin < -1e-12;
+  f.broken = f.margin < -rounded_sum;
 }
 
 /// The finding for the greatest |torque| of the curve, with its segment.
@@ -35,7 +40,7 @@ Finding peak_finding(const LoadTorque& torque, const Cam& cam, const std::vector
   const auto figure = optimizer::pointwise(TorqueOf{torque}, cam.start());
   double peak = 0;
   for (const optimizer::Wave& wave : figure->waves(shape, cam.start())) {
-    const Extremum here = optimizer::range_of(wave, 1e-8 * limit).peak();
+    const Extremum here = optimizer::range_of(wave, torque_precision * limit).peak();
     if (f.segment && std::abs(here.value) <= std::abs(peak)) continue;
     peak = here.value;
     f.where = here.where;
@@ -50,14 +55,14 @@ Finding peak_finding(const LoadTorque& torque, const Cam& cam, const std::vector
 Report check_load(const Spec& spec, const Cam& cam) {
   const auto& load = spec.optimize.shape.load;
   if (!load || !spec.master) return {};
-  const LoadLimits& limits = load->limits;
   const double speed = spec.master->velocity / seconds_per_unit(spec);
   const LoadTorque torque = load_torque_of(*load, speed, spec.units.position);
   const std::vector<Segment> shape(cam.segments().begin(), cam.segments().end());
   Report report;
-  if (limits.torque) report.findings.push_back(peak_finding(torque, cam, shape, *limits.torque));
-  if (limits.rms_torque) {
-    Finding f = against(*limits.rms_torque, "limit/load_rms_torque", "rms torque");
+  if (load->peak_torque)
+    report.findings.push_back(peak_finding(torque, cam, shape, *load->peak_torque));
+  if (load->rms_torque) {
+    Finding f = against(*load->rms_torque, "limit/load_rms_torque", "rms torque");
     const auto figure = optimizer::pointwise(RmsTorqueOf{torque}, cam.start());
     f.where = cam.start();
     judge(f, optimizer::value_of(*figure, shape, cam.start()));

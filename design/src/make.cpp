@@ -10,14 +10,15 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/polydyne.hpp"
 #include "jounce/controllers/table_target.hpp"
-#include "jounce/design/sync_cam.hpp"
 #include "jounce/optimize/least_peak.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/warnings.hpp"
 
 #include "design/src/cam_of.hpp"
 #include "design/src/motions/motion.hpp"
 #include "design/src/path/path_motion.hpp"
+#include "design/src/sync/sync_cam.hpp"
 
 namespace jounce {
 
@@ -36,8 +37,14 @@ CamSpec design_detail::cam_of(const Spec& spec) {
 
 namespace {
 
+using profiles_detail::rounded_input;
+
 using design_detail::cam_of;
 
+constexpr double fine_table = 1e-9;     ///< share of the stroke
+constexpr double linear_table = 1e-6;   ///< share of the stroke
+constexpr double least_master = 1e-9;   ///< share of the length of a cam
+constexpr double shortest_pass = 1e-6;  ///< s
 /// True if the acceleration steps at a knot; a quintic requires a single acceleration there. Steps
 /// at the ends of a curve that does not repeat are outside the table.
 template <class Over>
@@ -53,7 +60,7 @@ template <class Over>
 double fine(const Curve<Over>& curve) {
   const Range travel = extrema(curve, 0);
   const double stroke = travel.max.value - travel.min.value;
-  return 1e-9 * (stroke > 0 ? stroke : 1);
+  return fine_table * (stroke > 0 ? stroke : 1);
 }
 
 /// The table of fewest knots. Its errors have the keys of [table].
@@ -211,12 +218,12 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
 void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
   if (!std::holds_alternative<TimeTableSpec>(spec.subject) || options.rule) return;
   const Jump step = largest_jump(with(curve, Extrapolation::refuse), 1);
-  if (std::abs(step.step) <= 1e-9 * std::abs(extrema(curve, 1).peak().value)) return;
+  if (std::abs(step.step) <= rounded_input * std::abs(extrema(curve, 1).peak().value)) return;
   options.rule = Interpolation::linear;
   if (options.tolerance || options.intervals) return;
   const Range travel = extrema(curve, 0);
   if (travel.max.value > travel.min.value)
-    options.tolerance = 1e-6 * (travel.max.value - travel.min.value);
+    options.tolerance = linear_table * (travel.max.value - travel.min.value);
 }
 
 std::vector<Made> make_motions(const Spec& spec) {
@@ -302,11 +309,11 @@ Trajectory master_of(const Spec& spec) {
   const double velocity = master.velocity / unit;
   const auto [start, end] = master_range(spec);
   const double turn = end - start;
-  // Every period has its own breaks, which are all integrated.
-  if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
+  // Every period has its own breaks, and each is integrated.
+  if (master.distance < least_master * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
                      "must be 1e-9 to 1e4 times the length of the cam, " + six_digits(turn));
-  if (master.distance / velocity < 1e-6)
+  if (master.distance / velocity < shortest_pass)
     throw InputError("master.velocity", master.velocity,
                      "is too high: the master would travel master.distance in less than 1 us");
   if (!master.acceleration)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/master_check.hpp"
+#include "design/src/master_check.hpp"
 
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {
@@ -35,6 +36,8 @@ MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec) {
 }
 
 namespace {
+
+using profiles_detail::rounded_sum;
 
 Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   const MasterLimit limit = greatest_master_acceleration(cam, spec);
@@ -70,7 +73,7 @@ Finding master_finding(const Cam& cam, const Spec& spec) {
   f.value = speed;
   f.limit = limit.value;
   f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
-  f.broken = speed > limit.value * (1 + 1e-12);
+  f.broken = speed > limit.value * (1 + rounded_sum);
   f.unit = master_rate_unit(spec, 1);
   if (f.broken)
     f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";

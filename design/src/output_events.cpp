@@ -10,10 +10,12 @@
 
 #include "jounce/design/path_text.hpp"
 #include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 /// The position at a time; after the end of the motion, its last position.
 double position_at(const Trajectory& motion, double time) {
   return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
@@ -111,7 +113,7 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
 Trajectory slave_of(const Cam& cam, const Trajectory& master) {
   const double turns = std::abs(extrema(master, 0).peak().value) / cam.length();
   const double size = std::abs(extrema(cam, 0).peak().value) + std::abs(cam.advance()) * turns;
-  return composed_within(cam, master, 1e-12 * (size > 0 ? size : 1)).curve;
+  return composed_within(cam, master, rounded_sum * (size > 0 ? size : 1)).curve;
 }
 
 /// The events of a cam's [[switch]] while its [master] runs; times in units of `unit` seconds.

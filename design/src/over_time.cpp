@@ -7,9 +7,12 @@
 #include "jounce/design/reference.hpp"
 #include "jounce/design/sync_zones.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 constexpr std::size_t most_zones = 200;
 
@@ -34,7 +37,7 @@ std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
       if (!(to > from)) continue;
       const double start = time_at(master, from);
       const bool goes_on = !all.empty() && all.back().name == zone.name &&
-                           start - all.back().to <= 1e-9 * master.length();
+                           start - all.back().to <= rounded_input * master.length();
       if (goes_on)
         all.back().to = time_at(master, to);
       else

@@ -6,9 +6,12 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 double seconds(const Input& input) {
   return conversion(input.table.units.x, "s");
@@ -43,7 +46,7 @@ Trajectory motion_over_time(const Input& input) {
   double size = 0;
   for (const Segment& each : cam->segments()) size = std::max(size, magnitude(each));
   const double turns = std::abs(cam->advance() * master.jet(master.end())[0] / cam->length());
-  return composed_within(*cam, master, 1e-9 * std::max(size, turns)).curve;
+  return composed_within(*cam, master, rounded_input * std::max(size, turns)).curve;
 }
 
 SignalView view(const Reference& reference) {

@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr std::array words{"normal", "even", "stop", "continue"};
 
@@ -17,7 +20,7 @@ void require_quadratic(const Columns& c, std::size_t i) {
   const double off = c.p[i] - c.p[i - 1] - (c.v[i - 1] + c.v[i]) / 2 * h;
   const double size =
       std::abs(c.p[i - 1]) + std::abs(c.p[i]) + (std::abs(c.v[i - 1]) + std::abs(c.v[i])) * h;
-  if (std::abs(off) <= 1e-12 * size) return;
+  if (std::abs(off) <= rounded_sum * size) return;
   throw InputError(
       "knot[" + std::to_string(i + 1) + "].position", c.p[i],
       "ends a piece that is not a parabola: use --controller googol_pt or googol_follow");
@@ -27,7 +30,7 @@ void require_quadratic(const Columns& c, std::size_t i) {
 bool begins_at_rest(const Columns& c) {
   double peak = 0;
   for (const double v : c.v) peak = std::max(peak, std::abs(v));
-  return std::abs(c.v.front()) <= 1e-12 * peak;
+  return std::abs(c.v.front()) <= rounded_sum * peak;
 }
 
 /// Type of the piece that ends at knot i.
@@ -44,7 +47,7 @@ PtType type_of(const Table& table, std::size_t i) {
 /// Whole numbers of the controller's unit, without the rounding of a change of units.
 double tidy(double x) {
   const double whole = std::round(x);
-  return std::abs(x - whole) <= 1e-12 * std::abs(x) ? whole : x;
+  return std::abs(x - whole) <= rounded_sum * std::abs(x) ? whole : x;
 }
 
 }  // namespace

@@ -8,10 +8,13 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr std::size_t block = 1024;
 constexpr double most_rows = 1e8;
@@ -35,7 +38,7 @@ std::string names_line(const TableFile& file) {
 /// Number of instants start + k step before the end, and the end.
 std::size_t rows_of(const Table& table, double step) {
   require_positive("every", step);
-  const double steps = std::ceil(table.length() / step * (1 - 1e-12));
+  const double steps = std::ceil(table.length() / step * (1 - rounded_sum));
   if (!(steps < most_rows)) throw InputError("every", step, "makes more than 100 million rows");
   return static_cast<std::size_t>(steps) + 1;
 }

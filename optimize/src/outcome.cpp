@@ -5,10 +5,12 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "optimize/src/tolerances.hpp"
+
 namespace jounce {
 
 void require_valid(const OptimizeOptions& options, double greatest_tolerance) {
-  if (!(options.tolerance >= 1e-9 && options.tolerance <= greatest_tolerance))
+  if (!(options.tolerance >= optimizer::finest_optimum && options.tolerance <= greatest_tolerance))
     throw InputError("tolerance", options.tolerance,
                      "must be between 1e-9 and " + number(greatest_tolerance));
   if (options.starts && *options.starts < 1)

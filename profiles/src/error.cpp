@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -21,6 +22,7 @@ std::string number(double value) {
 
 namespace {
 
+using profiles_detail::rounded_sum;
 /// The number with this number of significant digits; its exponent has no plus sign and no leading
 /// zeros.
 std::string rounded(double value, int digits) {
@@ -60,7 +62,7 @@ std::string six_digits_up(double value) {
   const std::string text = six_digits(value);
   double shown = 0;
   std::from_chars(text.data(), text.data() + text.size(), shown);
-  const double rounding = 1e-12 * std::abs(value);  // rounding of the computation of the value
+  const double rounding = rounded_sum * std::abs(value);  // the rounding of its computation
   if (!std::isfinite(value) || shown >= value - rounding) return text;
   return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
 }

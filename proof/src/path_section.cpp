@@ -13,6 +13,8 @@
 namespace jounce {
 namespace {
 
+constexpr double no_loss = 1e-9;  ///< share of the duration
+
 constexpr std::size_t shown_places = 20;
 
 Facts facts_of(const PathSummary& s, const Units& units) {
@@ -25,7 +27,7 @@ Facts facts_of(const PathSummary& s, const Units& units) {
                 {"at full speed", time(s.cost.at_full_speed)}};
   for (std::size_t k = 0; k < loss_causes; ++k) {
     const auto cause = static_cast<LossCause>(k);
-    if (const double lost = s.cost.of(cause); lost > 1e-9 * s.duration)
+    if (const double lost = s.cost.of(cause); lost > no_loss * s.duration)
       facts.rows.emplace_back(std::string("lost: ") + name(cause), time(lost));
   }
   return facts;

@@ -9,10 +9,13 @@
 #include <string_view>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 struct LogPlace {
   const std::string& name;
@@ -112,7 +115,7 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
   // The last tick of a motion may lie one cycle before its end.
   const double missing = std::max(0.0, designed.duration - ticks.back().time);
   add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
-      missing > cycle * (1 + 1e-9), "the motion was stopped, or the log ends early", "s");
+      missing > cycle * (1 + rounded_input), "the motion was stopped, or the log ends early", "s");
 }
 
 }  // namespace

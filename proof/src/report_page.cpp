@@ -10,19 +10,22 @@
 #include "jounce/plot/findings.hpp"
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/proof/drive_figures.hpp"
 #include "jounce/proof/follower_figure.hpp"
 #include "jounce/proof/loop_figures.hpp"
-#include "jounce/proof/loop_text.hpp"
 
 #include "proof/src/path_section.hpp"
+#include "proof/src/text/loop_text.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
+
 /// A position for people. Rounding, below 1e-12 of the range, is 0.
 std::string tidy_number(double value, const Range& range) {
-  return short_number(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
+  return short_number(std::abs(value) < rounded_sum * std::abs(range.peak().value) ? 0 : value);
 }
 
 /// One row for each segment of the spec: range of the position, and peak of each derivative with its place.

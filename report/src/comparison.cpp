@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 double factor(const std::string& from, const std::string& to) {
   return from.empty() || to.empty() ? 1 : conversion(from, to);
@@ -37,7 +40,7 @@ class Remarks {
     if (!before && !after) return;
     if (before && after) {
       const double size = std::max({scale, std::abs(*before), std::abs(*after)});
-      if (std::abs(*before - *after) <= 1e-12 * size) return;
+      if (std::abs(*before - *after) <= rounded_sum * size) return;
     }
     all.push_back({what, text_of(before), text_of(after)});
   }

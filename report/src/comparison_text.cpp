@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/comparison.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 using Json = nlohmann::ordered_json;
 using Knot = KnotChange::Knot;
@@ -37,7 +40,7 @@ std::string arrow(double a, double b, const Change& change) {
   const double peak =
       std::max(std::abs(change.before.peak().value), std::abs(change.after.peak().value));
   for (double* value : {&a, &b})
-    if (std::abs(*value) < 1e-12 * peak) *value = 0;
+    if (std::abs(*value) < rounded_sum * peak) *value = 0;
   if (std::abs(b - a) <= change.rounding) return rounded(b);
   const auto [before, after] = apart(a, b);
   return before + " -> " + after;

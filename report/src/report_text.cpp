@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "report/src/words.hpp"
@@ -15,11 +16,13 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
+
 using Json = nlohmann::ordered_json;
 
 /// A position for people. A value below the rounding of the range is 0.
 std::string tidy(double value, const Range& range) {
-  return rounded(std::abs(value) < 1e-12 * std::abs(range.peak().value) ? 0 : value);
+  return rounded(std::abs(value) < rounded_sum * std::abs(range.peak().value) ? 0 : value);
 }
 
 Json to_object(const Finding& finding, const Labels& labels) {

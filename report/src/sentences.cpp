@@ -12,6 +12,8 @@
 namespace jounce {
 namespace {
 
+constexpr double just_met = 1e-9;  ///< a smaller margin, as a share, is none
+
 std::string place(const Finding& finding, const Labels& labels) {
   const std::string segment = labels.segment_of(finding);
   return with_unit(finding.where,
@@ -54,7 +56,7 @@ std::string verdict(const Finding& finding) {
     return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
   if (finding.broken)
     return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
-  if (std::abs(finding.margin) < 1e-9) return fmt::format("just meets the limit {}", limit);
+  if (std::abs(finding.margin) < just_met) return fmt::format("just meets the limit {}", limit);
   if (is_position_limit(finding))
     return fmt::format("stays within the limit {} by {} of the travel", limit,
                        percent(finding.margin));
@@ -190,7 +192,7 @@ std::string of_unstable_loop(const Finding& f, const std::string& where) {
 
 /// A quantity against its limit.
 std::string of_limit(const Finding& f, const Labels& labels, const std::string& where) {
-  const bool met = !f.broken && std::abs(f.margin) < 1e-9;
+  const bool met = !f.broken && std::abs(f.margin) < just_met;
   return fmt::format("{} {} at {} {}", f.quantity,
                      with_unit(met ? f.limit : f.value, labels.unit_of(f)), where, verdict(f));
 }

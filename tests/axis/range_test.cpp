@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/live_gear.hpp"
-#include "jounce/axis/setpoint_check.hpp"
 
 #include "axis/bench.hpp"
 #include "axis/model_movements.hpp"
+#include "axis/src/motion/setpoint_check.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 

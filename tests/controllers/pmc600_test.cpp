@@ -14,16 +14,11 @@ namespace {
 using test::Random;
 
 constexpr double pi = 3.14159265358979323846;
-const Ramps example_6_7{.velocity = 2000, .acceleration = 4000};
-
-Ramps in_mode(Ramps ramps, VelocityMode mode) {
-  ramps.mode = mode;
-  return ramps;
-}
+const Dynamics example_6_7{.velocity = 2000, .acceleration = 4000};
 
 TEST(Pmc600Modes, TheSigmoidTakesTheTrapezoidsTimeAtMoreAcceleration) {
   const Trajectory trapezoid = move_absolute(0, 4000, example_6_7);
-  const Trajectory sigmoid = move_absolute(0, 4000, in_mode(example_6_7, VelocityMode::sigmoid));
+  const Trajectory sigmoid = move_absolute(0, 4000, example_6_7, VelocityMode::sigmoid);
   EXPECT_DOUBLE_EQ(trapezoid.end(), 2.5);
   EXPECT_DOUBLE_EQ(sigmoid.end(), 2.5);
   EXPECT_NEAR(extrema(sigmoid, 2).max.value, 4000 * pi / 2, 1e-9);
@@ -33,31 +28,42 @@ TEST(Pmc600Modes, TheSigmoidTakesTheTrapezoidsTimeAtMoreAcceleration) {
 }
 
 TEST(Pmc600Modes, TheLimitedSigmoidKeepsItsAcceleration) {
-  const Trajectory f = move_absolute(0, 4000, in_mode(example_6_7, VelocityMode::sigmoid_limit));
+  const Trajectory f = move_absolute(0, 4000, example_6_7, VelocityMode::sigmoid_limit);
   EXPECT_DOUBLE_EQ(f.end(), 2 + 0.5 * pi / 2);
   EXPECT_NEAR(extrema(f, 2).max.value, 4000, 1e-9);
 }
 
 TEST(Pmc600Modes, QuadraticIsTheSevenSegmentCurve) {
-  Ramps r = in_mode(example_6_7, VelocityMode::quadratic);
-  EXPECT_THROW(move_absolute(0, 4000, r), InputError);
-  r.jerk = 40000;
-  r.deceleration = 3000;
+  const auto quadratic = [](const Dynamics& d) {
+    return move_absolute(0, 4000, d, VelocityMode::quadratic).end();
+  };
+  Dynamics d = example_6_7;
+  EXPECT_THROW(quadratic(d), InputError);
+  d.jerk = 40000;
+  d.deceleration = 3000;
   const Profile expected = s_curve(
       {.to = 4000, .velocity = 2000, .acceleration = 4000, .deceleration = 3000, .jerk = 40000});
-  EXPECT_DOUBLE_EQ(move_absolute(0, 4000, r).end(), expected.duration());
+  EXPECT_DOUBLE_EQ(quadratic(d), expected.duration());
+  d.deceleration_jerk = 20000;
+  EXPECT_DOUBLE_EQ(quadratic(d), s_curve({.to = 4000,
+                                          .velocity = 2000,
+                                          .acceleration = 4000,
+                                          .deceleration = 3000,
+                                          .jerk = 40000,
+                                          .deceleration_jerk = 20000})
+                                     .duration());
 }
 
 TEST(Pmc600Modes, ShortAndLongMovesKeepTheirLimitsInEveryMode) {
   Random random(51);
   for (int i = 0; i < 1200 && !::testing::Test::HasFailure(); ++i) {
     const auto mode = static_cast<VelocityMode>(i % 4);
-    const Ramps r{random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e2),
-                  random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e3), mode};
+    const Dynamics r{random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e2),
+                     random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e3)};
     const double from = random.uniform(-10, 10);
     const double to = from + random.uniform(-1, 1) * random.log_uniform(1e-3, 1e3);
     SCOPED_TRACE(i);
-    const Trajectory f = move_absolute(from, to, r);
+    const Trajectory f = move_absolute(from, to, r, mode);
     EXPECT_EQ(f.at(0).position, from);
     EXPECT_NEAR(f.at(f.end(), Side::left).position, to, 1e-14 * (std::abs(to) + std::abs(from)));
     const double peak = std::max(r.acceleration, r.deceleration);
@@ -65,33 +71,32 @@ TEST(Pmc600Modes, ShortAndLongMovesKeepTheirLimitsInEveryMode) {
         f, r.velocity, mode == VelocityMode::sigmoid ? pi / 2 * peak : peak,
         mode == VelocityMode::quadratic ? r.jerk : std::numeric_limits<double>::infinity());
     test::expect_invariants(f, mode == VelocityMode::trapezoid ? 1 : 2);
-    EXPECT_DOUBLE_EQ(f.end(), move_absolute(-from, -to, r).end());
+    EXPECT_DOUBLE_EQ(f.end(), move_absolute(-from, -to, r, mode).end());
   }
 }
 
 TEST(Pmc600Modes, PowersOfTwoInTheUnitChangeNoDuration) {
   for (const auto mode : {VelocityMode::trapezoid, VelocityMode::sigmoid, VelocityMode::quadratic})
     for (const double k : {0x1p-20, 0x1p13, 0x1p31}) {
-      const Ramps r{1.1, 7, 5, 90, mode};
-      const Ramps scaled{1.1 * k, 7 * k, 5 * k, 90 * k, mode};
-      EXPECT_EQ(move_absolute(0, 0.3 * k, scaled).end(), move_absolute(0, 0.3, r).end());
-      EXPECT_EQ(move_absolute(0, 0.01 * k, scaled).end(), move_absolute(0, 0.01, r).end());
+      const Dynamics r{1.1, 7, 5, 90};
+      const Dynamics scaled{1.1 * k, 7 * k, 5 * k, 90 * k};
+      for (const double to : {0.3, 0.01})
+        EXPECT_EQ(move_absolute(0, to * k, scaled, mode).end(),
+                  move_absolute(0, to, r, mode).end());
     }
 }
 
 TEST(Pmc600Modes, TheSigmoidAlwaysTakesTheTrapezoidsTimeAndTheQuadraticThatOfTheSCurve) {
   Random random(54);
   for (int i = 0; i < 1000; ++i) {
-    const Ramps r{random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e2),
-                  random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e3)};
+    const Dynamics r{random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e2),
+                     random.log_uniform(1e-2, 1e2), random.log_uniform(1e-2, 1e3)};
     const double to = random.log_uniform(1e-3, 1e3);
     const double straight =
         trapezoid({0, to, r.velocity, r.acceleration, r.deceleration}).duration();
     const double curved =
         s_curve({0, to, r.velocity, r.acceleration, r.deceleration, r.jerk}).duration();
-    const auto lasts = [&](VelocityMode mode) {
-      return move_absolute(0, to, in_mode(r, mode)).end();
-    };
+    const auto lasts = [&](VelocityMode mode) { return move_absolute(0, to, r, mode).end(); };
     EXPECT_NEAR(lasts(VelocityMode::trapezoid), straight, 1e-14 * straight) << i;
     EXPECT_NEAR(lasts(VelocityMode::sigmoid), straight, 1e-14 * straight) << i;
     EXPECT_NEAR(lasts(VelocityMode::quadratic), curved, 1e-13 * curved) << i;
@@ -320,9 +325,9 @@ TEST(Superimposed, RefusesAnAbortThatIsNoNumber) {
 }
 
 TEST(Superimposed, SinesAreAddedExactly) {
-  const Ramps r{2000, 4000, 0, 0, VelocityMode::sigmoid};
-  const Trajectory base = move_absolute(0, 6000, r);
-  const Trajectory top = shifted(move_absolute(0, 500, r), 0.1);
+  const Dynamics d{.velocity = 2000, .acceleration = 4000};
+  const Trajectory base = move_absolute(0, 6000, d, VelocityMode::sigmoid);
+  const Trajectory top = shifted(move_absolute(0, 500, d, VelocityMode::sigmoid), 0.1);
   const Trajectory both = superimposed(base, top);
   for (int n = 0; n < 100; ++n) {
     const double t = 0.1 + (both.end() - 0.1) * n / 100;

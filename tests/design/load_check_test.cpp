@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/load_check.hpp"
+#include "design/src/load_check.hpp"
 
 #include <cmath>
 #include <numbers>

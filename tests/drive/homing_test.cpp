@@ -398,6 +398,7 @@ TEST(Homing, AConfigurationThatCannotBeIsRefusedWithItsKey) {
   EXPECT_EQ(complaint({.offset = NAN}), "homing.offset");
   EXPECT_EQ(complaint({.timeout = 0}), "homing.timeout");
   EXPECT_EQ(complaint({.distance = -1}), "homing.distance");
+  EXPECT_EQ(complaint({.distance = 0}), "homing.distance");
   const HomingSpec left_out = resolved(AxisConfig{.limits = limits(200, 1000)}).homing;
   EXPECT_EQ(left_out.method, 37);
   EXPECT_EQ(left_out.search_velocity, 20);

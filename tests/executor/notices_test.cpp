@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/notices.hpp"
+#include "executor/src/cycle/notices.hpp"
 
 #include <gtest/gtest.h>
 

@@ -572,6 +572,19 @@ TEST(RecordedEvents, EveryFieldOfATickCounts) {
     EXPECT_TRUE(first_difference(tick, others[i])) << "change " << i + 1;
 }
 
+TEST(RecordedEvents, ASearchWithoutADistanceIsZeroInTheRecord) {
+  RecordedAxis axis;
+  axis.config.limits = test::limits(3, 4, 5);
+  const auto back = [&] { return std::get<RecordedAxis>(*decoded("JOUNCE.axis", encoded(axis))); };
+  EXPECT_FALSE(back().config.homing.distance);
+  const std::string without = encoded(axis);
+  axis.config.homing.distance = 0;
+  EXPECT_EQ(encoded(axis), without);
+  axis.config.homing.distance = 9;
+  EXPECT_NE(encoded(axis), without);
+  EXPECT_EQ(back().config.homing.distance, 9);
+}
+
 TEST(RecordedEvents, AnAxisKeepsItsConfiguration) {
   RecordedAxis axis{.axis = 1, .name = "Zuführung", .units = {"deg", "mm"}, .switches = true};
   axis.config.period = 250'000;

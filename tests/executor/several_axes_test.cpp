@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/events.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/sender.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
+#include "executor/src/cycle/events.hpp"
 
 namespace jounce::several_axes_test {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/page.hpp"
+#include "web/src/page.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
-#include "jounce/web/board.hpp"
 #include "jounce/web/gate.hpp"
-#include "jounce/web/page_command.hpp"
 
 #include "fuzz/packets.hpp"
+#include "web/src/board.hpp"
+#include "web/src/page_command.hpp"
 
 namespace jounce::fuzz {
 namespace {

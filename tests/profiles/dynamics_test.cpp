@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/profiles/moves/dynamics.hpp"
 
+#include "jounce/profiles/detail/velocity_ramp.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
@@ -144,17 +145,18 @@ TEST(VelocityRamp, RandomStatesWithinTheLimitsStayThere) {
 }
 
 TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
-  EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 2}, {1, 1, 3}), InputError);
-  EXPECT_THROW(velocity_ramp({}, 1, {1, 1, 0}, {1, 1, 1}), InputError);
-  EXPECT_THROW(velocity_ramp({}, 1, {1, 0, 0}, {1, 1, 1}), InputError);
-  EXPECT_THROW(velocity_ramp({}, 1, {0, 0, 0}, {1, 0, 0}), InputError);
-  EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 2}, {2, 1, 2}));
-  EXPECT_NO_THROW(velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
+  EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 2}, {1, 1, 3}), InputError);
+  EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 0}, {1, 1, 1}), InputError);
+  EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 0, 0}, {1, 1, 1}), InputError);
+  EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {0, 0, 0}, {1, 0, 0}), InputError);
+  EXPECT_NO_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 2}, {2, 1, 2}));
+  EXPECT_NO_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
 }
 
 TEST(VelocityRamp, NamesTheJerkThatItRefuses) {
+  using profiles_detail::RampLimits;
   const auto key = [](const RampLimits& up, const RampLimits& down) -> std::string {
-    return test::key_of([&] { velocity_ramp({}, 1, up, down); });
+    return test::key_of([&] { profiles_detail::velocity_ramp({}, 1, up, down); });
   };
   EXPECT_EQ(key({1, 1, 0}, {1, 1, 1}), "up.jerk_end");
   EXPECT_EQ(key({1, 1, 1}, {1, 0, 1}), "down.jerk_begin");

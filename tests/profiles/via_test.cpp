@@ -290,18 +290,20 @@ TEST(Via, KeepsALimitOfTheNorm) {
   Random random(21);
   for (int n = 0; n < 20; ++n) {
     ViaSpec spec = random_via(random, true);
-    spec.norm = {random.log_uniform(0.05, 1), random.log_uniform(0.05, 1),
-                 random.log_uniform(1, 10)};
+    spec.norm = {.velocity = random.log_uniform(0.05, 1),
+                 .acceleration = random.log_uniform(0.05, 1),
+                 .jerk = random.log_uniform(1, 10)};
     SCOPED_TRACE(text(spec));
     const ViaMotion m = via(spec);
-    EXPECT_LE(greatest_norm(m, 0, m.duration, 1), spec.norm.velocity * (1 + 1e-9));
-    EXPECT_LE(greatest_norm(m, 0, m.duration, 2), spec.norm.acceleration * (1 + 1e-9));
-    EXPECT_LE(greatest_norm(m, 0, m.duration, 3), spec.norm.jerk * (1 + 1e-9));
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 1), *spec.norm.velocity * (1 + 1e-9));
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 2), *spec.norm.acceleration * (1 + 1e-9));
+    EXPECT_LE(greatest_norm(m, 0, m.duration, 3), *spec.norm.jerk * (1 + 1e-9));
   }
   // A straight way has all of it: as one axis along the way.
   const Bounds wide = within(100, 100, 100);
-  const ViaMotion straight =
-      via({.axes = {wide, wide}, .points = {{0, 0}, {3, 4}}, .norm = {2, 3, 5}});
+  const ViaMotion straight = via({.axes = {wide, wide},
+                                  .points = {{0, 0}, {3, 4}},
+                                  .norm = {.velocity = 2, .acceleration = 3, .jerk = 5}});
   EXPECT_NEAR(straight.duration, move_to({}, {5, 0, 0}, within(2, 3, 5)).profile.duration(), 1e-12);
 }
 
@@ -370,7 +372,8 @@ TEST(Via, RefusesRatesAndLimitsThatGiveNoMotion) {
   refused({.axes = {axis}, .points = {{0}, {1}}, .start = {{-0.5}, {}}}, "start");
   refused({.axes = {axis}, .points = {{0}, {1}}, .stretches = {{axis}, {axis}}}, "stretches");
   refused({.axes = {axis}, .points = {{0}, {1}}, .stretches = {{}}}, "stretches[1]");
-  refused({.axes = {axis}, .points = {{0}, {1}}, .norm = {0, 1, 1}}, "norm.velocity");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .norm = {.velocity = 0}}, "norm.velocity");
+  refused({.axes = {axis}, .points = {{0}, {1}}, .norm = {.position_max = 1}}, "norm.position_max");
 }
 
 }  // namespace

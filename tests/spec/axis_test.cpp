@@ -68,13 +68,14 @@ distance = 400
   EXPECT_DOUBLE_EQ(axis.homing->acceleration, 1000);
   EXPECT_DOUBLE_EQ(axis.homing->offset, -10);
   EXPECT_DOUBLE_EQ(axis.homing->timeout, 20);
-  EXPECT_DOUBLE_EQ(axis.homing->distance, 400);
+  EXPECT_EQ(axis.homing->distance, 400);
   EXPECT_FALSE(read("").homing);
   EXPECT_FALSE(read("").require_home);
   const AxisSpec left_out = read(homing);
   EXPECT_EQ(left_out.homing->method, 37);
   EXPECT_EQ(left_out.homing->search_velocity, 0);
   EXPECT_EQ(left_out.homing->timeout, 60);
+  EXPECT_FALSE(left_out.homing->distance);
 }
 
 TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {

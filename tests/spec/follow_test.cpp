@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/design/make.hpp"
-#include "jounce/design/sync_follow.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "design/src/sync/sync_follow.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::follow_test {

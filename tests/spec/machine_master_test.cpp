@@ -68,7 +68,7 @@ TEST(MachineMaster, ATableLiesBesideTheMachinesSpec) {
       "plant/m.toml");
   const auto& v = std::get<MachineMasterSpec::FromTable>(parsed->masters.at(0).what);
   EXPECT_EQ(v.file, "plant/line.csv");
-  EXPECT_EQ(v.jerk, 30);
+  EXPECT_EQ(v.limits.jerk, 30);
 }
 
 TEST(MachineMaster, SaysWhatIsWrongAndWhere) {

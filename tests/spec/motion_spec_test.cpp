@@ -182,7 +182,7 @@ TEST(MoveSpec, SpeaksPmc600) {
                                    {"quadratic", pmc600::VelocityMode::quadratic}})
     expect_same(of("profile = \"pmc600\"\nto = 4000\njerk = 40000\nmode = \"" + std::string(name) +
                    "\"\n" + lines),
-                pmc600::move_absolute(5, 4000, {2000, 4000, 3000, 40000, mode}));
+                pmc600::move_absolute(5, 4000, {2000, 4000, 3000, 40000}, mode));
   expect_same(of("profile = \"pmc600_ls\"\nto = 4000\nstart_velocity = 100\n"
                  "end_second_velocity = 50\n" +
                  lines),

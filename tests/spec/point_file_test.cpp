@@ -7,8 +7,9 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/sync_cam.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "design/src/sync/sync_cam.hpp"
 
 namespace jounce::point_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/against.hpp"
+#include "study/src/tune/against.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/journal.hpp"
+#include "study/src/sweep/journal.hpp"
 
 #include <filesystem>
 #include <fstream>

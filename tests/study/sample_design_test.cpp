@@ -13,8 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/study/sobol.hpp"
-
+#include "study/src/sweep/sobol.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::sample_design_test {

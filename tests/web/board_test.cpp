@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/board.hpp"
+#include "web/src/board.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

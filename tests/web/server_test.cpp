@@ -16,7 +16,8 @@
 #include <unistd.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/web/page.hpp"
+
+#include "web/src/page.hpp"
 
 namespace jounce::web {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/board.hpp"
+#include "web/src/board.hpp"
 
 #include <algorithm>
 #include <utility>

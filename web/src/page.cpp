@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/page.hpp"
+#include "web/src/page.hpp"
 
 #include "jounce/plot/page.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/web/page_command.hpp"
+#include "web/src/page_command.hpp"
 
 #include <algorithm>
 #include <array>

@@ -11,10 +11,11 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/web/board.hpp"
-#include "jounce/web/page.hpp"
-#include "jounce/web/page_command.hpp"
 #include "jounce/web/server.hpp"
+
+#include "web/src/board.hpp"
+#include "web/src/page.hpp"
+#include "web/src/page_command.hpp"
 
 namespace jounce::web {
 namespace {

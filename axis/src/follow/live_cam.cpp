@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "axis/src/follow/live.hpp"
 
 namespace jounce {
@@ -39,7 +41,8 @@ Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {
   const Engagement in = engage(coupling_, axis, now.master, now.t);
   if (!in) return cause_of(in.status);
   place_ = axis.position + in.jump.position;
-  const double near = 1e-9 * std::abs(coupling_.reach()[0]) + 1e-12 * std::abs(axis.position);
+  const double near = profiles_detail::rounded_input * std::abs(coupling_.reach()[0]) +
+                      profiles_detail::rounded_sum * std::abs(axis.position);
   if (!(std::abs(in.jump.position) <= near)) return Cause::start_position;
   engaged_ = in.engaged;
   released_.reset();

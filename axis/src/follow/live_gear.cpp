@@ -5,12 +5,16 @@
 #include <cmath>
 
 #include "jounce/axis/axis_config.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/src/follow/live.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 
 /// Cause of a broken gear: its only failure is a lost master.
 Cause lost(Progress progress) {
@@ -74,7 +78,7 @@ LiveGearInPos::LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec)
 Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept {
   if (!axis_detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   const double stroke = std::abs(gear_.slave_sync - gear_.slave_start);
-  const double near = 1e-9 * stroke + 1e-12 * std::abs(gear_.slave_start);
+  const double near = rounded_input * stroke + rounded_sum * std::abs(gear_.slave_start);
   if (!(std::abs(axis.position - gear_.slave_start) <= near)) return Cause::start_position;
   if (axis.velocity != 0) return Cause::start_velocity;
   state_ = {};

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the homing of the axis with the changes of the command.
 HomingSpec chosen(const command::Home& what, HomingSpec spec) {
-  const auto take = [](double& value, double given) {
+  const auto take = [](auto& value, double given) {
     if (!std::isnan(given)) value = given;
   };
   if (what.method != 0) spec.method = what.method;
@@ -31,7 +31,8 @@ std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) 
     if (const auto no = fill(dynamics, config)) return no;
   }
   if (!(spec.timeout > 0)) return Refusal{Cause::not_positive, spec.timeout, 0, 0};
-  if (!(spec.distance >= 0)) return Refusal{Cause::not_positive, spec.distance, 0, 0};
+  if (spec.distance && !(*spec.distance > 0))
+    return Refusal{Cause::not_positive, *spec.distance, 0, 0};
   return std::nullopt;
 }
 

@@ -100,7 +100,7 @@ Cause Homing::check(const Seen& now) const noexcept {
   if (now.sensors.negative.on && now.sensors.positive.on) return Cause::both_switches;
   if (elapsed_ > spec_.timeout) return Cause::home_timeout;
   if (velocity_ == 0) return Cause::none;
-  if (spec_.distance > 0 && std::abs(now.position - from_) > spec_.distance)
+  if (spec_.distance && std::abs(now.position - from_) > *spec_.distance)
     return phase_ == Phase::index ? Cause::index_not_found : Cause::home_not_found;
   const Cause limit = limit_ahead(now.sensors, velocity_);
   if (phase_ != Phase::seek) return limit;

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/setpoint_check.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/motion/setpoint_check.hpp"
 
 // The ends of a motion: at its target, by a stop, or in a fault.
 
@@ -21,7 +23,7 @@ void MotionAxis::conclude() {
   }
   if (base_ == Base::live) {
     if (live_->progress() != Progress::done) return;
-    const double still = 1e-9 * *config_.limits.velocity;  // rounding
+    const double still = profiles_detail::rounded_input * *config_.limits.velocity;  // rounding
     if (!(std::abs(now_.velocity) > still)) return rest();
     return leave(live_->keeps_velocity() ? Goal::Kind::velocity : Goal::Kind::rest);
   }

@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/setpoint_check.hpp"
+
+#include "axis/src/motion/setpoint_check.hpp"
 
 // The moves that an axis plans itself (move_plan.hpp), each from the last output setpoint.
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // The motion along a path (path_player.hpp), and the changes to the next path without a stop: at the
 // end of the present path, or of its pass, or where its master passes a position.
@@ -109,7 +110,7 @@ void MotionAxis::swap(double boundary, MotionState end) {
   // The boundary may precede the end of the rate change.
   const double rate = path_.time(now_.tick).rate;
   const double most = armed_->growing() ? 1 : highest_rate(armed_->peaks(), config_);
-  if (rate > most * (1 + 1e-9))
+  if (rate > most * (1 + profiles_detail::rounded_input))
     return drop({.cause = Cause::rate_changing, .value = rate, .limit = most});
   end.position += above_.finished();
   if (const Cause no = armed_->begin(end, moment()); no != Cause::none)

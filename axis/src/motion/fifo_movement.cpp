@@ -6,12 +6,16 @@
 #include <limits>
 #include <string>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/src/follow/live.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 
 constexpr std::size_t most_rows = 1'000'000;
 
@@ -54,7 +58,8 @@ SegmentFifos::Reach range_of(const FifoSpec& spec) {
 /// Tolerance for equal positions: rounding, and 1e-9 of the stroke, as for a whole table.
 double near_of(const SegmentFifos::Reach& range, double origin) {
   const double stroke = range.highest - range.lowest;
-  return 1e-12 * (1 + std::abs(origin)) + (std::isfinite(stroke) ? 1e-9 * stroke : 0);
+  return rounded_sum * (1 + std::abs(origin)) +
+         (std::isfinite(stroke) ? rounded_input * stroke : 0);
 }
 
 /// True if an axis at `position` does not stand at the start of the rows.
@@ -154,9 +159,9 @@ std::optional<Refusal> FifoPath::admit(const AxisConfig& config,
   if (!(std::abs(axis.velocity) <= most))
     return Refusal{Cause::start_velocity, axis.velocity, most};
   const RowPeaks f = fifos_.peaks();
-  if (!(f.velocity <= *config.limits.velocity * (1 + 1e-9)))
+  if (!(f.velocity <= *config.limits.velocity * (1 + rounded_input)))
     return Refusal{Cause::velocity_limit, f.velocity, *config.limits.velocity};
-  if (!(f.acceleration <= *config.limits.acceleration * (1 + 1e-9)))
+  if (!(f.acceleration <= *config.limits.acceleration * (1 + rounded_input)))
     return Refusal{Cause::acceleration_limit, f.acceleration, *config.limits.acceleration};
   return std::nullopt;
 }

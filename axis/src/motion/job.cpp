@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_digit;
 using profiles_detail::rounded_input;
 
 void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
@@ -202,7 +204,7 @@ Setpoint Job::at(double t) const {
 
 double Job::tolerance() const {
   const double stroke = ranges_[0].max.value - ranges_[0].min.value;
-  return rounded_input * stroke + 1e-15 * std::abs(ranges_[0].peak().value);
+  return rounded_input * stroke + rounded_digit * std::abs(ranges_[0].peak().value);
 }
 
 Cause Job::begin(const MotionState& axis, const Moment& now) noexcept {

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <variant>
 
-#include "jounce/axis/setpoint_check.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/motion/setpoint_check.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 /// Reason why no move may have this target.
 std::optional<Refusal> forbidden(double target, double from, const MoveRules& rules) {
@@ -57,8 +61,8 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
                                const MoveRules& rules, Goal& goal) noexcept {
   const double velocity = what.velocity;
   if (!std::isfinite(velocity)) return Refusal{Cause::no_value, velocity, 0};
-  const auto& [a, d, j] = what.dynamics;
-  MoveDynamics dynamics{.acceleration = a, .deceleration = d, .jerk = j};
+  MoveDynamics dynamics = what.dynamics;
+  dynamics.velocity = as_configured;
   if (const auto no = fill(dynamics, rules.config)) return no;
   const double most = dynamics.velocity;
   if (std::abs(velocity) > most) return Refusal{Cause::velocity_limit, velocity, most};
@@ -69,7 +73,7 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
   const auto limit = velocity > 0   ? limits.position_max
                      : velocity < 0 ? limits.position_min
                                     : std::nullopt;
-  const double near = 1e-9 * most * seconds(rules.config.period);
+  const double near = rounded_input * most * seconds(rules.config.period);
   if (limit && (*limit - from.position) * std::copysign(1.0, velocity) < near)
     return Refusal{Cause::position_limit, from.position, *limit};
   dynamics.velocity = std::abs(velocity);

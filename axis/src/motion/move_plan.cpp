@@ -4,10 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/axis/setpoint_check.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/motion/setpoint_check.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_digit;
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
+constexpr double passing_resolution = 1e-6;  ///< relative, of a bisection
 
 /// Checks one number of the dynamics against its limit; a missing number becomes the limit.
 std::optional<Refusal> fill(double& value, double limit, Cause cause) {
@@ -41,7 +49,7 @@ double stopping_point(const MotionState& from, const MoveDynamics& d) {
 /// True if a move to the target slows down on its way up. An axis that stops exactly at the target
 /// continues: rounding does not reverse it.
 bool brakes_upwards(const MotionState& from, double target, const MoveDynamics& d) {
-  const double rounding = 1e-12 * (std::abs(from.position) + std::abs(target));
+  const double rounding = rounded_sum * (std::abs(from.position) + std::abs(target));
   const double beyond = target - stopping_point(from, d);
   return std::abs(beyond) > rounding ? beyond > 0 : from.velocity >= 0;
 }
@@ -65,13 +73,13 @@ double jerk_for(const MotionState& from, const Goal& goal, const AxisConfig& con
   const double room = braking ? -along : std::max(*config.limits.velocity - along, 0.0);
   const double most = config.limits.jerk ? config.stop_jerk : Bounds::none;
   if (a == 0) return goal.dynamics.jerk;
-  return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + 1e-9), most));
+  return std::max(goal.dynamics.jerk, std::min(a * a / (2 * room) * (1 + rounded_input), most));
 }
 
 /// True if a motion does not reverse.
 bool straight(const Profile& profile, double way) {
   const double near =
-      1e-12 * (std::abs(profile.start().velocity) + std::abs(profile.end().velocity));
+      rounded_sum * (std::abs(profile.start().velocity) + std::abs(profile.end().velocity));
   const auto [slowest, fastest] = velocities(profile);
   return (way > 0 ? slowest : -fastest) >= -near;
 }
@@ -130,7 +138,7 @@ bool halves_meet(const Profile& motion, const AxisConfig& config) {
   const Motion other = motion.at(middle);
   const double dt = static_cast<double>(config.period) * 1e-9;
   const double dv = 0.01 * *config.limits.acceleration * dt;
-  const double dp = dv * dt + 1e-15 * std::abs(one.position);
+  const double dp = dv * dt + rounded_digit * std::abs(one.position);
   return std::abs(other.position - one.position) <= dp &&
          std::abs(other.velocity - one.velocity) <= dv;
 }
@@ -303,7 +311,7 @@ double passing_velocity(const MotionState& from, const Goal& goal, const Goal& n
                *config.limits.velocity);
   if (wanted == 0 || fits(wanted)) return way * wanted;
   double low = 0;
-  for (double high = wanted; high - low > 1e-6 * wanted;) {
+  for (double high = wanted; high - low > passing_resolution * wanted;) {
     const double middle = (low + high) / 2;
     (fits(middle) ? low : high) = middle;
   }

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/setpoint_check.hpp"
+#include "axis/src/motion/setpoint_check.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "jounce/axis/move_plan.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
 constexpr double same = 2e-9;  // relative: admit() tolerates half of that
 
 /// Tolerance for equal positions: rounding, and the travel at the limit velocity in 1e-9 ticks.
 double slack(double position, const AxisConfig& config, double dt) {
-  return 1e-12 * std::abs(position) + 1e-9 * *config.limits.velocity * dt;
+  return rounded_sum * std::abs(position) + rounded_input * *config.limits.velocity * dt;
 }
 
 /// admit() tolerates 1e-9 of the stroke of a path, which is at most the range if both ends are set.
@@ -25,7 +29,7 @@ double range_slack(double position, const AxisConfig& config) {
 }
 
 double rounding(double from, double to) {
-  return 1e-12 * (std::abs(from) + std::abs(to - from));
+  return rounded_sum * (std::abs(from) + std::abs(to - from));
 }
 
 MotionState mirrored(const MotionState& state) {
@@ -96,7 +100,7 @@ Cause check_setpoint(const MotionState& last, const MotionState& next, const Ste
   if (config.limits.position_min && p < *config.limits.position_min - near && p < last.position)
     return Cause::out_of_range;
   const double change = config.stop_acceleration * step.dt + step.velocity_step;
-  const double rounding = 1e-12 * *config.limits.velocity;
+  const double rounding = rounded_sum * *config.limits.velocity;
   if (std::abs(v - last.velocity) > change * (1 + same) + rounding) return Cause::jump;
   if (std::abs(a) > config.stop_acceleration * (1 + same)) return Cause::jump;
   return Cause::none;

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "jounce/axis/setpoint_check.hpp"
+#include "axis/src/motion/setpoint_check.hpp"
 
 // One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
 // axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp (commands), axis_path.cpp

@@ -88,7 +88,7 @@ MotionAxis::Rejection MotionAxis::set_position(double position) {
 
 // ---- speed and end -----------------------------------------------------------------------------
 
-MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const StopDynamics& asked) {
+MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const MoveDynamics& asked) {
   // A search has no position range: it always ends with the stop of the axis.
   MoveDynamics dynamics;
   if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};

@@ -50,7 +50,7 @@ HomingSpec resolved(HomingSpec homing, const Limits& limits) {
   require_finite("homing.timeout", homing.timeout);
   if (!(homing.timeout > 0))
     throw InputError("homing.timeout", homing.timeout, "must be greater than 0");
-  not_negative("homing.distance", homing.distance);
+  if (homing.distance) require_positive("homing.distance", *homing.distance);
   return homing;
 }
 

@@ -7,10 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_sum;
 
 using Segments = std::vector<Segment>;
 
@@ -20,7 +24,7 @@ constexpr double most_segments = 1e6;
 /// Tolerance for equal positions on the axes of these cams.
 template <class... Places>
 double axis_rounding(Places... x) {
-  return 1e-13 * std::max({std::abs(x)...});
+  return rounded_root * std::max({std::abs(x)...});
 }
 
 std::string interval(const Cam& f) {
@@ -175,7 +179,7 @@ Turns common_turns(const Cam& f, const Cam& g) {
   for (int n = 1; n <= most_turns; ++n) {
     const double whole = n * f.length();
     const double m = std::round(whole / g.length());
-    if (m >= 1 && m <= most_turns && std::abs(whole - m * g.length()) <= 1e-12 * whole)
+    if (m >= 1 && m <= most_turns && std::abs(whole - m * g.length()) <= rounded_sum * whole)
       return {n, static_cast<int>(m)};
   }
   throw InputError("period", number(f.length()) + " and " + number(g.length()),

@@ -7,9 +7,12 @@
 #include "jounce/cam/coupling/followed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 /// The master, extended at rest after its end until the correction is complete.
 Trajectory lasting(const Trajectory& master, const Engaged& engaged) {
@@ -83,7 +86,7 @@ Coupled::Coupled(const Coupling& coupling, const Engaged& engaged, const Traject
 void Coupled::add_breaks(std::span<const double> breaks) {
   breaks_.insert(breaks_.end(), breaks.begin(), breaks.end());
   std::sort(breaks_.begin(), breaks_.end());
-  const double apart = 1e-12 * (end() - start());
+  const double apart = rounded_sum * (end() - start());
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end(),
                             [&](double a, double b) { return b - a <= apart; }),
                 breaks_.end());

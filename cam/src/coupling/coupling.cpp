@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/modulo.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/coupling/settle.hpp"
@@ -30,6 +31,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 
 bool over_time(StartMode mode) {
   return mode == StartMode::ramp_in || mode == StartMode::ramp_in_pos ||
@@ -184,11 +188,11 @@ namespace cam_detail {
 Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x) {
   const Jet& reach = coupling.reach();
   const double far = std::max(std::abs(slave.position), std::abs(y[0]));
-  return {
-      std::max(1e-9 * reach[0], 1e-12 * far),
-      1e-9 * (reach[1] * std::abs(x[1]) + std::abs(slave.velocity)),
-      1e-9 * (reach[2] * x[1] * x[1] + reach[1] * std::abs(x[2]) + std::abs(slave.acceleration)),
-      0};
+  return {std::max(rounded_input * reach[0], rounded_sum * far),
+          rounded_input * (reach[1] * std::abs(x[1]) + std::abs(slave.velocity)),
+          rounded_input *
+              (reach[2] * x[1] * x[1] + reach[1] * std::abs(x[2]) + std::abs(slave.acceleration)),
+          0};
 }
 
 bool has_numbers(const CouplingSpec& spec, StartMode start) {

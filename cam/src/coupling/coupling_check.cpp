@@ -2,11 +2,14 @@
 #include <cmath>
 
 #include "jounce/cam/coupling/coupling.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "cam/src/coupling/settle.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 Finding finding(Rule rule, const char* quantity, double where, double value, bool broken,
                 const char* advice) {
@@ -34,7 +37,7 @@ void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Repor
   const double slope =
       cam.jet(end, before ? Side::right : Side::left)[1] * p.slave_scaling * p.master_scaling;
   report.findings.push_back(finding("coupling/enter", "velocity", end, slope * x[1],
-                                    std::abs(slope) > 1e-9 * coupling.reach()[1],
+                                    std::abs(slope) > rounded_input * coupling.reach()[1],
                                     "the slave waits at rest, but the cam moves where the master "
                                     "enters: let the cam begin at rest"));
 }
@@ -65,7 +68,7 @@ void add_ramp(const Engaged& engaged, const Jet& x, Report& report) {
 Report check_ends(const Cam& cam) {
   Report report;
   if (repeats(cam.outside())) return report;
-  const double least = 1e-9 * std::abs(extrema(cam, 1).peak().value);
+  const double least = rounded_input * std::abs(extrema(cam, 1).peak().value);
   for (const auto& [where, side] : {std::pair{cam.start(), Side::right}, {cam.end(), Side::left}})
     if (const double slope = cam.jet(where, side)[1]; std::abs(slope) > least)
       report.findings.push_back(finding(side == Side::left ? "coupling/end" : "coupling/begin",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -13,6 +14,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr double near = 1e-9;  // relative to a cam's length: tolerance of its end
 
@@ -207,7 +210,7 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
   const double X = placement.at(now.master[0]);
   const double apart = placement.periodic ? std::remainder(X - origin, cam.length()) : X - origin;
   const double window = at_end ? 0 : trigger.window;
-  if (std::abs(apart) <= std::max(window, 1e-12 * cam.length())) return {.at = now};
+  if (std::abs(apart) <= std::max(window, rounded_sum * cam.length())) return {.at = now};
 
   double level = (origin - placement.master_offset) / placement.master_scaling;
   if (placement.periodic) {

@@ -9,12 +9,14 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 /// All master positions within [lo, hi] at which the cam, which may repeat, has a break.
 std::vector<double> levels(const Cam& cam, double lo, double hi) {
   std::vector<double> found;
@@ -58,7 +60,7 @@ Followed::Followed(Cam cam, Trajectory master) : cam_(std::move(cam)), master_(s
     breaks_.insert(breaks_.end(), times.begin(), times.end());
   }
   std::sort(breaks_.begin(), breaks_.end());
-  const double apart = 1e-12 * master_.length();
+  const double apart = rounded_sum * master_.length();
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end(),
                             [&](double a, double b) { return b - a <= apart; }),
                 breaks_.end());
@@ -75,7 +77,7 @@ Jet Followed::jet(double t, Side side) const {
   const auto above = std::lower_bound(cam_.breaks().begin(), cam_.breaks().end(), at);
   double master = at;
   for (const auto near : {above, above == cam_.breaks().begin() ? above : above - 1})
-    if (near != cam_.breaks().end() && std::abs(*near - at) <= 1e-12 * cam_.length())
+    if (near != cam_.breaks().end() && std::abs(*near - at) <= rounded_sum * cam_.length())
       master = *near;
   if (periodic && cam_side == Side::left && master == cam_.start()) master = cam_.end();
   Jet f = cam_.jet(master, cam_side);

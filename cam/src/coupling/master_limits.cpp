@@ -10,6 +10,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 // Over all signs of the master's rates, the slave's greatest velocity, acceleration and jerk at a
@@ -35,6 +36,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 constexpr int most_steps = 100;
 
 using Sizes = std::array<double, 3>;  // values for |f'|, |f''|, |f'''|, or their weights
@@ -151,7 +153,7 @@ MasterLimit greatest(const Transfers& f, const Constraint& c) {
   if (unlimited) x = 0;  // no term depends on it
   for (int i = 0; i < most_steps; ++i) {
     const Place place = f.worst(c.weights(x));
-    if (place.sum <= c.limit * (1 + 1e-14))
+    if (place.sum <= c.limit * (1 + rounded_value))
       return unlimited ? MasterLimit{} : MasterLimit{x, c.quantity, place.where};
     const double next = at_limit(c, place.size, x);
     if (!(next < x)) return {next, c.quantity, place.where};

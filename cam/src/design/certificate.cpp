@@ -10,6 +10,7 @@
 
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/detail/quadrature.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // f leads from 0 to 1 over z in [0, 1]; f', ..., f^(n-1) are zero at both ends and continuous.
 // Integrating by parts n - 1 times, for every polynomial p of degree n - 1 with the leading
@@ -51,6 +52,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 
 constexpr double end_rounding =
     1e-7;  // ends that are zero to 1e-9 of the peak change a bound by that
@@ -97,7 +101,7 @@ class Certificate {
     const Range& travel = rise.ranges[0];
     const double far = std::max(std::abs(travel.min.value), std::abs(travel.max.value));
     const double away = std::max(std::abs(rise.cam.start()), std::abs(rise.cam.end()));
-    blur_ = 1e-14 * (far / std::abs(rise.stroke) + away / rise.length());
+    blur_ = rounded_value * (far / std::abs(rise.stroke) + away / rise.length());
   }
 
   /// `value` cannot be below `bound`.
@@ -112,9 +116,9 @@ class Certificate {
   }
   /// `value` is `expected`, to 1e-9 of `scale` plus rounding.
   void equal(Rule rule, std::string quantity, double value, double expected, double scale) {
-    const double room = (1e-9 + blur_) * scale - std::abs(value - expected);
+    const double room = (rounded_input + blur_) * scale - std::abs(value - expected);
     add(std::move(rule), std::move(quantity), {value, rise_.cam.start()}, expected,
-        room / ((1e-9 + blur_) * scale), room < 0);
+        room / ((rounded_input + blur_) * scale), room < 0);
   }
 
   [[nodiscard]] Report report() && { return std::move(report_); }

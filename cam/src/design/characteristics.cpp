@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/cam/detail/quadrature.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // Let z = (x - x0) / b and f = (y - y0) / h. The n-th derivative with respect to z is b^n / h times
 // that with respect to the master:
@@ -25,6 +26,8 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::two_roundings;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Searches max |y' y''| over the segments of a rise.
@@ -36,7 +39,8 @@ class PowerSearch {
     std::vector<Segment> slopes;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       slopes.push_back(derivative(pieces[i]));
-      noise_ = std::max(noise_, 4e-16 * magnitude(slopes[i]) * magnitude(derivative(slopes[i])));
+      noise_ =
+          std::max(noise_, two_roundings * magnitude(slopes[i]) * magnitude(derivative(slopes[i])));
       for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0})
         take(evaluate(slopes[i], s), rise.cam.breaks()[i] + s * pieces[i].length);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/resolve.hpp"
@@ -12,14 +13,16 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+
 Extrapolation outside(const CamSpec& spec) {
   if (!spec.periodic) return Extrapolation::hold;
   return spec.slave_period ? Extrapolation::advance : Extrapolation::wrap;
 }
 
 char letter(double velocity, double acceleration, const Ranges& peaks) {
-  const bool moves = std::abs(velocity) > 1e-9 * std::abs(peaks[1].peak().value);
-  const bool bends = std::abs(acceleration) > 1e-9 * std::abs(peaks[2].peak().value);
+  const bool moves = std::abs(velocity) > rounded_input * std::abs(peaks[1].peak().value);
+  const bool bends = std::abs(acceleration) > rounded_input * std::abs(peaks[2].peak().value);
   return moves ? (bends ? 'B' : 'G') : (bends ? 'U' : 'R');
 }
 

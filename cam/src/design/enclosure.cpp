@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 // Enclosures of a segment over |t| <= h around its midpoint m, s = m + t:
 //
 //   (1)  f^(k)/k! (m + t) = q_k + sum over j > k of C(j, k) q_j t^(j-k)  polynomial, q shifted to m
@@ -16,7 +17,13 @@
 namespace jounce::cam_detail {
 namespace {
 
+using profiles_detail::one_rounding;
+using profiles_detail::rounded_root;
+
 using Shifted = std::array<double, Segment::max_degree + 1>;
+
+/// Share of a segment: a shorter interval is not divided.
+constexpr double shortest_enclosure = 1e-12;
 
 Shifted shifted_to(const Segment& f, double m) {
   Shifted q = f.c;
@@ -63,7 +70,7 @@ class Maximum {
 
  private:
   [[nodiscard]] double rounding() const {
-    return 1e-13 * std::max(scale_, std::abs(best_.extremum.value));
+    return rounded_root * std::max(scale_, std::abs(best_.extremum.value));
   }
   [[nodiscard]] double half_width(const SegmentPart& over) const {
     return (over.s1 - over.s0) / 2 * f_.segments()[over.segment].length * angle_;
@@ -82,7 +89,7 @@ class Maximum {
     const Interval at_middle = observed_(over.at(over.middle())).c[0];
     const double upper =
         std::min(g.c[0].hi, at_middle.hi + half_width(over) * g.c[1].magnitude());  // (3)
-    if (upper <= best_.extremum.value + rounding() || over.s1 - over.s0 < 1e-12) {
+    if (upper <= best_.extremum.value + rounding() || over.s1 - over.s0 < shortest_enclosure) {
       bound_ = std::max(bound_, upper);
       return;
     }
@@ -107,7 +114,7 @@ class Maximum {
     double b = over.s1;
     double s = a + (b - a) * first / (first - last);
     const double width = f_.segments()[over.segment].length * angle_;
-    for (int i = 0; i < 100 && b - a > 2e-16; ++i) {
+    for (int i = 0; i < 100 && b - a > one_rounding; ++i) {
       const Taylor<2> g = observed_(over.at(s));
       const double slope = g.c[1].middle();
       (slope > 0 ? a : b) = s;

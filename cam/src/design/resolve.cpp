@@ -12,6 +12,7 @@
 #include <string>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -19,6 +20,7 @@ namespace jounce::camming {
 namespace {
 
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 constexpr double largest = 1e100;  // up to here, squares and quotients of derivatives are finite
 
 class Resolver {
@@ -122,7 +124,7 @@ void Resolver::require_whole_turns() const {
   const double advance = knots_.back().slave - knots_.front().slave;
   const double turns = std::round(advance / period);
   const double scale = std::max(std::abs(knots_.back().slave), std::abs(knots_.front().slave));
-  if (std::abs(advance - turns * period) > 1e-12 * std::max(scale, period))
+  if (std::abs(advance - turns * period) > rounded_sum * std::max(scale, period))
     throw InputError(key_of(spec_.segments.size(), "slave"), knots_.back().slave,
                      "must be a whole number of slave periods (" + number(period) +
                          ") from the start, as " + number(knots_.front().slave + turns * period) +

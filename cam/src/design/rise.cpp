@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 
 using Jet5 = std::array<double, 5>;  // value and four derivatives
 
@@ -143,7 +145,7 @@ std::vector<Rise> rises(const Cam& cam) {
   // A stroke within rounding does not count.
   const double still =
       std::max(rounded_input * (travel.max.value - travel.min.value),
-               1e-14 * std::max(std::abs(travel.max.value), std::abs(travel.min.value)));
+               rounded_value * std::max(std::abs(travel.max.value), std::abs(travel.min.value)));
   const auto breaks = resting(cam, row);
   std::vector<Rise> all;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {

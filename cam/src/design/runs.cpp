@@ -5,12 +5,15 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "cam/src/design/parts.hpp"
 
 namespace jounce {
 
 namespace {
+
+using profiles_detail::one_rounding;
 
 using Kind = CamRun::Kind;
 
@@ -26,7 +29,7 @@ namespace cam_detail {
 std::vector<Part> parts(const Segment& f) {
   const double rounding = motion_rounding * magnitude(f);
   std::vector<double> cuts;
-  if (rounding > 0) roots(derivative(f), 2e-16 * magnitude(f) / f.length, cuts);
+  if (rounding > 0) roots(derivative(f), one_rounding * magnitude(f) / f.length, cuts);
   std::vector<double> kept{0};
   const auto moves = [&](double a, double b) {
     return std::abs(value(f, b) - value(f, a)) > rounding;

@@ -11,6 +11,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // The quintic from rest to the slope k (or from k to rest) with stroke h over length b,
 // accelerations zero. With z = x / b and rho = k b / h,
@@ -29,6 +30,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 constexpr double ripple = 1e-3;
 constexpr double rho_least = 5.0 / 3;
 constexpr double rho_most = 5.0 / 2;
@@ -198,7 +200,7 @@ class Inspection {
     for (std::size_t k = lowest; k < left.size(); ++k) {
       const double step = std::abs(right[k] - left[k]);
       const double limit =
-          std::max(rounded_input * scale_[k], 1e-14 * std::abs(all_[k].peak().value));
+          std::max(rounded_input * scale_[k], rounded_value * std::abs(all_[k].peak().value));
       if (step <= limit) continue;
       Finding f;
       f.rule = Rule(RuleFamily::joint, OverMaster::names[k]);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -19,6 +20,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 constexpr double turn = 2 * std::numbers::pi;
 
@@ -69,17 +72,17 @@ double start_angle(const DiscSpec& spec, double travel) {
 Cam whole_turn(const Cam& cam, double angle) {
   const double lobes = turn / (cam.length() * angle);
   const double whole = std::round(lobes);
-  if (!(whole >= 1 && whole <= 1000 && std::abs(lobes - whole) <= 1e-9 * whole))
+  if (!(whole >= 1 && whole <= 1000 && std::abs(lobes - whole) <= rounded_input * whole))
     throw InputError("cam", six_digits(cam.length() * angle * 360 / turn) + " deg long",
                      "must be 360 deg, or 360 deg divided by a whole number, to become a disc");
   const Range travel = extrema(cam, 0);
   const double step = cam.jet(cam.end(), Side::left)[0] - cam.jet(cam.start())[0];
-  if (std::abs(step) > 1e-9 * (travel.max.value - travel.min.value))
+  if (std::abs(step) > rounded_input * (travel.max.value - travel.min.value))
     throw InputError(
         "cam", number(cam.jet(cam.end(), Side::left)[0]) + " at its end",
         "must end where it begins, at " + number(cam.jet(cam.start())[0]) + ", to become a disc");
   const Jump jump = largest_jump(cam, 0);
-  if (std::abs(jump.step) > 1e-9 * (travel.max.value - travel.min.value))
+  if (std::abs(jump.step) > rounded_input * (travel.max.value - travel.min.value))
     throw InputError("cam", six_digits(jump.step),
                      "is a step of the slave at master " + six_digits(jump.where) +
                          ", which no disc can have: remove it");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "jounce/cam/disc/disc.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 // By (1) of disc.cpp and (7) of pitch.hpp, a translating roller keeps |pressure angle| <= A
@@ -19,6 +20,12 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
+constexpr double radius_resolution = 2e-10;  ///< share of the radius
+/// Share of a step, or of a radius, above a bound that is not permitted itself.
+constexpr double just_above = 1e-9;
 constexpr double deg = 180 / std::numbers::pi;
 
 void require_valid(const DiscLimits& limits) {
@@ -70,7 +77,7 @@ double least_by_pressure(const Cam& cam, const DiscSpec& spec, const DiscLimits&
 /// one.
 double boundary(const Cam& cam, const DiscSpec& spec, const DiscLimits& limits, double bad,
                 double good) {
-  while (good - bad > 2e-10 * good) {
+  while (good - bad > radius_resolution * good) {
     const double middle = bad + (good - bad) / 2;
     (keeps(cam, spec, middle, limits) ? good : bad) = middle;
   }
@@ -98,7 +105,7 @@ Finding finding(Rule rule, std::string quantity, const Extremum& at, double valu
   const double room = least ? value - limit : std::abs(limit) - std::abs(value);
   const double scale = std::abs(limit) > 0 ? std::abs(limit) : 1;
   f.margin = room / scale;
-  f.broken = room < -1e-9 * scale;
+  f.broken = room < -rounded_input * scale;
   return f;
 }
 
@@ -190,13 +197,15 @@ std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
         std::max(0.0, std::abs(spec.centre_distance - spec.arm_length) - spec.roller_radius);
     const double to = spec.centre_distance + spec.arm_length - spec.roller_radius;
     const double step = (to - from) / 400;
-    return step > 0 ? climb(cam, spec, limits, from + 1e-9 * step, to, 1, step) : std::nullopt;
+    return step > 0 ? climb(cam, spec, limits, from + just_above * step, to, 1, step)
+                    : std::nullopt;
   }
   const Range travel = extrema(cam, 0);
   const double size =
       spec.roller_radius + std::abs(spec.offset) + travel.max.value - travel.min.value;
-  const double from = std::max({least_by_pressure(cam, spec, limits) * (1 + 1e-12), 1e-3 * size,
-                                (std::abs(spec.offset) - spec.roller_radius) * (1 + 1e-9)});
+  const double from =
+      std::max({least_by_pressure(cam, spec, limits) * (1 + rounded_sum), 1e-3 * size,
+                (std::abs(spec.offset) - spec.roller_radius) * (1 + just_above)});
   return climb(cam, spec, limits, from, 1e9 * size, 1.02, 0);
 }
 

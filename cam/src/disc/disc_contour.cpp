@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -22,10 +23,17 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+
 using cam_detail::Interval;
 using cam_detail::Plane;
 using cam_detail::SegmentPart;
 using cam_detail::Taylor;
+
+/// Sine of an angle: three points with a smaller one have no circle.
+constexpr double on_a_line = 1e-6;
+constexpr double shortest_arc = 1e-12;    ///< share of a segment: a shorter arc is not divided
+constexpr double finest_contour = 1e-10;  ///< share of the size of the cam
 
 struct Circle {
   Place centre;
@@ -40,7 +48,7 @@ std::optional<Circle> through(const Vertex& a, const Vertex& m, const Vertex& b)
   const double uu = u.x * u.x + u.y * u.y;
   const double vv = v.x * v.x + v.y * v.y;
   const double twice = 2 * (u.x * v.y - u.y * v.x);
-  if (!(std::abs(twice) > 1e-6 * vv)) return std::nullopt;
+  if (!(std::abs(twice) > on_a_line * vv)) return std::nullopt;
   const Place c{(uu * v.y - vv * u.y) / twice, (vv * u.x - uu * v.x) / twice};
   const double radius = std::hypot(c.x, c.y);
   const double half = std::min(1.0, std::sqrt(vv) / (2 * radius));  // sine of half the angle
@@ -82,7 +90,7 @@ class Flattening {
     if (const auto bulge = arc(over, a, b, p)) {
       a.bulge = *bulge;
       contour_.push_back(a);
-    } else if (is_line(over, p) || over.s1 - over.s0 < 1e-12) {
+    } else if (is_line(over, p) || over.s1 - over.s0 < shortest_arc) {
       contour_.push_back(a);
     } else {
       run(over.left());
@@ -128,10 +136,10 @@ void require_tolerance(const Disc& disc, double distance, double tolerance) {
   require_positive("tolerance", tolerance);
   const double size = disc.spec().base_radius + disc.spec().roller_radius +
                       extrema(disc.lift(), 0).max.value + std::abs(distance);
-  if (!(tolerance >= 1e-10 * size))
+  if (!(tolerance >= finest_contour * size))
     throw InputError(
         "tolerance", tolerance,
-        "must be at least " + six_digits_up(1e-10 * size) + ", 1e-10 of the cam's size");
+        "must be at least " + six_digits_up(finest_contour * size) + ", 1e-10 of the cam's size");
 }
 
 }  // namespace
@@ -140,7 +148,7 @@ Contour contour(const Disc& disc, double distance, double tolerance, Pieces piec
   require_finite("distance", distance);
   require_tolerance(disc, distance, tolerance);
   const Jump jump = largest_jump(disc.lift(), 1);
-  if (std::abs(jump.step) > 1e-9 * std::abs(extrema(disc.lift(), 1).peak().value))
+  if (std::abs(jump.step) > rounded_input * std::abs(extrema(disc.lift(), 1).peak().value))
     throw InputError("cam", six_digits(jump.step),
                      "is a step of the velocity at master " + six_digits(jump.where) +
                          ": the contour would have a corner there, which no roller can follow. Use "

@@ -28,8 +28,9 @@ namespace {
 using cam_detail::Interval;
 using cam_detail::SegmentPart;
 
-constexpr double touching = 1e-5;   // relative to the radius: a clearance that counts as none
-constexpr double precision = 1e-3;  // relative to the radius: precision of the depth
+constexpr double shortest_part = 1e-9;  ///< share of a segment: a shorter part is not divided
+constexpr double touching = 1e-5;       // relative to the radius: a clearance that counts as none
+constexpr double precision = 1e-3;      // relative to the radius: precision of the depth
 
 /// An interval of the turn, with a circle that contains all its contact points, and one that
 /// contains all centers of the rolled circle.
@@ -88,7 +89,7 @@ class Search {
   /// Divides into arcs of at most a twentieth of a turn.
   void divide(const SegmentPart& over) {
     const Arc whole = arc(over);
-    if (whole.turning <= std::numbers::pi / 10 || over.s1 - over.s0 < 1e-9) {
+    if (whole.turning <= std::numbers::pi / 10 || over.s1 - over.s0 < shortest_part) {
       arcs_.push_back(whole);
       return;
     }

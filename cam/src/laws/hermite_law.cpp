@@ -5,12 +5,15 @@
 #include <string>
 
 #include "jounce/cam/laws/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/resolve.hpp"
 
 namespace jounce::camming {
 namespace {
+
+using profiles_detail::rounded_input;
 
 double required(const std::optional<double>& value, const std::string& key) {
   if (!value) throw InputError(key, "", "is missing: the law hermite needs it at every point");
@@ -44,7 +47,7 @@ HermitePoint hermite_end(const Placed& at, const CamKnot& knot, const CamPoint* 
     if (!own) return;
     if (!of_knot) value = *own;
     scale = std::max({scale, std::abs(value), std::abs(*own)});
-    if (std::abs(*own - value) > 1e-9 * scale)
+    if (std::abs(*own - value) > rounded_input * scale)
       throw InputError(key + name, *own, "must be " + number(value) + ", as at its knot");
   };
   take("slave", point->slave, knot.slave, end.slave, std::abs(at.to.slave - at.from.slave));

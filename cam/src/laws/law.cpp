@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -48,6 +49,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr double pi = std::numbers::pi;
 
@@ -333,7 +336,7 @@ std::vector<Segment> scca(double b, double c, double d, double straight) {
   require_not_negative("shares[2]", c);
   require_not_negative("shares[3]", d);
   require_not_negative("straight", straight);
-  if (std::abs(b + c + d - 1) > 1e-12)
+  if (std::abs(b + c + d - 1) > rounded_sum)
     throw InputError("shares", six_digits(b) + " + " + six_digits(c) + " + " + six_digits(d),
                      "must add up to 1, not " + six_digits(b + c + d));
   const double half = (1 - straight) / 2;

@@ -5,8 +5,12 @@
 #include <bit>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::cam_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr std::uint32_t bit(int track) {
   return 1U << static_cast<unsigned>(track - 1);
@@ -104,7 +108,7 @@ void SwitchMachine::add(const CamSwitch& s, const CamSwitchSpec& spec) {
   const double first = s.first_on_position;
   double last = s.last_on_position.value_or(first);
   if (last < first) last += period_;
-  const double near = 1e-12 * std::max({std::abs(first), std::abs(last), period_});
+  const double near = rounded_sum * std::max({std::abs(first), std::abs(last), period_});
 
   Switch made{.track = track(options), .direction = s.axis_direction};
   for (Boundary* b : {&made.lower, &made.upper}) {

@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce::cam_detail {
 namespace {
 
+using profiles_detail::one_rounding;
 /// More than the maximum for a piece of degree 3: 2 reversals of the axis, and 2 of y between any
 /// two of them.
 constexpr std::size_t room = 32;
@@ -41,7 +43,7 @@ void find_changes(const Segment& parabola, std::vector<double>& out) {
 void find_turns(const Segment& f, const Segment& derivative, std::vector<double>& out) {
   out.clear();
   if (derivative.sines == 0 && derivative.degree <= 2) return find_changes(derivative, out);
-  roots(derivative, 2e-16 * magnitude(f) / f.length, out);
+  roots(derivative, one_rounding * magnitude(f) / f.length, out);
 }
 
 }  // namespace
@@ -117,7 +119,7 @@ double SwitchPath::time(const MonotonePart& part, double target) const {
     ((miss > 0) == rising ? b : a) = s;
     const double newton = s - miss / (f[1] * y.length);
     const double next = newton > a && newton < b ? newton : a + (b - a) / 2;
-    if (next == s || b - a <= 2e-16) break;
+    if (next == s || b - a <= one_rounding) break;
     s = next;
   }
   return s * y.length;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "controllers/src/exchange/formats.hpp"
@@ -14,6 +15,8 @@
 // of points, each with dX (master), dY (slave), dV = dY/dX and dA = d2Y/dX2, and a reference to it.
 namespace jounce::controllers_detail {
 namespace {
+
+using profiles_detail::rounded_input;
 
 const KnotType cam_xyva{.name = "SMC_CAMXYVA", .fields = {"dX", "dY", "dV", "dA"}};
 
@@ -108,7 +111,8 @@ void require_consistent(const Reference& reference, const Exchanged& cam, const 
                "must be 3 (XYVA) for an array of SMC_CAMXYVA");
   require("nelements", "nElements", static_cast<double>(x.size()), 0,
           "there are " + std::to_string(x.size()) + " points");
-  const double near = 1e-9 * std::abs(x.back() - x.front());  // digits that a program leaves out
+  const double near =
+      rounded_input * std::abs(x.back() - x.front());  // digits that a program leaves out
   const std::string rule =
       ": the points must cover the master's range (errors 751 and 752 of the controllers)";
   require("xstart", "xStart", x.front(), near, "the first point is at " + number(x.front()) + rule);

@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/detail/ascending.hpp"
 #include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/detail/velocity_ramp.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
@@ -129,7 +130,11 @@ Profile jog(const MotionState& from, double vel, const Jog& parameters) {
   const double dec = or_else(parameters.dec, parameters.acc);
   const double up = share_jerk(parameters.acc, parameters.smooth, dv_up);
   const double down = share_jerk(dec, parameters.smooth, dv_down);
-  return velocity_ramp(from, vel, {parameters.acc, up, up}, {dec, down, down});
+  return velocity_ramp(from, vel,
+                       Dynamics{.acceleration = parameters.acc,
+                                .deceleration = dec,
+                                .jerk = up,
+                                .deceleration_jerk = down});
 }
 
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters) {
@@ -181,9 +186,9 @@ Profile move_velocity(const MotionState& from, const MoveVelocity& move) {
   require_positive("jerk_end", move.jerk_end);
   const bool down = move.direction == Direction::negative ||
                     (move.direction == Direction::current && from.velocity < 0);
-  return velocity_ramp(from, down ? -move.vel : move.vel,
-                       {move.acc, move.jerk_begin, move.jerk_end},
-                       {or_else(move.dec, move.acc), move.jerk_begin, move.jerk_end});
+  return profiles_detail::velocity_ramp(
+      from, down ? -move.vel : move.vel, {move.acc, move.jerk_begin, move.jerk_end},
+      {or_else(move.dec, move.acc), move.jerk_begin, move.jerk_end});
 }
 
 Trajectory move_velocity(const Trajectory& running, double t, const MoveVelocity& move) {

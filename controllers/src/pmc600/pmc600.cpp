@@ -25,35 +25,39 @@ constexpr double least_velocity = 0.001;  // u/s, of StartVel and EndSecondVel
 struct Stretch {
   double from = 0, to = 0;
   double v0 = 0, v1 = 0;
-  Ramps ramps;
+  Dynamics dynamics;
+  VelocityMode mode = VelocityMode::trapezoid;
 };
 
-Ramps completed(Ramps r) {
-  require_positive("velocity", r.velocity);
-  require_positive("acceleration", r.acceleration);
-  require_not_negative("deceleration", r.deceleration);
-  if (r.deceleration == 0) r.deceleration = r.acceleration;
-  if (r.mode == VelocityMode::quadratic) require_positive("jerk", r.jerk);
-  return r;
+Dynamics completed(Dynamics d, VelocityMode mode) {
+  require_positive("velocity", d.velocity);
+  require_positive("acceleration", d.acceleration);
+  require_not_negative("deceleration", d.deceleration);
+  if (d.deceleration == 0) d.deceleration = d.acceleration;
+  if (mode != VelocityMode::quadratic) return d;
+  require_positive("jerk", d.jerk);
+  require_not_negative("deceleration_jerk", d.deceleration_jerk);
+  if (d.deceleration_jerk == 0) d.deceleration_jerk = d.jerk;
+  return d;
 }
 
 /// Calls use(up, down) with the laws of the mode.
 template <class Use>
-auto with_laws(const Ramps& r, Use use) {
-  switch (r.mode) {
+auto with_laws(const Dynamics& d, VelocityMode mode, Use use) {
+  switch (mode) {
     case VelocityMode::sigmoid:  // (1)
-      return use(profiles_detail::SineLaw{r.acceleration},
-                 profiles_detail::SineLaw{r.deceleration});
+      return use(profiles_detail::SineLaw{d.acceleration},
+                 profiles_detail::SineLaw{d.deceleration});
     case VelocityMode::sigmoid_limit:  // (2)
-      return use(profiles_detail::SineLaw{2 / pi * r.acceleration},
-                 profiles_detail::SineLaw{2 / pi * r.deceleration});
+      return use(profiles_detail::SineLaw{2 / pi * d.acceleration},
+                 profiles_detail::SineLaw{2 / pi * d.deceleration});
     case VelocityMode::quadratic:
-      return use(profiles_detail::JerkLaw{r.acceleration, r.jerk},
-                 profiles_detail::JerkLaw{r.deceleration, r.jerk});
+      return use(profiles_detail::JerkLaw{d.acceleration, d.jerk},
+                 profiles_detail::JerkLaw{d.deceleration, d.deceleration_jerk});
     case VelocityMode::trapezoid:
       break;
   }
-  return use(profiles_detail::JerkLaw{r.acceleration}, profiles_detail::JerkLaw{r.deceleration});
+  return use(profiles_detail::JerkLaw{d.acceleration}, profiles_detail::JerkLaw{d.deceleration});
 }
 
 Trajectory made(const profiles_detail::RampedMove<profiles_detail::SineLaw>& move, double from,
@@ -66,9 +70,9 @@ Trajectory made(const profiles_detail::RampedMove<profiles_detail::JerkLaw>& mov
 }
 
 Trajectory curve(const Stretch& s) {
-  return with_laws(s.ramps, [&](const auto& up, const auto& down) {
+  return with_laws(s.dynamics, s.mode, [&](const auto& up, const auto& down) {
     const double h = std::abs(s.to - s.from);
-    const auto move = profiles_detail::ramped(up, s.v0, down, s.v1, s.ramps.velocity, h);
+    const auto move = profiles_detail::ramped(up, s.v0, down, s.v1, s.dynamics.velocity, h);
     if (!move)
       throw InputError("to", s.to,
                        "is too close to `from`: the move would be too short to compute");
@@ -77,18 +81,19 @@ Trajectory curve(const Stretch& s) {
 }
 
 /// The greatest velocity that can be reached from rest over h, resp. from which h suffices to stop.
-double reached_over(double h, const Ramps& ramps, bool stopping) {
-  return with_laws(ramps, [&](const auto& up, const auto& down) {
+double reached_over(double h, const Dynamics& dynamics, VelocityMode mode, bool stopping) {
+  return with_laws(dynamics, mode, [&](const auto& up, const auto& down) {
     const auto& law = stopping ? down : up;
-    return profiles_detail::greatest(ramps.velocity, h,
+    return profiles_detail::greatest(dynamics.velocity, h,
                                      [&](double v) { return distance(law, 0, v); });
   });
 }
 
-double joint_velocity(double h0, const Ramps& first, double h1, const Ramps& second) {
+double joint_velocity(double h0, const Dynamics& first, double h1, const Dynamics& second,
+                      VelocityMode mode) {
   if (h0 * h1 <= 0) return 0;
-  return std::min(reached_over(std::abs(h0), first, false),
-                  reached_over(std::abs(h1), second, true));
+  return std::min(reached_over(std::abs(h0), first, mode, false),
+                  reached_over(std::abs(h1), second, mode, true));
 }
 
 void require_end_velocity(const char* key, double v, double velocity) {
@@ -111,14 +116,17 @@ void require_distance(const char* key, double from, double to) {
 
 }  // namespace
 
-Trajectory move_absolute(double from, double to, const Ramps& ramps) {
+Trajectory move_absolute(double from, double to, const Dynamics& dynamics, VelocityMode mode) {
   require_distance("to", from, to);
-  return curve({from, to, 0, 0, completed(ramps)});
+  return curve({from, to, 0, 0, completed(dynamics, mode), mode});
 }
 
 Profile ls_move(const LsMove& move) {
   require_distance("to", move.from, move.to);
-  const Ramps r = completed({move.velocity, move.acceleration, move.deceleration});
+  const Dynamics r = completed({.velocity = move.velocity,
+                                .acceleration = move.acceleration,
+                                .deceleration = move.deceleration},
+                               VelocityMode::trapezoid);
   const double v0 = end_velocity("start_velocity", move.start_velocity, move.velocity);
   const double v1 = end_velocity("end_second_velocity", move.end_second_velocity, move.velocity);
   const profiles_detail::JerkLaw up{r.acceleration};
@@ -151,13 +159,18 @@ Trajectory position_to_velocity(const PositionToVelocity& move) {
   const double to = move.end_pos[1] + (move.relative ? joint : 0);
   require_distance("end_pos[1]", move.from, joint);
   require_distance("end_pos[2]", joint, to);
-  const auto ramps = [&](std::size_t i) {
-    return completed(
-        {move.velocity[i], move.acceleration[i], move.deceleration[i], move.jerk[i], move.mode});
+  const auto dynamics = [&](std::size_t i) {
+    return completed({.velocity = move.velocity[i],
+                      .acceleration = move.acceleration[i],
+                      .deceleration = move.deceleration[i],
+                      .jerk = move.jerk[i]},
+                     move.mode);
   };
-  const double v = joint_velocity(joint - move.from, ramps(0), to - joint, ramps(1));
-  return concatenated(curve({move.from, joint, 0, v, ramps(0)}),
-                      curve({joint, to, v, 0, ramps(1)}));
+  const Dynamics first = dynamics(0);
+  const Dynamics second = dynamics(1);
+  const double v = joint_velocity(joint - move.from, first, to - joint, second, move.mode);
+  return concatenated(curve({move.from, joint, 0, v, first, move.mode}),
+                      curve({joint, to, v, 0, second, move.mode}));
 }
 
 }  // namespace jounce::pmc600

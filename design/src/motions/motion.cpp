@@ -110,7 +110,7 @@ Trajectory made(const AgitoJogSpec& s) {
 }
 
 Trajectory made(const Pmc600Spec& s) {
-  return pmc600::move_absolute(s.from, s.to, s.ramps);
+  return pmc600::move_absolute(s.from, s.to, s.dynamics, s.mode);
 }
 Trajectory made(const pmc600::LsMove& s) {
   return pmc600::ls_move(s).curve();

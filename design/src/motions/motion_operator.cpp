@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/sequences/retime.hpp"
 #include "jounce/profiles/vibration/moving_average.hpp"
 #include "jounce/spec/detail/in_document.hpp"
@@ -13,6 +14,9 @@
 namespace jounce::design_detail {
 namespace {
 
+using profiles_detail::rounded_input;
+
+constexpr double compensation_tolerance = 1e-9;  ///< share of the greatest correction
 /// Further data that an operator may need.
 struct Context {
   std::vector<Limits> limits;
@@ -28,7 +32,7 @@ using Motions = std::vector<Trajectory>;
 void require_rest_at_ends(const Trajectory& motion) {
   const double peak = std::abs(extrema(motion, 1).peak().value);
   for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
-    if (std::abs(v) > 1e-9 * peak)
+    if (std::abs(v) > rounded_input * peak)
       throw InputError("operator", "",
                        "needs a motion from rest to rest; this one has the velocity " + number(v) +
                            " at an end");
@@ -113,7 +117,8 @@ void apply(const CompensateSpec& s, Context& context, Motions& motions) {
   std::vector<Trajectory> references;
   for (const std::string& name : s.references)
     references.push_back(motions[axis_named(name, "reference.axis", context, axis)]);
-  const double tolerance = s.tolerance.value_or(1e-9 * (table.peak() > 0 ? table.peak() : 1));
+  const double tolerance =
+      s.tolerance.value_or(compensation_tolerance * (table.peak() > 0 ? table.peak() : 1));
   Fitted<OverTime> corrected = compensated(motions[axis], table, references, tolerance);
   motions[axis] = std::move(corrected.curve);
   for (std::size_t k = 0; k < corrected.error.size(); ++k)

@@ -7,10 +7,13 @@
 #include <span>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 /// Greatest magnitude of the derivative of an axis with respect to q on a piece.
 double steepest(const Path& path, std::size_t piece, std::size_t axis,
                 std::vector<Segment>& segments) {
@@ -134,7 +137,8 @@ std::vector<Plateau> extrema_of(std::span<const LawPlace> places, double same) {
 /// The corners that are on the path, in its order.
 class Corners {
  public:
-  Corners(std::span<const CornerRecord> all, double length) : all_(all), margin_(1e-9 * length) {
+  Corners(std::span<const CornerRecord> all, double length)
+      : all_(all), margin_(rounded_input * length) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i].note != JointNote::no_distance) order_.push_back(i);
   }
@@ -194,7 +198,8 @@ PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corner_records)
   const Corners corners(corner_records, plan.path().length());
   const std::vector<LawPlace> places = places_of(plan.law());
   double rounding = 0;
-  for (const LawPlace& place : places) rounding = std::max(rounding, 1e-9 * place.velocity);
+  for (const LawPlace& place : places)
+    rounding = std::max(rounding, rounded_input * place.velocity);
   const std::vector<Plateau> turns = extrema_of(places, rounding);
   PathCost cost{.at_full_speed = full.whole(), .losses = {}};
   LawPlace from = places.front();
@@ -221,7 +226,7 @@ PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corner_records)
       explain(plan, corners, a, b, loss);
     }
     cost.losses.push_back(loss);
-    if (rest > 1e-12 * plan.duration()) {
+    if (rest > rounded_sum * plan.duration()) {
       loss.cause = LossCause::dwell;
       loss.loss = rest;
       loss.corner.reset();

@@ -13,6 +13,9 @@
 namespace jounce::design_detail {
 namespace {
 
+constexpr double path_tolerance = 1e-9;  ///< greatest distance from the path, in its unit
+constexpr double path_rounding = 2e-14;  ///< share of the largest coordinate
+
 std::string name_of(const PathPiece& piece) {
   const bool corner = piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
   return (corner ? "corner " : "line ") + std::to_string(piece.line);
@@ -49,7 +52,7 @@ double fine(const Program& program) {
     largest = std::max(largest, arc.radius);
     for (const double c : arc.center) largest = std::max(largest, std::abs(c));
   }
-  return std::max(1e-9, 2e-14 * largest);
+  return std::max(path_tolerance, path_rounding * largest);
 }
 
 /// The curve without the segments that are shorter than the rounding of its times, because knots of

@@ -5,9 +5,12 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/path_text.hpp"
 #include "jounce/path/along.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 /// The greatest factor of an override; at least 1.
 double greatest_factor(const PathSpec& path) {
@@ -32,7 +35,7 @@ namespace {
 /// ends at q except for rounding, the result is its end.
 double first_time_at(const TimingLaw& law, double q) {
   const auto stretches = law.stretches();
-  const double rounding = 1e-12 * (stretches.back().start + stretches.back().length);
+  const double rounding = rounded_sum * (stretches.back().start + stretches.back().length);
   if (q <= rounding) return 0;
   const auto stretch =
       std::lower_bound(stretches.begin(), stretches.end() - 1, q - rounding,

@@ -19,6 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double no_loss = 1e-9;  ///< share of the duration
+
 constexpr std::size_t places_for_people = 10;
 constexpr std::array corner_names{"stop",      "deviation", "distance",
                                   "curvature", "velocity",  "average"};
@@ -61,7 +63,7 @@ std::string costs_text(const PathSummary& s, const Along& units) {
     const auto count = std::count_if(s.cost.losses.begin(), s.cost.losses.end(),
                                      [&](const SpeedLoss& loss) { return loss.cause == cause; });
     const double sum = s.cost.of(cause);
-    if (count == 0 || sum <= 1e-9 * s.duration) continue;
+    if (count == 0 || sum <= no_loss * s.duration) continue;
     const std::string times = count == 1 ? "" : fmt::format(" ({} places)", count);
     text += fmt::format("; {}: {} {}{}", name(cause), rounded(sum), units.time, times);
   }

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 template <class Kind>
 std::optional<CutLengths> lengths_of(const Kind&) {
@@ -28,8 +31,7 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   const RotaryKnifeFigures f = figures(spec);
   const CamOfLength cams = cams_of(spec, f.sync_length);
   CutLengths all;
-  // The longest cut does not yet reverse.
-  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);
+  if (!spec.dwell) all.turns_back = f.longest * (1 + rounded_sum);  // the longest does not reverse
   all.fastest = [cams, back = all.turns_back](double length, const CutLimits& limits) -> CutSpeed {
     if (length > back) return {length, 0, "reversal", 0};
     return fastest_cut(cams, length, limits);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/sync_cam.hpp"
 #include "jounce/gear/gear.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 #include "jounce/spec/detail/of_follow.hpp"
 
+#include "design/src/sync/sync_cam.hpp"
 #include "design/src/sync/sync_gear.hpp"
 
 namespace jounce {

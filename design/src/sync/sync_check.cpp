@@ -10,13 +10,16 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/cut_lengths.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/sync_follow.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/report_text.hpp"
 
+#include "design/src/sync/sync_follow.hpp"
 #include "design/src/sync/sync_gear.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 template <class Kind>
 Report findings_of(const Kind&, const Spec&) {
@@ -62,7 +65,7 @@ Report findings_of(const FlyingShear& shear, const Spec& spec) {
   f.limit = std::max(0.01 * shear.cut_length, millisecond * shear.line_speed);
   f.margin = f.value / f.limit - 1;
   f.severity = Severity::warning;
-  const bool far = plan.stroke >= *shear.stroke * (1 - 1e-9);
+  const bool far = plan.stroke >= *shear.stroke * (1 - rounded_input);
   f.advice = far ? "the stroke is too short: lengthen it, or slow the line down"
                  : "the return is too short: cut longer pieces, or slow the line down";
   return f.value < f.limit ? Report{{f}} : Report{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/sync_follow.hpp"
+#include "design/src/sync/sync_follow.hpp"
 
 #include <fmt/format.h>
 

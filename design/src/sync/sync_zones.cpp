@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce {
 
 std::vector<SyncZone> sync_zones(const Input& input) {
@@ -14,7 +16,7 @@ std::vector<SyncZone> sync_zones(const Input& input) {
   for (std::size_t i = 0; i < cam->segments().size(); ++i) {
     const Range v = segment_extrema(*cam, i)[1];
     const double peak = std::abs(v.peak().value);
-    if (peak == 0 || v.max.value - v.min.value > 1e-9 * peak) continue;
+    if (peak == 0 || v.max.value - v.min.value > profiles_detail::rounded_input * peak) continue;
     const std::string label = names.empty() ? "" : names[i];
     zones.push_back({cam->breaks()[i], cam->breaks()[i + 1],
                      label.substr(std::min(label.size(), label.find(' ') + 1))});

@@ -8,11 +8,12 @@
 
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
-#include "jounce/executor/commands.hpp"
-#include "jounce/executor/events.hpp"
-#include "jounce/executor/notices.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "executor/src/cycle/commands.hpp"
+#include "executor/src/cycle/events.hpp"
+#include "executor/src/cycle/notices.hpp"
 
 namespace jounce {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/commands.hpp"
+#include "executor/src/cycle/commands.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -24,13 +24,13 @@ std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id
     return std::isnan(number) ? otherwise : number;
   };
   if (const auto* const gear = std::get_if<command::GearIn>(&command)) {
-    const auto& [acceleration, deceleration, jerk] = gear->dynamics;
+    const MoveDynamics& dynamics = gear->dynamics;
     return std::make_unique<LiveGear>(
         id, GearInSpec{.numerator = gear->numerator,
                        .denominator = gear->denominator,
-                       .acceleration = given(acceleration, *config.limits.acceleration),
-                       .deceleration = given(deceleration, 0),
-                       .jerk = given(jerk, config.limits.jerk.value_or(0))});
+                       .acceleration = given(dynamics.acceleration, *config.limits.acceleration),
+                       .deceleration = given(dynamics.deceleration, 0),
+                       .jerk = given(dynamics.jerk, config.limits.jerk.value_or(0))});
   }
   if (const auto* const gear = std::get_if<command::GearInPos>(&command))
     return std::make_unique<LiveGearInPos>(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/events.hpp"
+#include "executor/src/cycle/events.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -51,13 +51,7 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   } else {
     if constexpr (requires { c.distance; }) f(c.distance, flat.position);
     if constexpr (requires { c.velocity; }) f(c.velocity, flat.position);
-    if constexpr (requires { c.dynamics.velocity; }) f(c.dynamics.velocity, flat.dynamics.velocity);
-    if constexpr (requires { c.dynamics.acceleration; })
-      f(c.dynamics.acceleration, flat.dynamics.acceleration);
-    if constexpr (requires { c.dynamics.jerk; }) {
-      f(c.dynamics.deceleration, flat.dynamics.deceleration);
-      f(c.dynamics.jerk, flat.dynamics.jerk);
-    }
+    if constexpr (requires { c.dynamics; }) f(c.dynamics, flat.dynamics);
   }
 }
 

@@ -153,7 +153,6 @@ void each_number(Ours& c, Theirs& w, F f) {
   f("home_acceleration", c.homing.acceleration, w.home_acceleration);
   f("home_offset", c.homing.offset, w.home_offset);
   f("home_timeout", c.homing.timeout, w.home_timeout);
-  f("home_distance", c.homing.distance, w.home_distance);
   f("require_home", c.require_home, w.require_home);
 }
 

@@ -33,6 +33,9 @@ void each_of_output(Ours& o, Theirs& w, F f) {
   f("points", o.points, w.points);
 }
 
+/// home_distance of an axis_t without a limit.
+constexpr double not_limited = 0;
+
 }  // namespace
 
 axis_t on_wire(const RecordedAxis& a) {
@@ -45,6 +48,7 @@ axis_t on_wire(const RecordedAxis& a) {
   w.whole = a.whole ? 1 : 0;
   w.switches = a.switches ? 1 : 0;
   each_number(a.config, w, Put{});
+  w.home_distance = a.config.homing.distance.value_or(not_limited);
   return w;
 }
 
@@ -58,6 +62,7 @@ RecordedAxis ours(const axis_t& w) {
                  .whole = w.whole != 0,
                  .switches = w.switches != 0};
   each_number(a.config, w, Get{});
+  if (w.home_distance != not_limited) a.config.homing.distance = w.home_distance;
   return a;
 }
 

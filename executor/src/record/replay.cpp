@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "jounce/axis/live_cam.hpp"
-#include "jounce/executor/commands.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "executor/src/cycle/commands.hpp"
 #include "executor/src/record/lcm_log.hpp"
 #include "executor/src/record/remade_masters.hpp"
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -11,6 +12,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 void require_valid(const Indexer& spec) {
   require_finite("distance", spec.distance);
@@ -20,8 +23,8 @@ void require_valid(const Indexer& spec) {
   require_not_negative("before", spec.before);
   if (spec.count < 1) throw InputError("count", std::to_string(spec.count), "must be at least 1");
   const double room = spec.cycle / spec.count;
-  // A dwell within the rounding of cycle / count is omitted.
-  if (spec.before + spec.motion > room * (1 + 1e-12))
+  // The rounding of cycle / count is not a dwell.
+  if (spec.before + spec.motion > room * (1 + rounded_sum))
     throw InputError("motion", spec.motion,
                      "must be at most " + six_digits_down(room - spec.before) +
                          ", the time for one index: cycle / count = " + six_digits(room) +
@@ -39,7 +42,7 @@ struct IndexerBuild {
   std::vector<SyncZone> zones = {};
 
   void dwell(double to) {
-    if (!(to - master > 1e-12 * spec.cycle)) return;
+    if (!(to - master > rounded_sum * spec.cycle)) return;
     segments.push_back(line(to - master, slave, slave));
     names.emplace_back("dwell");
     zones.push_back({master, to, "dwell"});
@@ -68,7 +71,7 @@ SyncCam indexer(const Indexer& spec) {
     const auto grid = [&](double x) { return gearing::on_grid(x, spec.cycle); };
     build.dwell(grid(i * room + spec.before));
     const double moved = grid(i * room + spec.before + spec.motion);
-    const bool full = part_end - moved <= 1e-12 * spec.cycle;
+    const bool full = part_end - moved <= rounded_sum * spec.cycle;
     build.index(full ? grid(part_end) : moved, (i + 1) * spec.distance);
     if (!full) build.dwell(grid(part_end));
   }

@@ -8,6 +8,7 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // **The recovery** over the length b, with z = u / b. It begins and ends at the slope g, with the
 // accelerations A at its start and -A at its end, and the jerk J at both:
@@ -48,6 +49,8 @@
 namespace jounce::gear_detail {
 namespace {
 
+using profiles_detail::rounded_sum;
+
 profiles_detail::Majorant asin_series(double q) {
   profiles_detail::Majorant a{std::asin(q), 1 / std::sqrt((1 - q) * (1 + q))};
   for (std::size_t k = 0; k + 2 < a.size(); ++k) {
@@ -83,7 +86,7 @@ struct AsinPiece {
 /// True if the rise starts without jerk, to rounding of its greatest jerk.
 bool starts_without_jerk(const std::vector<Segment>& rise) {
   const double most = std::abs(extrema(Cam(rise), 3).peak().value);
-  return std::abs(evaluate(rise.front(), 0)[3]) <= 1e-12 * most;
+  return std::abs(evaluate(rise.front(), 0)[3]) <= rounded_sum * most;
 }
 
 }  // namespace

@@ -55,7 +55,9 @@ using gear_detail::KnifeShape;
 using gear_detail::KnifeSync;
 
 using std::numbers::pi;
-constexpr double same_length = 1e-12;  ///< relative
+
+constexpr double finest_matching = 1e-14;  ///< share of the sync angle
+constexpr double same_length = 1e-12;      ///< relative
 
 /// The numbers of a spec; angles in rad.
 struct Knife {
@@ -82,7 +84,7 @@ void require_valid(const RotaryKnifeSpec& spec) {
   if (!(spec.thickness < spec.diameter / 2))
     throw InputError("thickness", spec.thickness,
                      "must be less than the radius of the knife, " + six_digits(spec.diameter / 2));
-  if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
+  if (!(spec.tolerance >= finest_matching && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
   if (!is_rise_at_rest(spec.law))
     throw InputError("law", name(spec.law),

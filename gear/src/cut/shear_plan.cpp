@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "jounce/gear/flying_shear.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -36,6 +37,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -263,14 +266,14 @@ ShearPlan shear_plan(const FlyingShear& spec) {
   const Worked shear = worked(spec);
   const double length = spec.cut_length;
   const Cycle cycle = cycle_at(shear, spec.line_speed, length);
-  const std::string wrong = broken(shear, cycle, spec.line_speed, length, 1e-12);
+  const std::string wrong = broken(shear, cycle, spec.line_speed, length, rounded_sum);
   if (!wrong.empty()) refuse(shear, cycle, wrong);
   ShearPlan plan;
   plan.accelerate = gearing::on_grid(cycle.accelerate, length);
   plan.sync = gearing::on_grid(cycle.sync, length);
   plan.decelerate = gearing::on_grid(cycle.decelerate, length);
   plan.back = length - (plan.accelerate + plan.sync + plan.decelerate);
-  if (spec.return_length && plan.back - *spec.return_length > 1e-12 * length) {
+  if (spec.return_length && plan.back - *spec.return_length > rounded_sum * length) {
     const double left = plan.back;
     plan.back = gearing::on_grid(*spec.return_length, length);
     plan.wait = left - plan.back;
@@ -284,7 +287,7 @@ ShearBound least_cut_length(const FlyingShear& spec) {
   const Worked shear = worked(spec);
   Cycle cycle = cycle_at(shear, spec.line_speed, 0);
   if (longest_sync(spec) && cycle.sync > 0) synchronize(shear, spec.line_speed, 0, cycle);
-  if (auto any = broken_at_any_length(shear, cycle, spec.line_speed, 1e-12); !any.empty())
+  if (auto any = broken_at_any_length(shear, cycle, spec.line_speed, rounded_sum); !any.empty())
     return {infinite, any};
   if (spec.return_length) return {cycle.out() + *spec.return_length, "return length"};
   return {cycle.out() + cycle.back.value, cycle.back.quantity};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 // From ratio r0 to r1 over the master's length L, the slave must travel S. One segment with linear
 // ratio is enough if
 //
@@ -32,6 +33,8 @@
 
 namespace jounce::gear_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 using Gap = FollowGap;
 using Piece = FollowPiece;
@@ -80,7 +83,7 @@ int way(const FollowGap& g) {
 std::vector<Piece> pieces_of(const Gap& g, bool whole) {
   const double D = g.travel - (g.r0 + g.r1) * g.length / 2;
   const double scale = std::abs(g.travel) + (std::abs(g.r0) + std::abs(g.r1)) * g.length;
-  if (std::abs(D) <= 1e-12 * scale) return {{g.length, g.travel}};  // (1)
+  if (std::abs(D) <= rounded_sum * scale) return {{g.length, g.travel}};  // (1)
   const double w = g.r1 - g.r0;
   const double k =
       (2 * D + std::copysign(std::hypot(2 * D, w * g.length), D)) / (g.length * g.length);  // (3)

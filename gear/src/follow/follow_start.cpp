@@ -8,11 +8,13 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_value;
 /// The instants between which the motion stays on one side of a level, or on it.
 std::vector<double> instants(const Trajectory& master, double level) {
   std::vector<double> all = crossings(master, 0, level);
@@ -50,7 +52,7 @@ std::optional<double> begin_of(const FollowStart& start, const Trajectory& maste
   if (start.event == FollowEvent::start) return armed;
   const std::vector<double> all = instants(master, start.position);
   const double rounding =
-      1e-14 * std::max(std::abs(extrema(master, 0).peak().value), std::abs(start.position));
+      rounded_value * std::max(std::abs(extrema(master, 0).peak().value), std::abs(start.position));
   bool beyond = start.direction * (master.at(all.front()).position - start.position) > rounding;
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
     const double middle = master.at(all[i] + (all[i + 1] - all[i]) / 2).position;

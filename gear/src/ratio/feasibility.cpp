@@ -5,10 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave,
                 const MasterRange& master) {
@@ -20,7 +23,7 @@ Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave
   f.value = master.velocity;
   f.limit = most.value;
   f.margin = std::isinf(most.value) ? 1 : most.value > 0 ? 1 - master.velocity / most.value : -1;
-  f.broken = master.velocity > most.value * (1 + 1e-12);
+  f.broken = master.velocity > most.value * (1 + rounded_sum);
   if (!f.broken) return f;
   f.advice =
       most.value > 0

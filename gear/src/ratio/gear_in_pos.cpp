@@ -13,6 +13,7 @@
 #include "jounce/gear/gear.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -27,6 +28,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
 
 constexpr int most_turns = 5;
 
@@ -70,7 +74,7 @@ bool reverses(const GearInPos& gear) {
   const double way = gear.ratio > 0 ? 1 : -1;
   const Range slope = extrema(*gear.curve, 1);
   const double back = way > 0 ? -slope.min.value : slope.max.value;
-  return back > 1e-9 * std::abs(slope.peak().value);
+  return back > rounded_input * std::abs(slope.peak().value);
 }
 
 /// Number of turns of a modulo master until the start lies ahead.
@@ -158,7 +162,8 @@ EngageWindow engage_window(const GearInPosSpec& spec) {
   }
   window.least = 5.0 / 3 * std::abs(h / k);
   window.greatest = 2.5 * std::abs(h / k);
-  if (window.rho >= 5.0 / 3 * (1 - 1e-12) && window.rho <= 2.5 * (1 + 1e-12)) return window;
+  if (window.rho >= 5.0 / 3 * (1 - rounded_sum) && window.rho <= 2.5 * (1 + rounded_sum))
+    return window;
   window.advice =
       "a start distance of " + number(window.least) + " to " + number(window.greatest) +
       " instead of " + number(std::abs(spec.master_start_distance)) +

@@ -6,6 +6,7 @@
 
 #include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -21,13 +22,17 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
+
+constexpr double correction_resolution = 1e-10;  ///< share of the greatest correction
+
 void require_valid(const Registration& registration, double period) {
   require_not_negative("window_from", registration.window_from);
   require_positive("window_length", registration.window_length);
   require_positive("most", registration.most);
   gearing::require_rest_to_rest("law", registration.law, registration.form);
-  // The sum may exceed the period by rounding.
-  if (registration.window_from + registration.window_length > period * (1 + 1e-12))
+  // The rounding of the sum is no way out of the period.
+  if (registration.window_from + registration.window_length > period * (1 + rounded_sum))
     throw InputError("window_length", registration.window_length,
                      "must be at most " + six_digits_down(period - registration.window_from) +
                          ": the window ends within the period, which is " + number(period));
@@ -136,7 +141,7 @@ double greatest_correction(const Cam& cam, const Registration& registration, con
   const Cam alone = with(cam, Extrapolation::refuse);
   const auto fits = [&](double step) {
     const Cam moved = sum(alone, Cam(correction(registration, cam.length(), 0, step), cam.start()));
-    return greatest_master_velocity(moved, slave).value >= line_speed * (1 - 1e-12);
+    return greatest_master_velocity(moved, slave).value >= line_speed * (1 - rounded_sum);
   };
   const auto both = [&](double step) { return fits(step) && fits(-step); };
   if (!fits(0)) return 0;
@@ -144,7 +149,7 @@ double greatest_correction(const Cam& cam, const Registration& registration, con
   // |f + s g| <= limit is convex in s, so it holds from 0 up to one bound.
   double lo = 0;
   double hi = registration.most;
-  while (hi - lo > 1e-10 * registration.most) {
+  while (hi - lo > correction_resolution * registration.most) {
     const double mid = (lo + hi) / 2;
     (both(mid) ? lo : hi) = mid;
   }

@@ -6,18 +6,20 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::gearing {
 namespace {
 
+using profiles_detail::rounded_input;
 /// The peak of a derivative; infinite if the next lower derivative steps by more than rounding.
 double peak(const Cam& law, const Ranges& ranges, int order) {
   const auto most = [&](int k) {
     return std::abs(ranges[static_cast<std::size_t>(k)].peak().value);
   };
   const double step = std::abs(largest_jump(law, order - 1).step);
-  const bool steps = order > 1 && step > 1e-9 * most(order - 1);
+  const bool steps = order > 1 && step > rounded_input * most(order - 1);
   return steps ? std::numeric_limits<double>::infinity() : most(order);
 }
 

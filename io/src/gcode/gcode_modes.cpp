@@ -12,6 +12,8 @@
 namespace jounce::io_detail {
 namespace {
 
+constexpr double whole_code = 1e-6;  ///< distance of ten times a code from a whole number
+
 /// G numbers times 10, by modal group: two of one group contradict each other.
 constexpr std::array<std::pair<int, int>, 27> modal_groups{{
     {0, 1},    {10, 1},   {20, 1},   {30, 1},   {800, 1},              //
@@ -35,7 +37,7 @@ int group_of(int code) {
 int code_of(const GcodeWord& word) {
   const double tenfold = 10 * word.value;
   const int code = tenfold >= 0 && tenfold < 10000 ? static_cast<int>(std::lround(tenfold)) : -1;
-  return std::abs(tenfold - code) < 1e-6 ? code : -1;
+  return std::abs(tenfold - code) < whole_code ? code : -1;
 }
 
 bool has_tolerance(const GcodeBlock& block) {

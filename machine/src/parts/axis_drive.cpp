@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/axis_drive.hpp"
+#include "machine/src/parts/axis_drive.hpp"
 
 #include <utility>
 

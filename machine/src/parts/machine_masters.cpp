@@ -9,8 +9,9 @@
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/drive/encoder.hpp"
 #include "jounce/drive/shared_drive.hpp"
-#include "jounce/machine/axis_drive.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "machine/src/parts/axis_drive.hpp"
 
 namespace jounce::machine_detail {
 namespace {
@@ -100,9 +101,7 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
   axis.axis.period = first.axis.period;
   axis.axis.longest_gap = first.axis.longest_gap;
   axis.axis.position = axis.table->table->jet(axis.table->table->start())[0];
-  axis.axis.limits.velocity = own.velocity;
-  axis.axis.limits.acceleration = own.acceleration;
-  axis.axis.limits.jerk = own.jerk;
+  axis.axis.limits = own.limits;
   axis.units = {"", spec.unit};
   axis.receiver.executor = spec.name;
   axis.receiver.session_timeout = first.receiver.session_timeout;

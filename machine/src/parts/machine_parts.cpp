@@ -11,9 +11,9 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/executor/dispatcher.hpp"
-#include "jounce/machine/axis_drive.hpp"
 #include "jounce/spec/axis_drive.hpp"
 
+#include "machine/src/parts/axis_drive.hpp"
 #include "machine/src/parts/machine_masters.hpp"
 
 namespace jounce {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/program/spline_space.hpp"
@@ -21,6 +22,11 @@
 
 namespace jounce::optimizer {
 namespace {
+
+using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
+
+constexpr double same_cut = 1e-9;  ///< in s, from 0 to 1 over a segment
 
 LinearQuantity with_order(int order) {
   return derivative_of_shape(order);
@@ -52,7 +58,7 @@ std::vector<double> cuts_between(const std::vector<Segment>& inertia, double beg
   double x = begin;
   for (const Segment& f : inertia) {
     x += f.length;
-    if (x > a + 1e-12 * (b - a) && x < b - 1e-12 * (b - a)) cuts.push_back(x);
+    if (x > a + rounded_sum * (b - a) && x < b - rounded_sum * (b - a)) cuts.push_back(x);
   }
   cuts.push_back(b);
   return cuts;
@@ -62,10 +68,10 @@ std::vector<double> cuts_between(const std::vector<Segment>& inertia, double beg
 std::vector<double> turns(const Segment& f) {
   const Segment velocity = derivative(f);
   std::vector<double> inside;
-  roots(velocity, 1e-14 * magnitude(velocity), inside);
+  roots(velocity, rounded_value * magnitude(velocity), inside);
   std::vector<double> places{0};
   for (const double s : inside)
-    if (s - places.back() > 1e-9 && s < 1 - 1e-9) places.push_back(s);
+    if (s - places.back() > same_cut && s < 1 - same_cut) places.push_back(s);
   places.push_back(1);
   return places;
 }

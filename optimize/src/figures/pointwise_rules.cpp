@@ -6,12 +6,15 @@
 #include <string>
 
 #include "jounce/optimize/detail/pointwise.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/program/spline_space.hpp"
 
 namespace jounce::optimizer {
 namespace {
+
+using profiles_detail::rounded_input;
 
 void require_number(const std::string& key, double value, bool holds, const char* rule) {
   if (!std::isfinite(value) || !holds) throw InputError(key, value, rule);
@@ -20,12 +23,13 @@ void require_number(const std::string& key, double value, bool holds, const char
 void require_inertia(const std::string& key, const LoadTorque& load, const ShapeProblem& p) {
   if (load.inertia.empty()) return;
   const Trajectory inertia(load.inertia, p.begin);  // throws for a bad segment
-  require_number(key, inertia.end(), std::abs(inertia.end() - p.end) <= 1e-9 * (p.end - p.begin),
+  require_number(key, inertia.end(),
+                 std::abs(inertia.end() - p.end) <= rounded_input * (p.end - p.begin),
                  "must end at the end of the shape");
   double before = value(load.inertia.front(), 0);
   for (const Segment& f : load.inertia) {
     const double step = std::abs(value(f, 0) - before);
-    require_number(key, value(f, 0), step <= 1e-9 * magnitude(f),
+    require_number(key, value(f, 0), step <= rounded_input * magnitude(f),
                    "must not step: the torque would be infinite there");
     require_number(key, f.degree, f.sines == 0 && f.degree <= 4, "must be of degree 4 at most");
     before = value(f, 1);

@@ -24,6 +24,9 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double level_precision = 1e-9;  ///< share of the level
+constexpr double peak_precision = 1e-8;   ///< share of the peak so far
+
 /// Halves until (2) permits at most the tolerance above the best value.
 struct Climb {
   const Wave& wave;
@@ -110,7 +113,7 @@ std::vector<Extremum> places_of(const Pointwise& figure, const std::vector<Segme
   if (figure.over != Pointwise::Over::peak) return places;
   std::array<std::size_t, 2> last{shape.size() + 1, shape.size() + 1};
   for (const Wave& wave : figure.waves(shape, begin)) {
-    const Range range = range_of(wave, 1e-9 * level);
+    const Range range = range_of(wave, level_precision * level);
     for (const double sign : {1.0, -1.0}) {
       const Extremum& e = sign > 0 ? range.max : range.min;
       if (sign * e.value < level) continue;
@@ -137,7 +140,7 @@ double value_of(const Pointwise& figure, const std::vector<Segment>& shape, doub
     peak = std::max(peak, ends);
   }
   for (const Wave& wave : waves)
-    peak = std::max(peak, std::abs(range_of(wave, 1e-8 * peak).peak().value));
+    peak = std::max(peak, std::abs(range_of(wave, peak_precision * peak).peak().value));
   return peak;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
 #include "optimize/src/figures/band_peaks.hpp"
@@ -25,6 +26,8 @@
 
 namespace jounce::optimizer {
 namespace {
+
+using profiles_detail::rounded_value;
 
 using Complex = std::complex<double>;
 
@@ -57,7 +60,7 @@ struct Phasors {
     std::vector<Complex> of_piece;
     double length = 0;
     for (std::size_t i = 0; i < space.pieces(); ++i) {
-      if (std::abs(space.length(i) - length) > 1e-14 * length) {
+      if (std::abs(space.length(i) - length) > rounded_value * length) {
         length = space.length(i);
         of_piece = responses(length, space.degree(), mode);
       }

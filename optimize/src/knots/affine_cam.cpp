@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce::optimizer {
 
@@ -33,7 +34,7 @@ bool AffineCam::straight() const {
   for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
     natural = std::max(natural,
                        std::abs(knots_[i + 1].slave - knots_[i].slave) / (length(i) * length(i)));
-  return peak_ <= 1e-13 * natural;
+  return peak_ <= profiles_detail::rounded_root * natural;
 }
 
 bool AffineCam::moves(std::size_t segment) const {

@@ -8,6 +8,11 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double greatest_margin = 1e-9;  ///< relative, kept from limits
+// Bounds of the precision of a program, relative.
+constexpr double finest_rows = 1e-11;
+constexpr double coarsest_rows = 1e-8;
+
 constexpr int first_places = 7;  ///< Chebyshev points of a piece in the first program
 constexpr int max_sharpened = 30;
 constexpr double same_place = 1e-7;  ///< positions in a piece closer than this are one
@@ -20,7 +25,7 @@ ExchangeRows::ExchangeRows(const Subproblem& subproblem, const Point& start)
       reference_(subproblem.objective
                      ? std::max(merit(subproblem, start).value, subproblem.insignificant)
                      : 1),
-      margin_(std::min(1e-9, subproblem.tolerance / 4)) {
+      margin_(std::min(greatest_margin, subproblem.tolerance / 4)) {
   const Space& space = subproblem.space;
   for (std::size_t i = 0; i < space.moves.size(); ++i)
     if (space.moves[i]) add_spacing(i);
@@ -33,7 +38,7 @@ ExchangeRows::ExchangeRows(const Subproblem& subproblem, const Point& start)
 }
 
 double ExchangeRows::precision() const {
-  return std::clamp(subproblem_.tolerance / 100, 1e-11, 1e-8);
+  return std::clamp(subproblem_.tolerance / 100, finest_rows, coarsest_rows);
 }
 
 int ExchangeRows::exchange(const Shape& shape, const Point& z, double t) {

@@ -11,6 +11,7 @@
 #include "optimize/src/knots/convex_bound.hpp"
 #include "optimize/src/knots/multi_start.hpp"
 #include "optimize/src/search/findings.hpp"
+#include "optimize/src/tolerances.hpp"
 
 namespace jounce {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 using optimizer::brief;
 using optimizer::DerivativeBound;
 using optimizer::LocalSolution;
+using optimizer::natural_zero;
 using optimizer::Point;
 using optimizer::Space;
 using optimizer::Subproblem;
@@ -132,8 +134,12 @@ class Search {
   /// The limits, and the objectives before the k-th, each kept within the tolerance.
   [[nodiscard]] Subproblem subproblem(std::size_t k) const {
     const double natural_k = natural(space_, order_of(problem_.minimize[k]));
-    Subproblem subproblem{
-        space_, ceilings_, {}, problem_.minimize[k], 1e-9 * natural_k, problem_.options.tolerance};
+    Subproblem subproblem{space_,
+                          ceilings_,
+                          {},
+                          problem_.minimize[k],
+                          natural_zero * natural_k,
+                          problem_.options.tolerance};
     for (std::size_t i = 0; i < k; ++i) {
       const FigureResult& r = outcome_.figures[i];
       const Objective objective = problem_.minimize[i];
@@ -141,7 +147,7 @@ class Search {
       // At the bound, the tolerance is relative to the bound, so that `optimal` stays true.
       const double from = at_bound(i, r.reached) ? *r.bound : r.reached;
       const double cap =
-          std::max(from * (1 + problem_.options.tolerance), 1e-9 * natural(space_, order));
+          std::max(from * (1 + problem_.options.tolerance), natural_zero * natural(space_, order));
       if (objective == Objective::rms_acceleration)
         subproblem.rms_ceiling = cap;
       else
@@ -190,7 +196,8 @@ class Search {
 
   [[nodiscard]] bool at_bound(std::size_t k, double reached) const {
     const double bound = *outcome_.figures[k].bound;
-    const double scale = std::max(bound, 1e-9 * natural(space_, order_of(problem_.minimize[k])));
+    const double scale =
+        std::max(bound, natural_zero * natural(space_, order_of(problem_.minimize[k])));
     return reached - bound <= problem_.options.tolerance * scale;
   }
 
@@ -223,7 +230,7 @@ class Search {
                              ceilings_,
                              {},
                              problem_.minimize[k],
-                             1e-9 * natural_k,
+                             natural_zero * natural_k,
                              problem_.options.tolerance};
       r.bound = std::max(*r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "optimize/src/tolerances.hpp"
+
 namespace jounce::optimizer {
 namespace {
 
@@ -68,7 +70,7 @@ double scale_of(const SplineSpace& space, const Corridor& c, double offset) {
   for (const Flank& side : sides_of(c))
     scale = std::max({scale, std::abs(side.edge.at_from - zero), std::abs(side.edge.at_to - zero)});
   const double natural = space.natural(c.quantity);
-  return scale > 1e-9 * natural ? scale : natural;
+  return scale > natural_zero * natural ? scale : natural;
 }
 
 }  // namespace

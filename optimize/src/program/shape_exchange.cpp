@@ -24,6 +24,9 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double coarsest_rows_met = 1e-7;  ///< residual of the least precise program
+constexpr double least_missed = 1e-8;       ///< share of the sum that is worth a finer program
+
 constexpr int max_rounds = 80;  ///< rounds of one exchange
 constexpr int max_adjustments = 40;
 constexpr double hopeless = 1e-7;  ///< residual above which a program has no solution
@@ -39,7 +42,7 @@ class ShapeExchange {
       : model_(model),
         norms_(model, model.space.segments(start)),
         go_on_(go_on),
-        met_(std::clamp(precision / 20, 1e-11, 1e-7)),
+        met_(std::clamp(precision / 20, fine, coarsest_rows_met)),
         rows_(model) {
     found_.z = start;
   }
@@ -139,7 +142,7 @@ class ShapeExchange {
     for (std::size_t k = 0; k < p.column.size(); ++k)
       if (p.column[k]) promised += model_.terms[k].weight * s.x[*p.column[k]];
     const double missed = 1e-3 * (last_sum_ - promised);
-    return missed > 1e-8 ? std::min(missed, coarse) : fine;
+    return missed > least_missed ? std::min(missed, coarse) : fine;
   }
 
   bool minimize() {

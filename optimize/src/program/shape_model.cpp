@@ -5,8 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "optimize/src/tolerances.hpp"
+
 namespace jounce::optimizer {
 namespace {
+
+/// Share of the natural size: a smaller limit is a limit of zero.
+constexpr double silent_share = 1e-6;
 
 struct Size {
   double unit = 1;
@@ -45,7 +50,7 @@ Size size_of(const ShapeProblem& p, const std::vector<Segment>& given) {
     size = std::max(size, std::abs(peak_of(q, given, p.begin).value) * per_unit);
     per_unit *= (p.end - p.begin) / (k == 0 ? 1.0 : 4.0 * k);
   }
-  if (!(size > 1e-12 * std::abs(offset))) size = size_of_edges(p, offset, false);
+  if (!(size > rounding_tolerance * std::abs(offset))) size = size_of_edges(p, offset, false);
   return {size > 0 ? size : 1, offset};
 }
 
@@ -82,7 +87,8 @@ std::vector<bool> fixed_by(const SplineSpace& space, const std::vector<Form>& eq
 /// A limit close to zero on one mode becomes an equality with zero: planes so close together have no interior.
 bool is_silence(const Ceiling& c, double natural) {
   const auto* f = std::get_if<ResidualOf>(&c.figure);
-  return f && f->low == f->high && f->damping_low == f->damping_high && c.at_most <= 1e-6 * natural;
+  return f && f->low == f->high && f->damping_low == f->damping_high &&
+         c.at_most <= silent_share * natural;
 }
 
 }  // namespace
@@ -127,7 +133,8 @@ ShapeModel::ShapeModel(const ShapeProblem& problem, std::vector<double> knots,
   for (const WeightedFigure& m : problem.minimize) {
     FigureRows rows = rows_of(m.figure, {}, false);
     const double value = rows.value(given);
-    const double unit = std::abs(value) > 1e-9 * rows.natural ? std::abs(value) : rows.natural;
+    const double unit =
+        std::abs(value) > natural_zero * rows.natural ? std::abs(value) : rows.natural;
     terms.push_back({std::move(rows), m.weight, unit * scale, order_in(m.figure)});
   }
 }

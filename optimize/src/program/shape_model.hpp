@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "optimize/src/program/shape_constraints.hpp"
+#include "optimize/src/tolerances.hpp"
 
 /// A shape problem over fixed knots, as forms in the coordinates of a spline space.
 namespace jounce::optimizer {
@@ -24,7 +25,7 @@ struct RoundCeiling {
   static constexpr double off = 1e-10;  ///< relative rounding of a solver
   /// The limit in the program, a little below `at_most`.
   [[nodiscard]] double held() const {
-    return (at_most > 0 ? at_most : 1e-9 * rows.natural) * (1 - off);
+    return (at_most > 0 ? at_most : natural_zero * rows.natural) * (1 - off);
   }
 };
 

@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/src/tolerances.hpp"
+
 namespace jounce::optimizer {
+namespace {
+
+constexpr double settled_norm = 1e-8;  ///< relative change of a norm that needs no further program
+
+}  // namespace
 
 void Root::advance(double value, double slope) {
   if (last_ && last_->first != at_) {
@@ -44,9 +51,9 @@ bool ShapeNorms::settle(const std::vector<Segment>& shape) {
     const Term& t = model_.terms[p];
     if (!t.rows.by_squares()) continue;
     const double now = t.rows.value(shape) / t.unit;
-    if (now <= 1e-9) continue;
+    if (now <= natural_zero) continue;
     const double off = std::log(now) - c_[p].at();
-    if (std::abs(off) <= 1e-8) continue;
+    if (std::abs(off) <= settled_norm) continue;
     c_[p].advance(off, -1);
     settled = false;
   }

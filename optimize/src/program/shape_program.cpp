@@ -10,6 +10,7 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double smoothing_weight = 1e-5;  ///< weight of the figure that makes the solution unique
 constexpr double certificate_range = 1e3;  ///< range of a certificate, in sizes of the solution
 
 /// The greatest difference of each unknown of a better solution from this one.
@@ -105,7 +106,7 @@ std::vector<Form> hint(const SplineSpace& space) {
   std::vector<Form> squares = space.squares(top);
   const auto knots = space.knots();
   const double size = space.natural(top) * std::sqrt(knots.back() - knots.front());
-  for (Form& f : squares) f = scaled(std::move(f), 1e-5 / size);
+  for (Form& f : squares) f = scaled(std::move(f), smoothing_weight / size);
   return squares;
 }
 

@@ -22,6 +22,9 @@
 namespace jounce::optimizer {
 namespace {
 
+// Steps of the differences that estimate the slopes, relative to the free interval.
+constexpr double coarse_difference = 1e-4;
+constexpr double fine_difference = 1e-6;
 constexpr double acceptable_residual =
     1e-6;  ///< residual of a program whose solution is worth trying
 
@@ -97,7 +100,7 @@ class Linear {
 bool linearized_step(Evaluations& evaluations) {
   const Evaluation before = evaluations.best();
   if (before.violation > 0) return false;
-  for (const double difference : {1e-4, 1e-6}) {
+  for (const double difference : {coarse_difference, fine_difference}) {
     Linear linear(evaluations, before.z, 1e-3 * evaluations.options().tolerance, difference);
     for (const double radius : {0.1, 0.03, 1e-2, 3e-3, 1e-3, 1e-4}) linear.attempt(radius);
     if (is_gain(evaluations, before, evaluations.best())) return true;

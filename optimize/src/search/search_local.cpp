@@ -19,6 +19,8 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double least_first_step = 1e-7;  ///< of a further attempt
+
 /// The function of a search in the form of a solver. Values and slopes of one point are computed once.
 class Run {
  public:
@@ -149,7 +151,7 @@ bool polish(Evaluations& evaluations) {
         !linearized_step(evaluations))
       return true;
     radius = std::max(0.3 * radius, 1e-3);
-    step = std::max(0.1 * step, 1e-7);
+    step = std::max(0.1 * step, least_first_step);
   }
   return false;
 }

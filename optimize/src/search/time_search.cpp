@@ -34,6 +34,8 @@ namespace jounce::optimizer {
 namespace {
 
 using Complex = std::complex<double>;
+
+constexpr double no_gain = 1e-13;  ///< share of the value
 constexpr double step = 1e-100;
 constexpr double farthest = 1e4;  ///< greatest ratio by which an interval changes in one run
 
@@ -199,7 +201,7 @@ TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> h) {
     std::vector<double> next = exponentials(solve_times(problem, limited, y, best.evaluations));
     const double value = settle(spec, problem, next);
     if (!(value < best.value)) break;
-    const bool enough = value > best.value * (1 - 1e-13);
+    const bool enough = value > best.value * (1 - no_gain);
     best.intervals = std::move(next);
     best.value = value;
     if (enough) break;

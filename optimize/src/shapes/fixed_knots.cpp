@@ -25,6 +25,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Clock = std::chrono::steady_clock;
 
+/// Share of the length of a shape: a shorter piece is not divided.
+constexpr double least_division = 1e-7;
+constexpr double excess_rounding = 1e-11;  ///< relative excess that is none
+constexpr double broken_row = 1e-10;  ///< excess, relative to the scale of a row, that adds the row
+
 constexpr int most_rounds = 30;
 constexpr int most_idle = 8;  ///< rounds without a gain
 constexpr int evaluations_a_round = 200;
@@ -105,7 +110,7 @@ std::vector<double> FixedKnots::finer(const std::vector<Segment>& shape) const {
   for (std::size_t i = 0; i < lost.size(); ++i) {
     const double x = model_.space.knots()[i];
     knots.push_back(x);
-    const bool divides = model_.space.length(i) > 1e-7 * (problem_.end - problem_.begin);
+    const bool divides = model_.space.length(i) > least_division * (problem_.end - problem_.begin);
     if (lost[i] > 0 && lost[i] >= least && divides) knots.push_back(x + model_.space.length(i) / 2);
   }
   knots.push_back(model_.space.knots().back());
@@ -164,14 +169,15 @@ double FixedKnots::scale_of(const RoundCeiling& c) {
 
 double FixedKnots::beyond(double value, double limit, double scale) {
   const double excess = (value - limit) / scale;
-  return excess > 1e-11 ? excess : 0;
+  return excess > excess_rounding ? excess : 0;
 }
 
 int FixedKnots::exchange(const std::vector<Segment>& shape, const VectorXd& t) {
   int added = 0;
   const std::size_t before = rows_.size();
   for (const ShapeConstraint& constraint : model_.constraints)
-    for (const Form& form : constraint.beyond(shape, 1e-10)) add_constraint(form, constraint.scale);
+    for (const Form& form : constraint.beyond(shape, broken_row))
+      add_constraint(form, constraint.scale);
   std::size_t k = 0;
   for (const Term& term : model_.terms) {
     if (term.rows.by_squares()) continue;

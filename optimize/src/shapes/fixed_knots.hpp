@@ -15,6 +15,10 @@
 
 namespace jounce::optimizer {
 
+/// Residual of the equalities of a shape, relative, that no solution has.
+inline constexpr double greatest_contradiction = 1e-7;
+/// The least precise search of the knots of a shape, relative.
+inline constexpr double coarsest_knots = 1e-7;
 /// A figure that is not convex.
 struct SearchedFigure {
   Pointwise figure;   ///< the figure
@@ -64,8 +68,9 @@ class FixedKnots {
   FixedKnots(const ShapeProblem& problem, const std::vector<SearchedFigure>& parts,
              std::vector<double> knots, const std::vector<Segment>& near);
 
-  /// True if the equalities contradict each other.
-  [[nodiscard]] bool contradicts() const { return reduced_.contradiction() > 1e-7; }
+  [[nodiscard]] bool contradicts() const {
+    return reduced_.contradiction() > greatest_contradiction;
+  }
   /// False if a value was not finite.
   [[nodiscard]] bool finite() const { return finite_; }
   /// True if the equalities determine the shape.
@@ -136,7 +141,7 @@ class FixedKnots {
   int exchange(const std::vector<Segment>& shape, const Eigen::VectorXd& t);
 
   [[nodiscard]] double precision() const {
-    return std::min(1e-7, 0.1 * problem_.options.tolerance);
+    return std::min(coarsest_knots, 0.1 * problem_.options.tolerance);
   }
 
   int add_peaks(const SearchedFigure& part, std::size_t t, const std::vector<Segment>& shape,

@@ -8,10 +8,13 @@
 #include "jounce/cam/detail/quadrature.hpp"
 
 #include "optimize/src/shapes/fixed_knots.hpp"
+#include "optimize/src/tolerances.hpp"
 
 namespace jounce::optimizer {
 namespace {
 
+constexpr double flat_slope = 1e-9;     ///< slope of a row that no step changes
+constexpr double row_precision = 1e-9;  ///< share of the level
 constexpr double kept_by = 1e-9;  ///< distance kept from limits: SLSQP leaves as much rounding
 
 }  // namespace
@@ -27,7 +30,7 @@ PlaceRow FixedKnots::place_row(const Pointwise& figure, std::size_t piece, doubl
 void FixedKnots::add_constraint(const Form& form, double scale) {
   DescentRow row{.linear = reduced_.row(form), .factor = 1 / scale};
   const double slope = row.linear.slope.lpNorm<Eigen::Infinity>() / scale;
-  if (slope < 1e-9) return;
+  if (slope < flat_slope) return;
   row.offset = -kept_by * std::min(1.0, slope);
   rows_.push_back(std::move(row));
 }
@@ -117,7 +120,7 @@ bool FixedKnots::hold_signs(const std::vector<Segment>& shape) {
     const std::size_t i = piece_of(row.place->x);
     const double s = (row.place->x - model_.space.knots()[i]) / model_.space.length(i);
     const double v = value(derivative(held_[i]), std::clamp(s, 0.0, 1.0));
-    if (std::abs(v) <= 1e-9 * model_.space.natural(derivative_of_shape(1)) ||
+    if (std::abs(v) <= natural_zero * model_.space.natural(derivative_of_shape(1)) ||
         v * row.place->sign > 0)
       continue;
     row.place->sign = -row.place->sign;
@@ -130,7 +133,7 @@ int FixedKnots::add_peaks(const SearchedFigure& part, std::size_t t,
                           const std::vector<Segment>& shape, double level) {
   int added = 0;
   for (const Wave& wave : part.figure.waves(shape, problem_.begin)) {
-    const Range range = range_of(wave, 1e-9 * level * part.unit);
+    const Range range = range_of(wave, row_precision * level * part.unit);
     for (const double direction : {1.0, -1.0}) {
       const Extremum& e = direction > 0 ? range.max : range.min;
       if (direction * e.value <= level * part.unit) continue;

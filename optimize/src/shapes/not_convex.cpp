@@ -12,6 +12,7 @@
 #include "optimize/src/program/shape_model.hpp"
 #include "optimize/src/shapes/fixed_knots.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
+#include "optimize/src/tolerances.hpp"
 
 namespace jounce::optimizer {
 namespace {
@@ -29,7 +30,7 @@ std::vector<SearchedFigure> parts_of(const ShapeProblem& p, const std::vector<Se
     const double value = std::abs(value_of(*found, given, p.begin));
     const double natural = figure_rows(figure, space).natural;
     const double unit =
-        at_most && *at_most > 0 ? *at_most : (value > 1e-9 * natural ? value : natural);
+        at_most && *at_most > 0 ? *at_most : (value > natural_zero * natural ? value : natural);
     parts.push_back({std::move(*found), unit, weight, at_most});
   };
   for (const WeightedFigure& m : p.minimize) add(m.figure, m.weight, {});

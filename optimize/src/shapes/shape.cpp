@@ -35,6 +35,9 @@ using optimizer::ShapeSolution;
 using Clock = std::chrono::steady_clock;
 using End = ShapeSolution::End;
 
+constexpr double different_sums = 1e-6;   ///< share of the largest sum
+constexpr double least_sum_scale = 1e-6;  ///< a smaller sum does not scale the objective
+
 constexpr int max_refinements = 12;
 constexpr int max_lowerings = 3;  ///< attempts with lower limits, if rounding exceeds them
 constexpr std::size_t most_new_knots = 24;
@@ -74,7 +77,9 @@ class Switches {
   }
 
  private:
-  [[nodiscard]] bool differ(double a, double b) const { return std::abs(a - b) >= 1e-6 * largest_; }
+  [[nodiscard]] bool differ(double a, double b) const {
+    return std::abs(a - b) >= different_sums * largest_;
+  }
 
   void look(std::size_t i) {
     const double b = top_[i];
@@ -159,7 +164,7 @@ class ShapeSearch {
     if (start_.empty()) return;
     const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
     const double sum = optimizer::weighted_sum(model, start_);
-    if (std::isfinite(sum) && sum > 1e-6) scale_ = sum;
+    if (std::isfinite(sum) && sum > least_sum_scale) scale_ = sum;
   }
 
   ShapeOutcome run() {

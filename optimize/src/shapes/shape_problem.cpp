@@ -6,12 +6,18 @@
 
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/shape.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "optimize/src/program/spline_space.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
+constexpr double affine_error = 1e-6;  ///< share of the figure that an affine one may be off
 
 constexpr std::array names{"value",    "geo_velocity", "geo_acceleration",
                            "geo_jerk", "geo_jounce",   "geo_crackle"};
@@ -59,7 +65,7 @@ void require_response(const std::string& key, const ResponseOf& r, const ShapePr
     size = std::max({size, std::abs(f[i]), std::abs(g[i]), std::abs(zero[i])});
     off = std::max(off, std::abs(both[i] + zero[i] - f[i] - g[i]));
   }
-  if (off > 1e-6 * size) throw InputError(key, r.name, "must be affine in the shape");
+  if (off > affine_error * size) throw InputError(key, r.name, "must be affine in the shape");
 }
 
 void require_figure(const std::string& key, const ShapeFigure& figure, const ShapeProblem& p) {
@@ -95,7 +101,7 @@ void require_place(const ShapeProblem& p) {
   const double length = p.end - p.begin;
   require(is_in_range(length, 1e12), "end", p.end, "must be 1e-12 to 1e12 after begin");
   const double far = std::max(std::abs(p.begin), std::abs(p.end));
-  require(length / static_cast<double>(p.pieces) >= 1e-12 * far, "pieces",
+  require(length / static_cast<double>(p.pieces) >= rounded_sum * far, "pieces",
           static_cast<double>(p.pieces),
           "must be fewer: at this distance from 0 a double cannot separate their ends");
 }
@@ -153,7 +159,7 @@ void require_corridor(std::size_t i, const Corridor& c, const ShapeProblem& p) {
 void require_given(const ShapeProblem& p) {
   if (p.given.empty()) return;
   const Trajectory given(p.given, p.begin);  // throws for a bad segment
-  require(std::abs(given.end() - p.end) <= 1e-9 * (p.end - p.begin), "given", given.end(),
+  require(std::abs(given.end() - p.end) <= rounded_input * (p.end - p.begin), "given", given.end(),
           "must end at the end of the shape");
 }
 

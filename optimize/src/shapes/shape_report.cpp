@@ -9,6 +9,7 @@
 namespace jounce::optimizer {
 namespace {
 
+constexpr double at_the_edge = 1e-6;  ///< share of a segment: a window has knots at both ends
 constexpr double missed =
     1e-7;  ///< share of the size of a derivative above which a difference is a step
 constexpr double left_by_a_solver =
@@ -47,7 +48,8 @@ void each_approach(const Corridor& c, const std::vector<Segment>& shape, double 
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const double end =
         i + 1 == shape.size() ? std::max(x + shape[i].length, c.to) : x + shape[i].length;
-    const double near = 1e-6 * shape[i].length;  // there are knots at both ends of the window
+    const double near =
+        at_the_edge * shape[i].length;  // there are knots at both ends of the window
     const double from = std::max(x, c.from);
     const double to = std::min(end, c.to);
     const bool point = c.from == c.to && from == to && (c.from < end || i + 1 == shape.size());

@@ -15,6 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double dependent_equality = 1e-11;  ///< share of the greatest pivot
+constexpr double dependent_column = 1e-13;    ///< share of the greatest pivot
+
 MatrixXd dense_rows_of(const std::vector<Form>& forms, std::size_t unknowns) {
   MatrixXd rows = MatrixXd::Zero(static_cast<Index>(forms.size()), static_cast<Index>(unknowns));
   for (std::size_t k = 0; k < forms.size(); ++k)
@@ -39,7 +42,7 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
                            const Coordinates& near) {
   const auto n = static_cast<Index>(space.size());
   const MatrixXd a = dense_rows_of(equalities, space.size());
-  const jounce::cam_detail::PivotedQr qr(a.transpose(), 1e-11);
+  const jounce::cam_detail::PivotedQr qr(a.transpose(), dependent_equality);
   const Index rank = qr.rank();
   const MatrixXd q = qr.q(n);
   const VectorXd start = Eigen::Map<const VectorXd>(near.data(), n);
@@ -57,7 +60,7 @@ ReducedSpace::ReducedSpace(const SplineSpace& space, const std::vector<Form>& eq
   if (free.cols() == 0) return;  // the ends leave nothing free
   // N' M N = L L', without computing it, which would square its condition. Directions that move nothing are
   // left out.
-  const jounce::cam_detail::PivotedQr half(measure(space) * free, 1e-13);
+  const jounce::cam_detail::PivotedQr half(measure(space) * free, dependent_column);
   const Index moving = half.rank();
   const MatrixXd turned_free = (free * half.permutation()).leftCols(moving);
   const MatrixXd upper = half.r();

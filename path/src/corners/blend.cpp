@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
 /// The product f g of two polynomials; the degree of the product must fit into a Segment.
 Segment product(const Segment& f, const Segment& g) {
   Segment h;
@@ -131,7 +133,7 @@ double distance_from_sides(const Path& route, std::size_t k, const Blend& blend,
       bend[i] = jet[i][2];
     }
     double distance = 0;
-    if (piece.kind == PieceKind::arc && std::abs(vec::norm(tangent) - 1) < 1e-9) {
+    if (piece.kind == PieceKind::arc && std::abs(vec::norm(tangent) - 1) < rounded_input) {
       // From the circle: the radial and the axial distance.
       const double kk = vec::dot(bend, bend);
       const Point center = vec::sum(at, bend, 1 / kk);

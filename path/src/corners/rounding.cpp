@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
@@ -14,13 +15,21 @@
 #include "path/src/geometry/vector.hpp"
 #include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/stretch.hpp"
+#include "path/src/tolerances.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
 using path_detail::none;
-/// Relative step of the velocity; a smaller change of direction counts as none.
-constexpr double tangent = 1e-9;
+
+constexpr double least_cosine = 1e-8;           ///< a corner with a smaller one turns back
+constexpr double blend_resolution = 1e-12;      ///< relative, of a bisection
+constexpr double deviation_resolution = 1e-13;  ///< relative
+constexpr double tangent =
+    1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
 constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
 
 enum class How : std::uint8_t { through, rest, turn, blend };
@@ -158,7 +167,7 @@ class Rounding {
   /// True if the plan rests at the corner in any case; then sets `s` to the rest.
   [[nodiscard]] bool rests_at(std::size_t k, const Bend& bend, Shape& s) const {
     const bool asked = settings(k).corner == Corner::stop || stop_[k];
-    const bool turns_back = !(bend.cosine > 1e-8);
+    const bool turns_back = !(bend.cosine > least_cosine);
     if (!asked && !turns_back) return false;
     s.how = How::rest;
     if (!asked) s.note = JointNote::turns_back;
@@ -173,7 +182,7 @@ class Rounding {
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
     // Rounding: a shorter trim changes no direction.
     const double shorter = std::min(piece(k - 1).length, piece(k).length);
-    if (step <= std::max(tangent * larger, 1e-12 / shorter)) return {};
+    if (step <= std::max(tangent * larger, rounded_sum / shorter)) return {};
     Shape s;
     if (settings(k).corner == Corner::stop) {
       s.note = JointNote::steps;
@@ -245,7 +254,7 @@ class Rounding {
       if (!(fits = enough(most))) return most;
       double low = 0;
       double high = most;
-      for (int i = 0; i < 60 && high - low > 1e-12 * most; ++i) {
+      for (int i = 0; i < 60 && high - low > blend_resolution * most; ++i) {
         const double middle = (low + high) / 2;
         (enough(middle) ? high : low) = middle;
       }
@@ -303,7 +312,8 @@ class Rounding {
     };
     double best = most;
     double least = time(most);
-    const double rounding = 1e-9 * most / blend_velocity(k, blend_of(route_.path, k - 1, most));
+    const double rounding =
+        rounded_input * most / blend_velocity(k, blend_of(route_.path, k - 1, most));
     const auto consider = [&](double d) {
       if (d > most) return;
       const double t = time(d);
@@ -336,7 +346,8 @@ class Rounding {
     if (f_high <= 0) return room;
     double low = 0;
     double f_low = -deviation;
-    for (int i = 0; i < 100 && high - low > 1e-13 * high; ++i) {  // regula falsi, Illinois
+    for (int i = 0; i < 100 && high - low > deviation_resolution * high;
+         ++i) {  // regula falsi, Illinois
       double middle = low + (high - low) * f_low / (f_low - f_high);
       if (!(middle > low && middle < high)) middle = (low + high) / 2;
       const double f = over(middle);
@@ -344,7 +355,7 @@ class Rounding {
         low = middle;
         f_low = f;
         f_high /= 2;
-        if (f > -1e-13 * deviation) break;
+        if (f > -deviation_resolution * deviation) break;
       } else {
         high = middle;
         f_high = f;
@@ -433,7 +444,7 @@ class Rounding {
     double square = 0;
     for (std::size_t i = 0; i < n_; ++i)
       square += profiles_detail::square(direction(k)[i] - direction(k - 1)[i]);
-    return square > 1e-28;
+    return square > path_detail::same_direction;
   }
 
   void require_ramps(const Box& b, std::size_t k) const {

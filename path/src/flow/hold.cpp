@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
 #include "path/src/flow/partial_law.hpp"
+#include "path/src/tolerances.hpp"
 
 // A stretch of the law of stations carries its box. From v over L, the lowest velocity that a ramp
 // reaches is 0 if D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2
@@ -28,7 +30,8 @@ Plan halted(const Plan& plan, double t) {
   const LawStretch& here = stretches[i];
   const double into = std::min(t - here.time, here.duration);
   const auto made = [&] {
-    if (held.law.empty()) held.until(here, std::min(here.duration, 1e-9 * plan.duration()));
+    if (held.law.empty())
+      held.until(here, std::min(here.duration, path_detail::shortest_rest * plan.duration()));
     return Plan(plan.path(), TimingLaw(std::move(held.law)),
                 {plan.joints().begin(), plan.joints().end()}, plan.stop_duration(), plan.given());
   };
@@ -94,6 +97,7 @@ Plan halted(const Plan& plan, double t) {
 
 namespace {
 
+using profiles_detail::rounded_value;
 /// The rest of a plan that rests at `from`, where it has already dwelled for `rested` s.
 Plan remaining(const Plan& plan, double from, double rested) {
   const auto stretches = plan.law().stretches();
@@ -115,8 +119,8 @@ Plan remaining(const Plan& plan, double from, double rested) {
   };
   for (const LawStretch& s : stretches) {
     const double stretch_end = s.start + s.length;
-    if (stretch_end < from - 1e-14 * end) continue;
-    if (s.pieces > 0 && stretch_end <= from + 1e-14 * end) continue;
+    if (stretch_end < from - rounded_value * end) continue;
+    if (s.pieces > 0 && stretch_end <= from + rounded_value * end) continue;
     if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
       flush();
       LawStretch same = s;
@@ -152,14 +156,14 @@ Plan remaining(const Plan& plan, double from, double rested) {
 Plan resumed(const Plan& plan, const Plan& held) {
   const LawStretch& last = held.law().stretches().back();
   const double from = last.start + last.length;
-  if (!(from < plan.path().length() * (1 - 1e-14)))
+  if (!(from < plan.path().length() * (1 - rounded_value)))
     throw InputError("held", from, "is at the end of the path; nothing remains");
   return remaining(plan, from, last.pieces == 0 ? last.duration : 0);
 }
 
 Plan resumed(const Plan& plan, double from) {
   const double end = plan.path().length();
-  if (!(from >= 0 && from < end * (1 - 1e-14)))
+  if (!(from >= 0 && from < end * (1 - rounded_value)))
     throw InputError("from", from, "must be from 0 to less than " + number(end));
   require_no_corner(plan, "from", from);
   return remaining(plan, from, 0);

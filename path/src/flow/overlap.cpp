@@ -7,6 +7,7 @@
 #include <span>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
@@ -31,7 +32,14 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_value;
+
 using path_detail::none;
+
+constexpr double overlap_resolution = 1e-14;  ///< relative, of a bisection
+/// Share of the greatest one: a shorter overlap saves no time.
+constexpr double least_overlap = 1e-9;
 
 struct Leg {
   Point start{}, direction{};
@@ -49,7 +57,7 @@ std::vector<Segment> law_between(const LawStretch& law, double from, double to) 
   for (const LawPhase& p : std::span(phase).first(phases(law, phase))) {
     const double low = std::max(from, begin);
     const double high = std::min(to, begin + p.duration);
-    if (high - low > 1e-14 * law.duration) {
+    if (high - low > rounded_value * law.duration) {
       const Segment whole = segment_of(p);
       out.push_back(low > begin || high < begin + p.duration
                         ? part(whole, (low - begin) / p.duration, (high - begin) / p.duration)
@@ -74,7 +82,7 @@ std::vector<Common> common_phases(const Leg& a, const Leg& b, double overlap) {
     const double h = std::min(f[i].length, g[k].length);
     const auto take = [&](std::vector<Segment>& all, std::size_t& n) {
       Segment& whole = all[n];
-      if (whole.length - h <= 1e-13 * overlap) {
+      if (whole.length - h <= rounded_root * overlap) {
         ++n;
         return all[n - 1];
       }
@@ -171,11 +179,11 @@ class Overlapping {
     if (holds(a, b, most)) return most;
     double low = 0;
     double high = most;
-    for (int i = 0; i < 60 && high - low > 1e-14 * most; ++i) {
+    for (int i = 0; i < 60 && high - low > overlap_resolution * most; ++i) {
       const double middle = (low + high) / 2;
       (holds(a, b, middle) ? low : high) = middle;
     }
-    return low > 1e-9 * most ? low : 0;
+    return low > least_overlap * most ? low : 0;
   }
 
   [[nodiscard]] bool holds(const Leg& a, const Leg& b, double overlap) const {
@@ -186,7 +194,7 @@ class Overlapping {
         const double limits[] = {rates_.velocity[i], rates_.acceleration[i], rates_.jerk[i]};
         for (int order = 1; order <= 3; ++order)
           if (std::abs(segment_range(f, 0, f.length, order).peak().value) >
-              limits[order - 1] * (1 + 1e-13))
+              limits[order - 1] * (1 + rounded_root))
             return false;
       }
     return !(options_.deviation < none) || deviation(a, b, common) <= options_.deviation;

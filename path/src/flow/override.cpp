@@ -8,11 +8,13 @@
 #include <string>
 
 #include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/flow/partial_law.hpp"
 #include "path/src/plan/drawn.hpp"
 #include "path/src/timing/not_limited.hpp"
+#include "path/src/tolerances.hpp"
 
 // The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes
 // keeps all limits. An override only lowers the velocities; for factors above 1, the units are
@@ -31,6 +33,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_digit;
+using profiles_detail::rounded_sum;
 
 using path_detail::none;
 constexpr double rounding = 1e-13;  ///< relative tolerance of velocities and lengths
@@ -87,7 +92,7 @@ class Player {
  private:
   [[nodiscard]] Plan made() const {
     PartialLaw law = out_;
-    if (law.law.empty()) law.rest(base_.path(), 0, 1e-9 * base_.duration());
+    if (law.law.empty()) law.rest(base_.path(), 0, path_detail::shortest_rest * base_.duration());
     return {base_.path(),
             TimingLaw(std::move(law.law)),
             {base_.joints().begin(), base_.joints().end()},
@@ -130,14 +135,14 @@ class Player {
   [[nodiscard]] double factor_at(double t) const {
     double factor = 1;
     for (const FactorRequest& s : steps_)
-      if (s.time <= t * (1 + 1e-15)) factor = s.factor;
+      if (s.time <= t * (1 + rounded_digit)) factor = s.factor;
     return factor;
   }
   /// The time after t of the next step of the factor.
   [[nodiscard]] double next_change(double t) const {
     const double now = factor_at(t);
     for (const FactorRequest& s : steps_)
-      if (s.time > t * (1 + 1e-15) && s.factor != now) return s.time;
+      if (s.time > t * (1 + rounded_digit) && s.factor != now) return s.time;
     return none;
   }
 
@@ -183,8 +188,8 @@ class Player {
   }
 
   static double reached(double length, double v, double acceleration, double jerk) {
-    return std::max(v,
-                    entry_velocity(length, v, Ramp{acceleration, jerk}).value_or(v) * (1 - 2e-14));
+    return std::max(v, entry_velocity(length, v, Ramp{acceleration, jerk}).value_or(v) *
+                           (1 - path_detail::entry_rounding));
   }
 
   /// The law from a place to the next rest with this factor; nullopt if the velocity at the place
@@ -304,7 +309,7 @@ class Player {
     double begin = 0;
     while (i + 1 < count && begin + phase[i].duration <= t) begin += phase[i++].duration;
     const double change = out_.time() + t;
-    const bool slower = factor_at(change) < factor_at(change * (1 - 1e-12));
+    const bool slower = factor_at(change) < factor_at(change * (1 - rounded_sum));
     const Motion now = motion_in(s, t);
     const double a = now.acceleration;
     if (a == 0 || (a > 0) == slower) {

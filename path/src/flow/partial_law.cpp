@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/plan/drawn.hpp"
+#include "path/src/tolerances.hpp"
 
 namespace jounce {
 
@@ -13,8 +15,8 @@ double lowest_end(const Box& box, double length, double v) {
   const auto way = [&](double drop) {
     return ramp_distance(v, v - drop, box.deceleration, box.jerk);
   };
-  if (way(v) <= length * (1 + 1e-13)) return 0;  // except for rounding
-  double low = 0;                                // the distance grows with the drop up to here
+  if (way(v) <= length * (1 + profiles_detail::rounded_root)) return 0;  // but for rounding
+  double low = 0;  // the distance grows with the drop up to here
   double high = std::max(2 * v / 3, v - box.deceleration * box.deceleration / (2 * box.jerk));
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2;
@@ -103,6 +105,8 @@ PlannedUnits units_of(const Plan& plan) {
 
 namespace {
 
+using profiles_detail::rounded_sum;
+
 /// Plans the law of a path again by stations, with other feeds.
 class Replanned {
  public:
@@ -174,7 +178,7 @@ class Replanned {
     for (const LawStretch& s : plan_.law().stretches()) {
       if (s.pieces > 0 && s.v0 != 0) continue;
       const auto at =
-          std::lower_bound(pieces.begin(), pieces.end(), s.start - 1e-12 * path_.length(),
+          std::lower_bound(pieces.begin(), pieces.end(), s.start - rounded_sum * path_.length(),
                            [](const PathPiece& p, double q) { return p.start < q; });
       const auto k = static_cast<std::size_t>(at - pieces.begin());
       rests_[k] = true;
@@ -253,7 +257,7 @@ class Replanned {
       const double step = path_.numbers(k)[n_ + i] / piece(k).length - before;
       square += step * step;
     }
-    return square > 1e-28;
+    return square > path_detail::same_direction;
   }
 
   const Plan& plan_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "jounce/path/hold.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/flow/partial_law.hpp"
@@ -10,6 +11,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_root;
 
 /// f(1 - s).
 Segment mirrored(const Segment& f) {
@@ -121,7 +124,7 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
     const double low = std::max(all.starts[k], to);
     const double high = std::min(all.starts[k + 1], from);
     const double length = high - low;
-    if (!(length > 1e-13 * (from - to))) continue;
+    if (!(length > rounded_root * (from - to))) continue;
     Unit unit = turned_around(all.units[k], base.path());
     unit.length = length;
     unit.entry = back.empty() ? PathSettings::none : entry;

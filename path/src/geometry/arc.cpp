@@ -8,6 +8,7 @@
 #include <string>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -17,6 +18,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_digit;
 // Relative tolerance for coincident points, and for a chord of twice the radius.
 constexpr double coincident = 1e-9;
 
@@ -141,7 +143,7 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   const Point along = vec::scaled(chord, 1 / c);
   const Point middle = vec::sum(from, chord, 0.5);
   const double off = vec::dot(in_plane(vec::difference(center, middle), plane), along);
-  const bool moves = std::abs(off) > 1e-15 * r0;
+  const bool moves = std::abs(off) > rounded_digit * r0;
   Arc arc = planar(from, moves ? vec::sum(center, along, -off) : center, to, plane, rotation,
                    extra_turns);
   arc.center_moved = std::abs(off);

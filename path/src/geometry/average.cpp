@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
@@ -25,6 +26,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 struct Vertex {
   double at = 0;
@@ -107,7 +110,7 @@ void for_pieces(const Run& run, double l, Visit visit) {
   std::size_t meets = 0;   // the first with at > q
   std::size_t leaves = 0;  // the first with at + l/2 > q
   double q = 0;
-  const double least = 1e-12 * run.length;
+  const double least = rounded_sum * run.length;
   const auto pass = [&](std::size_t& i, double offset) {
     while (i < v.size() && v[i].at + offset <= q + least) ++i;
   };

@@ -3,12 +3,15 @@
 
 #include <string>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 void require_axes(std::size_t axes, std::size_t path_axes) {
   if (axes < 1 || axes > max_axes)
@@ -65,7 +68,7 @@ void Program::arc(const Arc& arc, int line) {
   require_on_axes(arc.to, axes_, line);
   const double gap = vec::distance(point_at(arc, 0), position_);
   const double scale = arc.radius + vec::norm(position_);
-  if (!(arc.radius > 0) || !(arc.sweep > 0) || !(gap <= 1e-9 * scale))
+  if (!(arc.radius > 0) || !(arc.sweep > 0) || !(gap <= rounded_input * scale))
     throw InputError("arc", gap, "must begin at the end of the command before, with a radius > 0")
         .at({}, line);
   for (std::size_t i = path_axes_; i < max_axes; ++i)
@@ -83,7 +86,7 @@ void Program::curve(const PathCurve& curve, int line) {
   require_on_axes(curve.to, axes_, line);
   const double gap = vec::distance(curve.from, position_);
   if (curve.axes != axes_ || curve.segments.empty() ||
-      !(gap <= 1e-9 * (curve.length + vec::norm(position_))))
+      !(gap <= rounded_input * (curve.length + vec::norm(position_))))
     throw InputError("curve", gap,
                      "must have the axes of the program and begin at the end of the command before")
         .at({}, line);

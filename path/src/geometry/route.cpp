@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/geometry/pieces.hpp"
@@ -12,6 +13,9 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
+
+constexpr double same_vector = 1e-20;  ///< share of the square of a vector that its change may have
 /// Length in the path axes; if these do not move, in all axes.
 double measured(const double* from, const double* to, std::size_t axes, std::size_t path_axes) {
   const auto norm = [&](std::size_t n) {
@@ -54,7 +58,7 @@ bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
     change += (w - u) * (w - u);
     size += u * u;
   }
-  return change <= 1e-20 * size;
+  return change <= same_vector * size;
 }
 
 }  // namespace
@@ -146,7 +150,7 @@ Route route_of(const Program& program) {
 void append_part(const Path& from, std::size_t k, double u0, double u1,
                  std::vector<PathPiece>& pieces, std::vector<double>& numbers) {
   const PathPiece& whole = from.pieces()[k];
-  if (!(u1 - u0 > 1e-12 * whole.length)) return;
+  if (!(u1 - u0 > rounded_sum * whole.length)) return;
   const std::size_t n = from.axes();
   const double* data = from.numbers(k);
   PathPiece piece = whole;

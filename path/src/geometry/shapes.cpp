@@ -10,6 +10,7 @@
 #include "jounce/cam/laws/spline.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/geometry/gauss.hpp"
@@ -32,6 +33,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::EndSeries;
+using profiles_detail::rounded_input;
 
 /// Taylor coefficients of cos and sin about t.
 std::pair<EndSeries, EndSeries> cosine_and_sine(double t) {
@@ -185,7 +187,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   const double t0 = std::atan2(y0 / half.b, x0 / half.a);
   double sweep = sense * (std::atan2(y1 / half.b, x1 / half.a) - t0);
-  if (std::hypot(x1 - x0, y1 - y0) <= 1e-9 * a) sweep = 0;
+  if (std::hypot(x1 - x0, y1 - y0) <= rounded_input * a) sweep = 0;
   while (sweep <= 0) sweep += profiles_detail::two_pi;
   sweep += profiles_detail::two_pi * extra_turns;
   const int count = std::max(1, static_cast<int>(std::ceil(sweep / profiles_detail::two_pi * 32)));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
@@ -27,6 +28,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 using path_detail::none;
 constexpr int deepest = 44;     ///< greatest number of halvings
@@ -188,8 +191,8 @@ class Fitting {
         const double turn = map_.turn(j);
         if (!std::isfinite(bounds[j].eighth) || (turn > 0 && !(bounds[j].first < turn / 4)))
           return none;
-        error = std::max(
-            error, septic_error * bounds[j].eighth * (1 + 1e-12));  // (1), with rounded constants
+        error = std::max(error, septic_error * bounds[j].eighth *
+                                    (1 + rounded_sum));  // (1), with rounded constants
       }
       return error;
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // Intervals that contain every value of an expression. Each operation widens its result by more
 // than its rounding error, so no rounding mode is set. Division by an interval that contains 0, and
@@ -64,11 +65,12 @@ inline Interval square(const Interval& a) {
 /// Uses sin(m + d) = sin m cos d + cos m sin d for |d| <= r.
 inline Interval sine(const Interval& a) {
   const double m = (a.low + a.high) / 2;
-  const double r = (a.high - a.low) / 2 * (1 + 1e-15) + 1e-15 * std::abs(m);
+  const double r = (a.high - a.low) / 2 * (1 + profiles_detail::rounded_digit) +
+                   profiles_detail::rounded_digit * std::abs(m);
   if (!(r < 1.5)) return {-1, 1};
-  const Interval sn =
-      outward(std::sin(m), std::sin(m), 1e-15) * Interval(std::cos(r) * (1 - 1e-15), 1);
-  const double spread = (std::abs(std::cos(m)) + 1e-15) * r;  // sin r <= r
+  const Interval sn = outward(std::sin(m), std::sin(m), profiles_detail::rounded_digit) *
+                      Interval(std::cos(r) * (1 - profiles_detail::rounded_digit), 1);
+  const double spread = (std::abs(std::cos(m)) + profiles_detail::rounded_digit) * r;  // sin r <= r
   const Interval sum = sn + Interval(-spread, spread);
   return {std::max(-1.0, sum.low), std::min(1.0, sum.high)};
 }

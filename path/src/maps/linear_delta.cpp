@@ -17,6 +17,9 @@
 namespace jounce {
 namespace {
 
+/// Share of the square of an arm: the arm lies across its rail.
+constexpr double arm_across = 1e-24;
+
 struct LinearDelta {
   std::size_t axes = 3, joints = 3;
   double radius = 0;  ///< outer minus inner radius
@@ -46,7 +49,7 @@ struct LinearDelta {
       double left = 0;
       terms(p, i, along, left);
       if (left < 0) return MapState::out_of_reach;
-      if (left <= 1e-24 * arm * arm) return MapState::singular;
+      if (left <= arm_across * arm * arm) return MapState::singular;
     }
     return MapState::ok;
   }

@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/turn.hpp"
@@ -28,6 +29,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 /// Bounds of the derivatives of a piece, for the quantities along the path.
 struct PieceShape {
   double speed = 1;
@@ -213,7 +215,7 @@ class Along {
     for (const Uses* uses : {&path_, &command_})
       for (const Use& use : *uses) {
         if (use.limit == PathSettings::none) continue;
-        const bool broken = use.value > use.limit * (1 + 1e-12);
+        const bool broken = use.value > use.limit * (1 + rounded_sum);
         if (uses == &command_ && !broken) continue;
         Finding f;
         f.rule = Rule(RuleFamily::limit, use.quantity);

@@ -5,6 +5,7 @@
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/over_length.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/timing/box.hpp"
@@ -18,6 +19,11 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_sum;
+
+constexpr double fit_rounding = 2e-14;  ///< share of the positions
 /// The law on one piece: its phases, the last one cut at the end of the piece.
 struct Cut {
   std::size_t piece = 0;
@@ -66,16 +72,16 @@ void drop_slivers(Cut& cut, double length) {
   std::erase_if(cut.law, [&](const Segment& f) {
     const double v0 = evaluate(f, 0)[1];
     const double v1 = evaluate(f, 1)[1];
-    return value(f, 1) - value(f, 0) <= 1e-12 * length &&
-           std::abs(v1 - v0) <= 1e-9 * std::max(v0, v1);
+    return value(f, 1) - value(f, 0) <= rounded_sum * length &&
+           std::abs(v1 - v0) <= rounded_input * std::max(v0, v1);
   });
 }
 
 /// True if the velocity is constant over the whole piece.
 bool is_constant(const std::vector<Segment>& law, double length) {
   return law.size() == 1 && law.front().degree <= 1 &&
-         std::abs(law.front().c[0]) <= 1e-13 * length &&
-         std::abs(value(law.front(), 1) - length) <= 1e-13 * length;
+         std::abs(law.front().c[0]) <= rounded_root * length &&
+         std::abs(value(law.front(), 1) - length) <= rounded_root * length;
 }
 
 /// Half of the difference between each limit and its peak in the plan, on a piece that is not a
@@ -137,8 +143,9 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
                    [&](const Segment& f) { return scaled(f, 1, -start); });
     double scale = 0;
     for (const Segment& f : relative) scale = std::max(scale, magnitude(f));
-    const Fitted<OverTime> fit = composed_within(
-        Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed, 2e-14 * scale);
+    const Fitted<OverTime> fit =
+        composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed,
+                        fit_rounding * scale);
     for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
     for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
   }

@@ -5,6 +5,7 @@
 
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/not_limited.hpp"
@@ -26,8 +27,13 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+
 using path_detail::none;
 
+constexpr double short_cell = 1e-12;  ///< in (2) the cell is as short as if its slope were 0
+/// Share of the path's velocity: an axis below it gives no slope.
+constexpr double slow_axis = 1e-9;
 /// dB/dq <= 2 (f + s B) over a cell, for each axis that limits it.
 struct Growth {
   double f, s;
@@ -46,7 +52,7 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
   double most = none;
   for (const auto& [f, s] : growth) {
     const double x = 2 * s * cell.length;
-    const double factor = std::abs(x) < 1e-12 ? 2 * cell.length : std::expm1(x) / s;
+    const double factor = std::abs(x) < short_cell ? 2 * cell.length : std::expm1(x) / s;
     // A negative slope is replaced by 0, because (1) holds with p only if the slope is positive.
     most = std::min(most, f + s * B > 0 ? B * std::exp(x) + f * factor : B);
   }
@@ -172,7 +178,7 @@ class Bound {
       speed += jet[i][1] * jet[i][1];
       bend += jet[i][2] * jet[i][2];
     }
-    if (std::abs(speed - 1) < 1e-9) cell.curvature = std::sqrt(bend) * (1 - 1e-9);
+    if (std::abs(speed - 1) < rounded_input) cell.curvature = std::sqrt(bend) * (1 - rounded_input);
   }
 
   /// Adds (1) of one axis over [u0, u1] of a piece.
@@ -222,12 +228,12 @@ class Bound {
       const double c = sign * jet[i][2];
       const double A = rates_.acceleration[i];
       if (p > 0) most = std::min(most, rates_.velocity[i] * rates_.velocity[i] / (p * p));
-      if (p <= 1e-9 && std::abs(c) > 0) most = std::min(most, (A + p * 1e9 * A) / std::abs(c));
+      if (p <= slow_axis && std::abs(c) > 0) most = std::min(most, (A + p * 1e9 * A) / std::abs(c));
       for (std::size_t m = 0; m < n; ++m) {
         const double sign_m = jet[m][1] < 0 ? -1 : 1;
         const double p_m = sign_m * jet[m][1];
         const double c_m = sign_m * jet[m][2];
-        if (m == i || p <= 1e-9 || p_m <= 1e-9) continue;
+        if (m == i || p <= slow_axis || p_m <= slow_axis) continue;
         const double slope = c_m / p_m - c / p;
         if (slope > 0) most = std::min(most, (rates_.acceleration[m] / p_m + A / p) / slope);
       }

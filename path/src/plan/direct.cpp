@@ -4,12 +4,16 @@
 #include <array>
 #include <string>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/synchronise.hpp"
 
 namespace jounce {
 
 namespace {
+
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_value;
 
 Bounds bounds_of(const Limits& limits) {
   Bounds bounds =
@@ -38,7 +42,7 @@ void append_moves(std::span<const AxisMove> moves, Sync sync,
     }
     // Fills the rest of the common duration, unless it is within rounding.
     const double to = moves[i].to.position;
-    if (result.duration - time > 1e-14 * result.duration)
+    if (result.duration - time > rounded_value * result.duration)
       axes[i].push_back(line(result.duration - time, to, to));
   }
 }
@@ -56,7 +60,7 @@ std::vector<Segment> until(const Trajectory& curve, double t) {
   for (std::size_t k = 0; k < curve.segments().size(); ++k) {
     const Segment& f = curve.segments()[k];
     const double share = (t - curve.breaks()[k]) / f.length;
-    if (!(share > 1e-13)) break;
+    if (!(share > rounded_root)) break;
     out.push_back(share < 1 ? part(f, 0, share) : f);
   }
   return out;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/rounding.hpp"
@@ -14,6 +15,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 /// Checks the position limits at the ends of all commands.
 void require_inside(const Program& program, const GroupLimits& limits) {
   const auto check = [&](std::size_t axis, double x, int line) {
@@ -49,7 +51,7 @@ bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop
     while (stopping.rests[s].joint < from.joint) ++s;
     const double begin = stopping.rests[s].time;
     while (stopping.rests[s].joint < to.joint) ++s;
-    if (to.time - from.time <= (stopping.rests[s].time - begin) * (1 + 1e-12)) continue;
+    if (to.time - from.time <= (stopping.rests[s].time - begin) * (1 + rounded_sum)) continue;
     for (std::size_t joint = from.joint + 1; joint < to.joint; ++joint) {
       any = any || !stop[joint];
       stop[joint] = true;

@@ -87,7 +87,7 @@ class Records {
     Point change{};
     for (std::size_t i = 0; i < n_; ++i) change[i] = turn.after(i) - turn.before(i);
     double bend = vec::norm(change, m_);
-    if (!(bend > 1e-9)) bend = vec::norm(change, n_);
+    if (!(bend > smallest_turn)) bend = vec::norm(change, n_);
     const double cosine = std::cos(c.angle / 2);
     c.deviation = bend * piece.length * turn_offset(turn.share());
     c.one_sided = c.deviation * cosine;

@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/timing/box.hpp"
@@ -42,6 +43,14 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
+/// Share of a square: the next step of Newton's is below rounding.
+constexpr double newton_rest = 1e-12;
+constexpr double last_place_step = 1e-8;  ///< share of the velocity
+constexpr double least_cruise = 1e-6;     ///< share of the length of an arc
+constexpr double least_gain = 1e-6;       ///< share of the time that makes stairs worth their zones
 /// The limits of an arc, as limits of the law on it.
 class ArcRates {
  public:
@@ -94,7 +103,7 @@ class ArcRates {
       const double sum = j + k_ * k_ * v * v * v;
       const double room = 18 * k_ * k_ * v * v * (V - v);
       const double excess = sum * sum + room * j - jerk_ * jerk_;
-      if (excess <= 1e-12 * jerk_ * jerk_) break;
+      if (excess <= newton_rest * jerk_ * jerk_) break;
       j -= excess / (2 * sum + room);
     }
     return j;
@@ -113,7 +122,8 @@ class ArcRates {
     };
     double y = dv / 2;
     double over = excess(y);
-    for (int step = 0; step < 60 && over > 1e-12 * square; ++step) {  // Newton, from above: convex
+    for (int step = 0; step < 60 && over > newton_rest * square;
+         ++step) {  // Newton, from above: convex
       const double v = V - y;
       const double slope = 2 * j - 4 * k_ * k_ * v * v * v;
       if (!(slope > 0) || !(over < slope * y)) return 0;
@@ -133,7 +143,7 @@ class ArcRates {
       if (!(slope < 0)) return V;
       const double next = v - (cube * v - 8 * j * v + 6 * j * V) / slope;
       if (!(next < V)) return V;
-      if (next - v <= 1e-8 * V) break;
+      if (next - v <= last_place_step * V) break;
       v = next;
     }
     const double inside = j + k_ * k_ * v * v * v;
@@ -228,10 +238,11 @@ class ArcSearch {
     const Stairs up = stairs(way_.entry, v, steps);
     const Stairs down = stairs(way_.exit, v, steps);
     const double cruise = way_.length - up.length - down.length;
-    if (!(cruise > 1e-6 * way_.length) || up.zones.count + down.zones.count == 0) return false;
+    if (!(cruise > least_cruise * way_.length) || up.zones.count + down.zones.count == 0)
+      return false;
     const double time = up.time + down.time + cruise / v + lost(std::min(way_.entry, v)) +
                         lost(std::min(way_.exit, v));
-    if (!(time < shortest_ * (1 - 1e-6))) return false;
+    if (!(time < shortest_ * (1 - least_gain))) return false;
     shortest_ = time;
     best = {};
     for (std::size_t k = 0; k < up.zones.count; ++k) best.add(up.zones.zone[k]);
@@ -298,7 +309,7 @@ class ArcSearch {
     } else {
       return;  // a slower box reaches its velocity
     }
-    if (!(time < shortest_ * (1 - 1e-9))) return;  // more than rounding
+    if (!(time < shortest_ * (1 - rounded_input))) return;  // more than rounding
     shortest_ = time;
     best_v_ = v;
     best_j_ = jerk;
@@ -328,7 +339,7 @@ class ArcSearch {
         return result;
       }
       const double a = std::min(best.acceleration, best.deceleration);
-      const double length = ramp_distance(low, high, a, best.jerk) * (1 + 1e-12);
+      const double length = ramp_distance(low, high, a, best.jerk) * (1 + rounded_sum);
       result.zones.add(length, best);
       result.length += length;
       result.time += ramp_time(high - low, a, best.jerk);

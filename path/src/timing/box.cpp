@@ -6,6 +6,7 @@
 #include <string>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
@@ -14,6 +15,10 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_digit;
+
+constexpr double last_velocity_step = 1e-16;  ///< share of the velocity
 
 double or_none(const std::optional<double>& limit) {
   return limit.value_or(PathSettings::none);
@@ -150,10 +155,10 @@ double velocity_with(const Rates& rates, const Derivatives& bounds, double accel
     double x = std::min({v, std::cbrt(j / r3), j / slope});
     for (int step = 0; step < 8; ++step) {
       const double less = (used(x) - j) / (3 * r3 * x * x + slope);
-      if (!(less > 1e-16 * x)) break;
+      if (!(less > last_velocity_step * x)) break;
       x -= less;
     }
-    v = x * (1 - 1e-15);
+    v = x * (1 - rounded_digit);
   }
   if (!(bends > 0)) return v;
   v = std::min(v, std::sqrt(rates.path.normal_acceleration / std::sqrt(bends)));

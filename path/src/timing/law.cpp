@@ -5,10 +5,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_value;
 
 struct Builder {
   std::span<LawPhase, 7> out;
@@ -63,8 +67,8 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   const double down = ramp_distance(stretch.peak, stretch.v1, stretch.deceleration, stretch.jerk);
   builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
   const double cruise = stretch.length - builder.now.position - down;
-  // A remainder within rounding is not a cruise.
-  if (cruise > 1e-14 * stretch.length) builder.add(cruise / stretch.peak, 0);
+  // A rest within rounding is no cruise.
+  if (cruise > rounded_value * stretch.length) builder.add(cruise / stretch.peak, 0);
   builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
   // The phases cover the length except for rounding. Distances and durations are multiplied to
   // correct this; velocities stay.

@@ -6,8 +6,10 @@
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/timing/stretch.hpp"
+#include "path/src/tolerances.hpp"
 
 // A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that
 // one ramp reaches from v over L. With caps c_k at the stations,
@@ -27,13 +29,19 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
+
+constexpr double no_ramp = 1e-10;  ///< share of the velocity
+
 Ramp up(const Box& box) {
   return {box.acceleration, box.jerk};
 }
 
 /// F, rounded down so that the ramp fits; F is accurate to 1e-14.
 double reached(double length, double v, const Ramp& ramp) {
-  return std::max(v, entry_velocity(length, v, ramp).value_or(v) * (1 - 2e-14));
+  return std::max(v,
+                  entry_velocity(length, v, ramp).value_or(v) * (1 - path_detail::entry_rounding));
 }
 
 /// The ramps from v0 to a peak, and from there to v1.
@@ -93,8 +101,8 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
   }
   if (box.velocity == PathSettings::none || ramps.length > s.length)
     s.peak = peak_of(box, s.length, v0, v1);
-  // Very small ramps save almost no time, and their phases are too short for a fit on an arc.
-  if (s.peak - least <= 1e-10 * s.peak) s.peak = least;
+  // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
+  if (s.peak - least <= no_ramp * s.peak) s.peak = least;
   // For a ramp over a few units in the last place of the velocity, rounding changes the length by a
   // large share. The peak is rounded down until the ramps fit; the cruise takes the rest of the
   // length.
@@ -104,7 +112,7 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
     ramps = ramps_of(box, v0, s.peak, v1);
   }
   const double cruise = s.length - ramps.length;
-  s.duration = ramps.time + (cruise > 1e-14 * s.length ? cruise / s.peak : 0);
+  s.duration = ramps.time + (cruise > rounded_value * s.length ? cruise / s.peak : 0);
   return s;
 }
 
@@ -113,7 +121,8 @@ namespace {
 /// The velocity that a ramp from v reaches over a unit, at most `cap`, which is the usual result.
 double reached_within(const Unit& unit, double v, double cap, double acceleration) {
   if (!(cap > v) || unit.box.constant) return std::min(v, cap);
-  if (ramp_distance(v, cap, acceleration, unit.box.jerk) <= unit.length * (1 - 1e-14)) return cap;
+  if (ramp_distance(v, cap, acceleration, unit.box.jerk) <= unit.length * (1 - rounded_value))
+    return cap;
   return std::min(cap, reached(unit.length, v, {acceleration, unit.box.jerk}));
 }
 
@@ -187,7 +196,8 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
     const double end = v[k + 1];
     while (count > 0 && !unit.box.constant && !units[count - 1].box.constant && start > 0 &&
            unit.entry >= unit.box.velocity &&
-           start < std::min(unit.box.velocity, units[count - 1].box.velocity) * (1 - 1e-9)) {
+           start <
+               std::min(unit.box.velocity, units[count - 1].box.velocity) * (1 - rounded_input)) {
       const Unit& before = units[count - 1];
       const double from = v[count - 1];
       const Unit longer = joined(before, unit);

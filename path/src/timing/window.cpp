@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // s(t) is the average of a law s0 of second order over a window w. With accelerations up to A0,
 //
@@ -22,6 +23,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_root;
 
 /// A corner of the profile: B = v^2 is linear between neighbors, with a slope of 0 or +-2 A0.
 struct Knot {
@@ -224,8 +228,8 @@ class Lowering {
 
 std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acceleration,
                                  double window) {
-  // Longer by 1e-9, so that rounding never puts both signs of the acceleration into one window.
-  const double longer = window * (1 + 1e-9);
+  // A billionth longer, so that rounding never lets a window see both signs of acceleration.
+  const double longer = window * (1 + rounded_input);
   const std::vector<Interval> held = envelope(caps, acceleration, longer);
   const std::vector<Knot> knots = Lowering(fastest(held, acceleration), acceleration, longer).run();
   std::vector<RawPhase> out;
@@ -268,12 +272,11 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, dou
         i < changes.size() ? changes[i].time : std::numeric_limits<double>::infinity();
     const double trail = changes[k].time + window;
     const double next = std::min(lead, trail);
-    if (const double h = next - t; h > 1e-13 * window) {
+    if (const double h = next - t; h > rounded_root * window) {
       now.duration = h;
       now.jerk = (ahead - behind) / window;
-      // The whole window is within one phase, so the average has its acceleration; at rest or in a
-      // cruise also its velocity.
-      if (ahead == behind && i > 0 && changes[i - 1].time <= t - window * (1 - 1e-9)) {
+      // A whole window within one phase: its acceleration; at rest or in a cruise its velocity, too.
+      if (ahead == behind && i > 0 && changes[i - 1].time <= t - window * (1 - rounded_input)) {
         now.acceleration = ahead;
         now.jerk = 0;
         if (ahead == 0) now.velocity = changes[i - 1].velocity;

@@ -13,10 +13,14 @@
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::one_rounding;
+using profiles_detail::rounded_sum;
 
 constexpr double steps = 1600;  // over the whole curve: two a pixel in a plot of 800 px
 constexpr std::size_t most_broken = 8;
@@ -31,7 +35,7 @@ Segment derivative_of(Segment f, int order) {
 void append(Series& series, const Segment& g, double start, double end, double step) {
   const Segment slope = derivative(g);
   std::vector<double> s;
-  const double flat = 2e-16 * magnitude(g) / g.length;  // the same in extrema()
+  const double flat = one_rounding * magnitude(g) / g.length;  // the same in extrema()
   if (flat > 0) roots(slope, flat, s);
   const bool straight = g.degree <= 1 && g.sines == 0;
   const int n = straight ? 1 : std::max(1, static_cast<int>(std::ceil(g.length / step)));
@@ -81,7 +85,7 @@ struct Band {
   [[nodiscard]] bool broken(double value) const {
     const double size =
         std::max({std::abs(value), std::abs(lower.value_or(0)), std::abs(upper.value_or(0))});
-    return excess(value) > 1e-12 * size;
+    return excess(value) > rounded_sum * size;
   }
 };
 

@@ -11,6 +11,8 @@
 namespace jounce {
 namespace {
 
+constexpr double just_before = 1e-9;  ///< share of a length
+
 /// The map's points, and those at which a limit takes over or that are marked, ascending.
 std::vector<CutSpeed> points_of(const CutMap& map) {
   std::vector<CutSpeed> all = map.speeds;
@@ -19,7 +21,7 @@ std::vector<CutSpeed> points_of(const CutMap& map) {
       all.push_back(map.cuts.fastest(length, map.limits));
   };
   for (const LimitChange& change : map.changes) {
-    add(change.length * (1 - 1e-9));
+    add(change.length * (1 - just_before));
     add(change.length);
   }
   for (const auto& mark : map.cuts.marks) add(mark.length);

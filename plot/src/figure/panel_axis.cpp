@@ -12,6 +12,7 @@
 namespace jounce {
 namespace {
 
+constexpr double panel_edge = 1e-9;        ///< share of the width
 constexpr double padding = 17;             // px above and below the data, for a marker's number
 constexpr double least_knot_distance = 4;  // px, on average
 
@@ -93,7 +94,7 @@ std::string series_class(const Series& series, const std::vector<std::string>& l
 
 std::vector<double> drawn_knots(const Figure& figure, const Scale& x) {
   std::vector<double> inside;
-  const double edge = 1e-9 * x.of.span();
+  const double edge = panel_edge * x.of.span();
   for (const double knot : figure.knots)
     if (knot > x.of.lo + edge && knot < x.of.hi - edge) inside.push_back(knot);
   const double room = x.at_hi - x.at_lo;

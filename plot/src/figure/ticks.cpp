@@ -8,8 +8,15 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_root;
+
+constexpr double tick_rounding = 1e-9;  ///< share of a step
+constexpr double least_span = 1e-290;   ///< a step of a shorter axis is no normal number
 
 /// mantissa * 10^exponent.
 struct Step {
@@ -25,7 +32,7 @@ Step nice_step(double span, double most) {
   const int exponent = static_cast<int>(std::floor(std::log10(raw)));
   for (const double mantissa : {1.0, 2.0, 5.0}) {
     const Step step{mantissa, exponent};
-    if (step.value() >= raw * (1 - 1e-9)) return step;
+    if (step.value() >= raw * (1 - tick_rounding)) return step;
   }
   return {1, exponent + 1};
 }
@@ -33,7 +40,7 @@ Step nice_step(double span, double most) {
 Step angle_step(double span, double most) {
   constexpr std::array steps{5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0};
   for (const double step : steps)
-    if (step * most >= span * (1 - 1e-9)) return {step, 0};
+    if (step * most >= span * (1 - tick_rounding)) return {step, 0};
   const Step turns = nice_step(span / 360, most);
   return {360 * std::max(1.0, turns.value()), 0};
 }
@@ -52,8 +59,8 @@ std::string label(double value, int decimals) {
 
 Ticks ticks_at(PlotRange axis, Step step) {
   const double width = step.value();
-  const double first = std::ceil(axis.lo / width - 1e-9);
-  const double last = std::floor(axis.hi / width + 1e-9);
+  const double first = std::ceil(axis.lo / width - tick_rounding);
+  const double last = std::floor(axis.hi / width + tick_rounding);
   Ticks out;
   const double largest = std::max(std::abs(first), std::abs(last)) * width;
   out.exponent = largest > 0 ? shared_exponent(largest) : 0;
@@ -75,7 +82,7 @@ Ticks ticks_of_decades(PlotRange axis, int stride, std::span<const double> manti
   for (int decade = first; decade <= axis.hi; decade += stride)
     for (const double mantissa : mantissas) {
       const double at = decade + std::log10(mantissa);
-      if (at < axis.lo - 1e-9 || at > axis.hi + 1e-9) continue;
+      if (at < axis.lo - tick_rounding || at > axis.hi + tick_rounding) continue;
       out.at.push_back(at);
       out.labels.push_back(fmt::format("{:.10g}", mantissa * std::pow(10.0, decade)));
     }
@@ -99,9 +106,9 @@ PlotRange axis_extent(PlotRange data, double noise) {
   if (data.empty()) return {-1, 1};
   const double largest = std::max(std::abs(data.lo), std::abs(data.hi));
   // The last term: below it, a step of the axis would be no normal number.
-  if (data.span() > std::max({noise, 1e-13 * largest, 1e-290})) return data;
+  if (data.span() > std::max({noise, rounded_root * largest, least_span})) return data;
   const double middle = data.lo + data.span() / 2;
-  if (std::abs(middle) <= std::max(noise, 1e-290)) return {-1, 1};
+  if (std::abs(middle) <= std::max(noise, least_span)) return {-1, 1};
   return {middle - 0.1 * std::abs(middle), middle + 0.1 * std::abs(middle)};
 }
 

@@ -13,12 +13,14 @@
 namespace jounce {
 namespace {
 
+constexpr double no_margin = 1e-9;  ///< share of the limit
+
 std::string margin(const Finding& f) {
   if (!f.has_limit) return "";
   if (f.limit == 0 && f.rule.family() == RuleFamily::continuity) return short_number(f.margin, 3);
   if (f.margin < -10)
     return "< −1000 %";  // a tolerance, not a limit: its multiples have no meaning
-  if (!f.broken && std::abs(f.margin) < 1e-9) return "0 %";
+  if (!f.broken && std::abs(f.margin) < no_margin) return "0 %";
   return short_number(100 * f.margin, 3) + " %";
 }
 

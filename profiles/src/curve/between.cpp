@@ -6,10 +6,15 @@
 #include <string>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
+using profiles_detail::two_roundings;
 
 using Segments = std::vector<Segment>;
 constexpr double most_segments = 1e6;
@@ -23,12 +28,12 @@ void append_rest(double value, double length, Segments& out) {
 template <class Over>
 void append_inside(const Curve<Over>& f, double from, double to, Segments& out) {
   const auto breaks = f.breaks();
-  const double rounding = 4e-16 * std::max(std::abs(from), std::abs(to));
+  const double rounding = two_roundings * std::max(std::abs(from), std::abs(to));
   const auto first = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, from) - breaks.begin();
   for (auto i = static_cast<std::size_t>(first) - 1; i < f.segments().size() && breaks[i] < to;
        ++i) {
     const Segment& whole = f.segments()[i];
-    const double dust = 1e-14 + rounding / whole.length;
+    const double dust = rounded_value + rounding / whole.length;
     double s0 = std::clamp((from - breaks[i]) / whole.length, 0.0, 1.0);
     double s1 = std::clamp((to - breaks[i]) / whole.length, 0.0, 1.0);
     if (s0 <= dust) s0 = 0;
@@ -44,7 +49,7 @@ void append_turns(const Curve<Over>& f, double from, double to, Segments& out) {
   if (turns * static_cast<double>(f.segments().size()) > most_segments)
     throw InputError("interval", number(from) + " to " + number(to),
                      "is " + number(turns) + " turns, more than 1e6 segments");
-  const double rounding = 4e-16 * std::max(std::abs(from), std::abs(to));
+  const double rounding = two_roundings * std::max(std::abs(from), std::abs(to));
   for (double k = std::floor((from - f.start()) / turn); f.start() + k * turn < to; ++k) {
     const double offset = k * turn;
     const double a = std::max(f.start(), from - offset);
@@ -92,7 +97,7 @@ Curve<Over> delayed(const Curve<Over>& f, double delay, double late) {
 template <class Over>
 void require_resting_ends(const Curve<Over>& f) {
   if (repeats(f.outside())) return;
-  const double rounding = 1e-9 * std::abs(extrema(f, 1).peak().value);
+  const double rounding = rounded_input * std::abs(extrema(f, 1).peak().value);
   const double begins = evaluate(f.segments().front(), 0)[1];
   const double ends = evaluate(f.segments().back(), 1)[1];
   if (std::abs(begins) > rounding)

@@ -11,6 +11,7 @@
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 // A piece of the inner curve, y(s) for s in [0, 1], lies within one segment of the outer curve,
@@ -45,6 +46,12 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_root;
+using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
+using profiles_detail::two_roundings;
+
+constexpr double same_travel = 1e-6;  ///< share of a travel by which (4) may correct it
 constexpr double most_breaks = 1e6;
 
 bool is_linear(const Segment& f) {
@@ -106,7 +113,7 @@ std::optional<Segment> substituted(const Piece& p) {
   Segment d = scaled(p.inner, 1 / p.outer.length);
   d.c[0] = 0;
   const double travel = value(d, 1);
-  if (p.r1 && travel != 0 && std::abs((*p.r1 - p.r0) / travel - 1) < 1e-6) {  // (4)
+  if (p.r1 && travel != 0 && std::abs((*p.r1 - p.r0) / travel - 1) < same_travel) {  // (4)
     const double factor = (*p.r1 - p.r0) / travel;
     d = scaled(d, factor);
     d.length *= factor;
@@ -149,7 +156,7 @@ class Places {
   /// Appends every break from lo to hi, with a tolerance for rounding, in ascending order.
   void breaks_within(double lo, double hi, std::vector<double>& out) const {
     out.clear();
-    const double rounding = 4e-16 * std::max(std::abs(lo), std::abs(hi));
+    const double rounding = two_roundings * std::max(std::abs(lo), std::abs(hi));
     lo -= rounding;
     hi += rounding;
     if ((hi - lo) / f_.length() * static_cast<double>(f_.segments().size()) > most_breaks &&
@@ -188,7 +195,7 @@ Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
   for (auto piece = longest.begin(); piece != last; ++piece)
     for (const double share : {1.0, 0.5, 0.75, 0.25, 1.5}) {
       const double length = (*piece)->length;
-      if (std::abs(missing) > 1e-13 * length) return g;
+      if (std::abs(missing) > rounded_root * length) return g;
       (*piece)->length += share * missing;
       if (Curve<Inner> h(pieces, inner.start(), inner.outside()); h.end() == inner.end()) return h;
       (*piece)->length = length;
@@ -233,7 +240,7 @@ template <class Outer, class Inner>
 void require_inside(const Curve<Outer>& outer, const Curve<Inner>& inner) {
   if (outer.outside() != Extrapolation::refuse) return;
   const Range range = extrema(inner, 0);
-  const double rounding = 1e-12 * std::max(std::abs(outer.start()), std::abs(outer.end()));
+  const double rounding = rounded_sum * std::max(std::abs(outer.start()), std::abs(outer.end()));
   for (const Extremum& end : {range.min, range.max})
     if (end.value < outer.start() - rounding || end.value > outer.end() + rounding)
       throw InputError("inner", end.value,
@@ -248,9 +255,9 @@ Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double
   const auto [segment, start] = places.at(value(y, 0.5));
   Piece p{segment, start, y, (value(y, 0) - start) / segment.length};
   const auto snapped = [&](double level) { return level == p.start ? 0.0 : 1.0; };
-  const double rounding = 1e-14 * std::abs(start) / segment.length;
+  const double rounding = rounded_value * std::abs(start) / segment.length;
   if (first) {
-    if (const double r = snapped(*first); std::abs(r - p.r0) <= rounding + 1e-12) p.r0 = r;
+    if (const double r = snapped(*first); std::abs(r - p.r0) <= rounding + rounded_sum) p.r0 = r;
   } else if (before && before->start == start && std::abs(before->end() - p.r0) <= rounding) {
     p.r0 = before->end();
   }

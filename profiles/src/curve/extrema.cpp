@@ -9,10 +9,12 @@
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::one_rounding;
 /// Extends the range by a candidate. `noise`: the least improvement, so that rounding does not move
 /// the position.
 void widen(Range& range, const Extremum& candidate, double noise = 0) {
@@ -40,7 +42,7 @@ bool keeps_sign(const Segment& f, double flat) {
 Range range_on(const Segment& g, const Segment& dg, double start, double end) {
   const Extremum first{value(g, 0), start, Side::right};
   Range range{first, first};
-  const double noise = 2e-16 * magnitude(g);
+  const double noise = one_rounding * magnitude(g);
   // If |g'| stays below this, g changes by less than its own rounding over the whole segment. If
   // g' passes zero by no more than this, no value within lies beyond both ends.
   const double flat = noise / g.length;

@@ -99,10 +99,11 @@ Jet hermite_error(double length, double twelfth) {
 }
 
 void require_tolerance(double tolerance, double magnitude) {
+  constexpr double finest_fit = 1e-14;  // a smaller error cannot be computed
   require_positive("tolerance", tolerance);
-  if (tolerance < 1e-14 * magnitude)
+  if (tolerance < finest_fit * magnitude)
     throw InputError("tolerance", tolerance,
-                     "must be at least " + six_digits_up(1e-14 * magnitude) +
+                     "must be at least " + six_digits_up(finest_fit * magnitude) +
                          ", the rounding error of the curve");
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -16,6 +17,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 /// The distance by (1).
 double forward(double from, double to, double period) {
   return rolled(rolled(to, period).position - rolled(from, period).position, period).position;
@@ -39,8 +41,8 @@ struct Ways {
 
   [[nodiscard]] double at(double sign) const {
     const double d = forward(from, to, period);
-    // A smaller distance counts as arrived, because rounding must not cause a turn.
-    const double rounding = 1e-12 * period;
+    const double rounding =
+        rounded_sum * period;  // so near counts as arrived: no turn for the last digit
     const double turns = (stop - d) / period;
     const double nearest = d + std::nearbyint(turns) * period;
     if (nearest != 0 && std::abs(nearest - stop) <= rounding) return stop;
@@ -56,9 +58,9 @@ struct Timed {
 /// True if a is the better way: the faster one (beyond rounding), then the shorter one, then the
 /// positive one.
 bool better(const Timed& a, const Timed& b) {
-  if (std::abs(a.duration - b.duration) > 1e-12 * b.duration) return a.duration < b.duration;
+  if (std::abs(a.duration - b.duration) > rounded_sum * b.duration) return a.duration < b.duration;
   const double longer = std::abs(a.distance) - std::abs(b.distance);
-  if (std::abs(longer) > 1e-12 * std::abs(b.distance)) return longer < 0;
+  if (std::abs(longer) > rounded_sum * std::abs(b.distance)) return longer < 0;
   return a.distance > b.distance;
 }
 

@@ -10,11 +10,19 @@
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
+using profiles_detail::one_rounding;
+using profiles_detail::rounded_digit;
+using profiles_detail::rounded_root;
+using profiles_detail::two_roundings;
+
+/// Share of the magnitude of a segment by which rounding may change a sign.
+constexpr double sign_rounding = 2e-15;
 /// The greatest angle over which the Taylor polynomial of degree 11 replaces a sine to within
 /// rounding: the remainder is at most angle^12 / 12! = 1.3e-16.
 constexpr double widest_piece_angle = 0.25;
@@ -51,7 +59,7 @@ void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
     // The Bernstein form changes its sign at an end of the piece, where rounding gives f the
     // other sign: the root is that end.
     const double nearest = std::min(std::abs(fa), std::abs(fb));
-    if (nearest <= 2e-15 * magnitude(f)) out.push_back(nearest == std::abs(fa) ? a : b);
+    if (nearest <= sign_rounding * magnitude(f)) out.push_back(nearest == std::abs(fa) ? a : b);
     return;
   }
   double s = a + (b - a) * fa / (fa - fb);
@@ -61,7 +69,7 @@ void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
     ((g[0] > 0) == (fa > 0) ? a : b) = s;
     const double newton = s - g[0] / (g[1] * f.length);
     const double next = newton > a && newton < b ? newton : (a + b) / 2;
-    if (next == s || b - a <= 2e-16) break;
+    if (next == s || b - a <= one_rounding) break;
     s = next;
   }
   out.push_back(s);
@@ -80,7 +88,7 @@ struct Isolation {
   void run(double a, double b, const profiles_detail::Bernstein<n>& beta) const {
     const auto [lo, hi] = profiles_detail::hull<n>(beta);
     if (lo > remainder || hi < -remainder) return;
-    if ((lo >= -flat && hi <= flat) || b - a < 1e-13) {
+    if ((lo >= -flat && hi <= flat) || b - a < rounded_root) {
       out.push_back((a + b) / 2);
       return;
     }
@@ -113,7 +121,7 @@ struct Isolation {
 };
 
 double noise_of(const Segment& f) {
-  return 1e-15 * magnitude(f);
+  return rounded_digit * magnitude(f);
 }
 
 void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
@@ -121,7 +129,7 @@ void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
   double remainder = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
     widest = std::max(widest, std::abs(f.sine[i].angle));
-    remainder += 2e-16 * std::abs(f.sine[i].amplitude);
+    remainder += one_rounding * std::abs(f.sine[i].amplitude);
   }
   constexpr std::size_t n = Segment::max_degree;
   const Isolation<n> isolation{f, flat, remainder, noise_of(f), out};
@@ -147,8 +155,9 @@ void roots(const Segment& f, double flat, std::vector<double>& out) {
   isolate(f, flat, out);
   std::erase_if(out, [](double s) { return s <= 0 || s >= 1; });
   std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end(), [](double a, double b) { return b - a < 1e-13; }),
-            out.end());
+  out.erase(
+      std::unique(out.begin(), out.end(), [](double a, double b) { return b - a < rounded_root; }),
+      out.end());
 }
 
 namespace {
@@ -180,13 +189,13 @@ std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     Segment g = f.segments()[i];
     for (int k = 0; k < order; ++k) g = derivative(g);
-    const double flat = 4e-16 * (magnitude(g) + std::abs(level));
+    const double flat = two_roundings * (magnitude(g) + std::abs(level));
     g.c[0] -= level;
     zeros(g, flat, s);
     for (const double at : s)
       found.push_back(at == 1 ? f.breaks()[i + 1] : f.breaks()[i] + at * g.length);
   }
-  const double apart = 1e-13 * f.length();
+  const double apart = rounded_root * f.length();
   const auto same = [&](double a, double b) { return b - a <= apart; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;

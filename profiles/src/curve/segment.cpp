@@ -12,6 +12,8 @@
 namespace jounce {
 namespace {
 
+/// Difference of two angles, relative and in rad, that is rounding.
+constexpr double same_angle = 4e-15;
 constexpr double half_pi = 1.57079632679489661923;
 
 using Coefficients = std::array<double, Segment::max_degree + 1>;
@@ -148,7 +150,7 @@ std::optional<Segment> sum(const Segment& f, const Segment& g) {
     const auto end = begin + h.sines;
     // Parts of one sine, cut at different places, have one angle to rounding.
     const double other = g.sine[i].angle;
-    const double rounding = 4e-15 * std::max(1.0, std::abs(other));
+    const double rounding = same_angle * std::max(1.0, std::abs(other));
     const auto same = std::find_if(
         begin, end, [&](const SineTerm& t) { return std::abs(t.angle - other) <= rounding; });
     if (same != end) {

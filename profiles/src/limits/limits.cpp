@@ -7,12 +7,15 @@
 
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/limit_check.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
 
 using profiles_detail::Bound;
+using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
 
 std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
                              double stroke) {
@@ -82,7 +85,7 @@ const char* advice_at(const profiles_detail::Ends& extent, double where, std::si
 /// A peak at a break belongs to both adjacent segments; the finding names the first.
 bool is_told(const std::optional<Finding>& before, const Extremum& worst, double start) {
   return before && worst.where == start && before->where == start &&
-         std::abs(worst.value - before->value) <= 1e-12 * std::abs(worst.value);
+         std::abs(worst.value - before->value) <= rounded_sum * std::abs(worst.value);
 }
 
 }  // namespace
@@ -193,7 +196,7 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
     const auto& range = ranges[k];
     const double scale = k == 0 ? range.max.value - range.min.value : std::abs(range.peak().value);
     // A step below the rounding of the values cannot be detected.
-    const double limit = std::max(tolerance * scale, 1e-14 * std::abs(range.peak().value));
+    const double limit = std::max(tolerance * scale, rounded_value * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;
     report.findings.push_back({Rule(RuleFamily::continuity, names[k]), "",

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "jounce/profiles/detail/ramps.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/detail/velocity_ramp.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
@@ -40,6 +42,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::RampLimits;
+using profiles_detail::rounded_root;
 
 Dynamics completed(Dynamics d) {
   require_positive("acceleration", d.acceleration);
@@ -221,7 +226,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
     return result;
   };
   const auto covered = [&](double peak) { return motion(peak, 0).now().position; };
-  const double rounding = 1e-13 * std::max({std::abs(from.position), std::abs(target), h});
+  const double rounding = rounded_root * std::max({std::abs(from.position), std::abs(target), h});
   const auto made = [&](double peak, double cruise) {
     Growing result = motion(peak, cruise);
     return result.finished().scaled(s, from, {target, 0, 0});
@@ -254,7 +259,7 @@ std::vector<Profile> approach(const MotionState& from, double target, const Dyna
   const double rest = halt.end().position;
   const double beyond = (target - rest) * direction;
   const double rounding =
-      1e-13 * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
+      rounded_root * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
   if (beyond > rounding) return {solved(move_to(from, to, limits))};
   if (beyond < -rounding) return {halt, point_to_point(rest, target, d)};
   halt.finish(to);
@@ -270,8 +275,8 @@ Profile point_to_point(double from, double to, const Dynamics& dynamics) {
       {from, to, d.velocity, d.acceleration, d.deceleration, d.jerk, d.deceleration_jerk});
 }
 
-Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
-                      const RampLimits& down) {
+Profile profiles_detail::velocity_ramp(const MotionState& from, double velocity,
+                                       const RampLimits& up, const RampLimits& down) {
   require_finite("from.position", from.position);
   require_finite("from.velocity", from.velocity);
   require_finite("from.acceleration", from.acceleration);
@@ -290,8 +295,8 @@ Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits
 
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics) {
   const Dynamics d = completed(dynamics);
-  return velocity_ramp(from, velocity, {d.acceleration, d.jerk, d.jerk},
-                       {d.deceleration, d.deceleration_jerk, d.deceleration_jerk});
+  return profiles_detail::velocity_ramp(from, velocity, {d.acceleration, d.jerk, d.jerk},
+                                        {d.deceleration, d.deceleration_jerk, d.deceleration_jerk});
 }
 
 Trajectory with_target(const Trajectory& running, double t, double target,

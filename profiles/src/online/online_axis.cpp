@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "profiles/src/solver/axis_task.hpp"
 #include "profiles/src/solver/solver.hpp"
 #include "profiles/src/solver/travel.hpp"
@@ -11,6 +13,9 @@
 namespace jounce::profiles_detail {
 namespace {
 
+/// Shares of a travel that are no detour.
+constexpr double strict_detour = 1e-13;
+constexpr double loose_detour = 1e-10;
 /// The relative rounding error of a number after the computations of a user's program and of a
 /// plan.
 constexpr double digits = 0x1p-46;
@@ -66,7 +71,7 @@ bool limits_position(const Bounds& b) {
 }  // namespace
 
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept {
-  const double share = judged == Judged::strictly ? 1e-13 : 1e-10;
+  const double share = judged == Judged::strictly ? strict_detour : loose_detour;
   if (move.goal == MoveGoal::velocity) {
     const double scale = std::abs(plan.start().velocity) + std::abs(plan.end().velocity);
     return turns_round(travelled_in_velocity(plan), share, digits * scale);
@@ -248,7 +253,7 @@ bool OnlineAxis::permits(const Profile& plan) const noexcept {
   if (bounds_.velocity_min != 0 && bounds_.velocity_max != 0) return true;
   const double v = plan.order() > 1 ? plan.start().velocity : 0;
   const Travel speed = travelled_in_velocity(plan);
-  const double rounding = 1e-12 * (std::abs(speed.lowest) + std::abs(speed.highest));
+  const double rounding = rounded_sum * (std::abs(speed.lowest) + std::abs(speed.highest));
   return (bounds_.velocity_max != 0 || v + speed.highest <= rounding) &&
          (bounds_.velocity_min != 0 || v + speed.lowest >= -rounding);
 }

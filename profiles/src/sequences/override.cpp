@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 using profiles_detail::Clock;
 using profiles_detail::Path;
+using profiles_detail::rounded_sum;
 
 void require_factor(const std::string& key, double factor, double maximum) {
   require_not_negative(key.c_str(), factor);
@@ -59,7 +61,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
     const std::string key = "axis[" + std::to_string(i + 1) + "]";
     const double apart = std::max(std::abs(axes[i].start() - axes[0].start()),
                                   std::abs(axes[i].end() - axes[0].end()));
-    if (apart > 1e-12 * std::max(std::abs(axes[0].start()), std::abs(axes[0].end())))
+    if (apart > rounded_sum * std::max(std::abs(axes[0].start()), std::abs(axes[0].end())))
       throw InputError(key, number(axes[i].start()) + " to " + number(axes[i].end()),
                        "must have the interval of axis[1]");
     if (!limits[i].velocity || !limits[i].acceleration || !limits[i].jerk)
@@ -71,7 +73,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
     path.jerk = std::min(path.jerk, *limits[i].jerk / v);
   }
   if (!std::isfinite(path.acceleration)) throw InputError("axes", "", "do not move");
-  if (factor > 1 && factor > path.room(path.start()) * (1 + 1e-12))
+  if (factor > 1 && factor > path.room(path.start()) * (1 + rounded_sum))
     throw InputError("factor", factor,
                      "exceeds a limit: the greatest possible factor is " +
                          six_digits_down(path.room(path.start())));

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/sequences/retime.hpp"
 
 // An axis f(c), played along a clock c(t):
@@ -42,9 +43,9 @@ constexpr int quarters = 4;     // number of starts that are tried between two b
 /// Checks (1) at nine points inside each piece of the clock. An excess below 1e-9 of a limit is
 /// left to `check`.
 bool is_broken_at_points(const Trajectory& axis, const Limits& limits, const Trajectory& clock) {
-  const double v = *limits.velocity * (1 + 1e-9);
-  const double a = *limits.acceleration * (1 + 1e-9);
-  const double j = *limits.jerk * (1 + 1e-9);
+  const double v = *limits.velocity * (1 + rounded_input);
+  const double a = *limits.acceleration * (1 + rounded_input);
+  const double j = *limits.jerk * (1 + rounded_input);
   for (const Segment& piece : clock.segments())
     for (int n = 0; n <= 8; ++n) {
       const Jet c = evaluate(piece, std::clamp(n / 8.0, 0x1p-10, 1 - 0x1p-10));
@@ -83,7 +84,7 @@ double Clock::reaches(double path_time) const {
   return crossings(until(end()), 0, path_time).front();
 }
 
-void Clock::follow(const Ramp& ramp) {
+void Clock::follow(const ClockRamp& ramp) {
   std::vector<Segment> all;
   if (ramp.begin > start) {
     const Trajectory before = until(ramp.begin);
@@ -125,7 +126,7 @@ class FactorSearch {
         maximum_(maximum),
         over_(clock.reaches(path.end())) {}
 
-  [[nodiscard]] std::optional<Ramp> run() {
+  [[nodiscard]] std::optional<ClockRamp> run() {
     const auto starts = candidates();
     for (std::size_t i = 0; i < starts.size(); ++i) {
       const double next = i + 1 < starts.size() ? starts[i + 1] : starts[i];
@@ -170,8 +171,8 @@ class FactorSearch {
     const double factor = request_.factor > 1
                               ? std::clamp(path_.room(now.position), 1.0, request_.factor)
                               : request_.factor;
-    if (now.acceleration == 0 && std::abs(now.velocity - factor) <= 1e-14 * factor) {
-      best_ = Ramp{t, t, factor, now.position, {}};
+    if (now.acceleration == 0 && std::abs(now.velocity - factor) <= rounded_value * factor) {
+      best_ = ClockRamp{t, t, factor, now.position, {}};
       return;
     }
     for (const Shape& shape : shapes) steepest_of(t, now, factor, shape);
@@ -212,9 +213,10 @@ class FactorSearch {
       return Outcome::comes_too_late;
     const Trajectory clock = change.profile.curve();
     const Range rate = extrema(clock, 1);
-    if (rate.min.value < -1e-12 || rate.max.value > maximum_ + 1e-12 || !path_.allows(clock))
+    if (rate.min.value < -rounded_sum || rate.max.value > maximum_ + rounded_sum ||
+        !path_.allows(clock))
       return Outcome::breaks_a_limit;
-    best_ = Ramp{t, end, factor, path, {clock.segments().begin(), clock.segments().end()}};
+    best_ = ClockRamp{t, end, factor, path, {clock.segments().begin(), clock.segments().end()}};
     return Outcome::holds;
   }
 
@@ -223,13 +225,13 @@ class FactorSearch {
   FactorRequest request_;
   double maximum_;
   double over_;  // end of the path without a change
-  std::optional<Ramp> best_;
+  std::optional<ClockRamp> best_;
 };
 
 }  // namespace
 
-std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
-                                  const FactorRequest& request, double maximum) {
+std::optional<ClockRamp> earliest_ramp(const Path& path, const Clock& clock,
+                                       const FactorRequest& request, double maximum) {
   return FactorSearch(path, clock, request, maximum).run();
 }
 

@@ -11,7 +11,7 @@
 namespace jounce::profiles_detail {
 
 /// One answer to a request: at `begin` the clock leaves its old course and follows `pieces`.
-struct Ramp {
+struct ClockRamp {
   double begin = 0;
   double end = 0;
   double factor = 1;  ///< factor after the end
@@ -34,7 +34,7 @@ struct Clock {
   [[nodiscard]] MotionState at(double t) const;
   /// The time at which the clock reaches this path time; infinite if never.
   [[nodiscard]] double reaches(double path_time) const;
-  void follow(const Ramp& ramp);
+  void follow(const ClockRamp& ramp);
 };
 
 /// The plan: the axes over path time, and the limits for changes of the clock.
@@ -54,7 +54,7 @@ struct Path {
 
 /// The answer to one request: of all starts, shapes and steepnesses that are tried, and with which
 /// all limits hold, the ramp that ends first; nothing if the motion is over before.
-std::optional<Ramp> earliest_ramp(const Path& path, const Clock& clock,
-                                  const FactorRequest& request, double maximum);
+std::optional<ClockRamp> earliest_ramp(const Path& path, const Clock& clock,
+                                       const FactorRequest& request, double maximum);
 
 }  // namespace jounce::profiles_detail

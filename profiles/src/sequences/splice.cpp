@@ -7,10 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 
 using Segments = std::vector<Segment>;
 
@@ -22,14 +26,14 @@ void require_not_before(const Trajectory& f, double t) {
 
 /// True if two times on f differ by no more than the rounding of the breaks.
 bool same_time(const Trajectory& f, double a, double b) {
-  return std::abs(a - b) <= 1e-14 * std::max(std::abs(f.start()), std::abs(f.end()));
+  return std::abs(a - b) <= rounded_value * std::max(std::abs(f.start()), std::abs(f.end()));
 }
 
 /// The state of f after its end. A velocity within rounding is zero.
 MotionState beyond(const Trajectory& f, double t) {
   const Segment& last = f.segments().back();
   const Jet end = evaluate(last, 1);
-  const bool rests = std::abs(end[1]) <= 1e-14 * magnitude(derivative(last));
+  const bool rests = std::abs(end[1]) <= rounded_value * magnitude(derivative(last));
   const double v = rests ? 0 : end[1];
   return {end[0] + v * (t - f.end()), v, 0};
 }
@@ -43,7 +47,7 @@ bool is_built_up(const Trajectory& f, double t) {
   double greatest = 0;
   for (std::size_t i = 0; i < segments.size(); ++i)
     greatest = std::max({greatest, std::abs(begin(i)), std::abs(end(i))});
-  const double rounding = 1e-9 * greatest;
+  const double rounding = rounded_input * greatest;
   const auto none = [&](double a) { return std::abs(a) <= rounding; };
   const auto joined = [&](std::size_t i) {  // true if segment i continues the previous one
     return !none(begin(i)) && none(begin(i) - end(i - 1));

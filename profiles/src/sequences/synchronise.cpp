@@ -7,6 +7,8 @@
 #include <cmath>
 #include <new>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "profiles/src/solver/axis_task.hpp"
 #include "profiles/src/solver/brake.hpp"
 #include "profiles/src/solver/even_rest.hpp"
@@ -16,6 +18,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::AxisTask;
+using profiles_detail::rounded_sum;
 
 /// The condition for the durations: at least `minimum`, and a multiple of `grid` if that is > 0.
 struct Timing {
@@ -306,7 +309,7 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
   const double here = component(axis, which);
   const double there = component(lead, which);
   const double of_ratio = (far(axis) + std::abs(ratio) * far(lead)) / std::abs(scale);
-  const double slack = 1e-12 * (std::abs(here) + std::abs(ratio * there)) +
+  const double slack = rounded_sum * (std::abs(here) + std::abs(ratio * there)) +
                        digits * (of_ratio * std::abs(there) + (which == 0 ? far(axis) : 0) +
                                  bound(axis.bounds) + std::abs(ratio) * bound(lead.bounds));
   return std::abs(here - ratio * there) <= slack;

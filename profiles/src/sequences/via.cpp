@@ -83,12 +83,17 @@ void require_valid_stretches(const ViaSpec& spec) {
   }
 }
 
-void require_valid_norm(const ViaNorm& norm) {
+void require_valid_norm(const Limits& norm) {
+  for (const auto& [name, position] : {std::pair{"norm.position_min", norm.position_min},
+                                       {"norm.position_max", norm.position_max}})
+    if (position)
+      throw InputError(name, *position, "does not limit a norm: use the bounds of the axes");
   for (const auto& [name, value] : {std::pair{"norm.velocity", norm.velocity},
                                     {"norm.acceleration", norm.acceleration},
                                     {"norm.jerk", norm.jerk}})
-    if (!(value > 0) || (std::isfinite(value) && !profiles_detail::is_magnitude(value)))
-      throw InputError(name, value, "must be between 1e-30 and 1e30, or infinite");
+    if (value &&
+        (!(*value > 0) || (std::isfinite(*value) && !profiles_detail::is_magnitude(*value))))
+      throw InputError(name, *value, "must be between 1e-30 and 1e30, or infinite");
 }
 
 void require_valid(const ViaSpec& spec) {
@@ -107,15 +112,16 @@ void require_valid(const ViaSpec& spec) {
 
 /// The bounds of an axis that goes `share` of the distance under limits of the norm. They do not limit an axis that
 /// does not move.
-Bounds within_norm(Bounds b, const ViaNorm& norm, double share) {
+Bounds within_norm(Bounds b, const Limits& norm, double share) {
   if (!(share > 0)) return b;
-  const auto limit = [](double most, double& min, double& max) {
+  const auto limit = [share](std::optional<double> norm_limit, double& min, double& max) {
+    const double most = share * norm_limit.value_or(Bounds::none);
     min = std::max(min, -most);
     max = std::min(max, most);
   };
-  limit(share * norm.velocity, b.velocity_min, b.velocity_max);
-  limit(share * norm.acceleration, b.acceleration_min, b.acceleration_max);
-  limit(share * norm.jerk, b.jerk_min, b.jerk_max);
+  limit(norm.velocity, b.velocity_min, b.velocity_max);
+  limit(norm.acceleration, b.acceleration_min, b.acceleration_max);
+  limit(norm.jerk, b.jerk_min, b.jerk_max);
   return b;
 }
 

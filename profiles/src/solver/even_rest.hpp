@@ -6,6 +6,8 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
+#include "profiles/src/solver/tolerances.hpp"
+
 namespace jounce::profiles_detail {
 
 // From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak
@@ -60,7 +62,7 @@ class EvenRest {
 
   /// False if d/J is too near to the least or the greatest double.
   [[nodiscard]] JOUNCE_INLINE static bool solves(double distance, double jerk) noexcept {
-    return (distance > 1e-290 * jerk) & (distance < 1e290 * jerk);
+    return (distance > least_cubed * jerk) & (distance < 1e290 * jerk);
   }
 
   [[nodiscard]] JOUNCE_INLINE EvenCourse shortest() const noexcept {

@@ -29,6 +29,9 @@
 namespace jounce::profiles_detail {
 namespace {
 
+constexpr double last_peak_step = 1e-5;  ///< share of the velocity: the next step is below rounding
+/// Share of the excess: the step is good enough to stop.
+constexpr double last_cruising_step = 1e-8;
 /// A power of two within a factor of 4 of the cube root. Unlike std::cbrt, it gives the same result
 /// in units that differ by powers of two.
 double about_cube_root(double x) {
@@ -273,7 +276,7 @@ double Extremals::cruise_velocity(double t, double d) const noexcept {
     if (!(cruise > 0)) break;
     const double step = (d - vp * t + (lost[0] + lost[1])) / ((z[0] + z[1]) * ijd_ / 2 + cruise);
     vp += step;
-    if (std::abs(step) <= 1e-5 * vp) return vp;
+    if (std::abs(step) <= last_peak_step * vp) return vp;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -298,7 +301,7 @@ bool Extremals::soon_cruising(double t, double d, Extremal& out) const noexcept 
   double sign = 0;
   const double step = cruising_step(cruising_above(guess, t), d, sign);
   const double above = guess - step;
-  if (!(std::abs(step) <= 1e-8 * above && natural_ + above <= vmax_)) return false;
+  if (!(std::abs(step) <= last_cruising_step * above && natural_ + above <= vmax_)) return false;
   out = cruising_above(above, t);
   return out.cruise >= 0;
 }

@@ -6,6 +6,8 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
+#include "profiles/src/solver/tolerances.hpp"
+
 namespace jounce::profiles_detail {
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
   // For a downward motion the limits are exchanged.
@@ -59,7 +61,7 @@ bool RestToRest::solve_shortest() noexcept {
   }
   const double kk = k_ * (k_ + q_);
   const double cubed = 3 * d_ / kk;
-  if (!(cubed > 1e-290)) return false;  // too near to the least double
+  if (!(cubed > least_cubed)) return false;  // too near to the least double
   const double z = cube_root_in_units(cubed, kk / (3 * d_));
   if (z <= std::min(limit_[0], limit_[1])) {
     pass(z);
@@ -95,7 +97,7 @@ bool RestToRest::pass_in(double t) noexcept {
   for (int i = 0; i < 8; ++i) {
     const double step = (g * g * (1 - u * g) - 1) / (g * (2 - 3 * u * g));
     g -= step;
-    if (std::abs(step) <= 1e-9) break;
+    if (std::abs(step) <= last_newton_step) break;
   }
   if (z0 * g > std::min(limit_[0], limit_[1])) return false;
   pass(z0 * g);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "jounce/profiles/detail/lanes.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+
+#include "profiles/src/solver/tolerances.hpp"
 
 // The fastest way over a distance between two velocities, a = 0 at both ends, under |v| <= V,
 // |a| <= A, |j| <= J. Free of branches, so that a loop over many of them becomes vector code.
@@ -101,7 +104,7 @@ struct Span {
     direct = r.ramp(d);
     const Real over = distance - 0.5 * (lower + upper) * direct;
     mirrored = over < 0;
-    is_direct = magnitude(over) <= 2e-16 * direct * (magnitude(lower) + magnitude(upper));
+    is_direct = magnitude(over) <= one_rounding * direct * (magnitude(lower) + magnitude(upper));
     D = mirrored ? -distance : distance;
     l = mirrored ? -upper : lower;
     h = mirrored ? -lower : upper;
@@ -212,7 +215,7 @@ constexpr int most_steps = 64;
 /// cube of this one.
 template <class Real>
 JOUNCE_INLINE Mask<Real> settled(Real before, Real after) {
-  return magnitude(after - before) <= 1e-5 * after;
+  return magnitude(after - before) <= last_cubic_step * after;
 }
 
 inline double largest_root(const Start<double>& start) {

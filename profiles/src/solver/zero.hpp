@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "profiles/src/solver/tolerances.hpp"
+
 namespace jounce::profiles_detail {
 
 /// Newton's step; NaN if f does not have the direction that it has at the zero.
@@ -23,8 +25,8 @@ double zero(F f, double lo, double hi, bool rising, double guess) {
     ((sign < 0) == rising ? lo : hi) = x;
     double next = x - step;
     const bool inside = next > lo && next < hi;
-    // The convergence is at least quadratic, so the step after such a step is within rounding.
-    const bool done = std::abs(step) <= 1e-9 * std::abs(x);
+    // Convergence is quadratic at least: after such a step the next is lost in rounding.
+    const bool done = std::abs(step) <= last_newton_step * std::abs(x);
     // If the range covers many decades, steps by a factor would take too long.
     if (!done && i > 8 && i % 2 == 0 && lo >= 0 && hi > 4 * lo)
       next = lo > 0 ? std::sqrt(lo * hi) : hi * 0x1p-20;

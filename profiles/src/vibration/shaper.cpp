@@ -6,6 +6,7 @@
 #include <string>
 
 #include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 // In half a damped period T/2 the mode turns by 180 degrees and decays by
@@ -25,6 +26,9 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
 
 constexpr double longest_shaper =
     1e4;  // longest shaper, in lengths of the motion; above, no digits are left
@@ -51,7 +55,7 @@ void require_shaper(std::span<const Impulse> impulses) {
                        "times must ascend from 0");
     total += impulses[i].amplitude;
   }
-  if (std::abs(total - 1) > 1e-12)
+  if (std::abs(total - 1) > rounded_sum)
     throw InputError("impulses", total, "is the sum of the amplitudes, which must be 1");
 }
 
@@ -85,7 +89,7 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
             [](const Impulse& x, const Impulse& y) { return x.time < y.time; });
   std::vector<Impulse> merged;  // impulses at the same time (to rounding) become one
   for (const Impulse& x : all)
-    if (!merged.empty() && x.time - merged.back().time <= 1e-14 * all.back().time)
+    if (!merged.empty() && x.time - merged.back().time <= rounded_value * all.back().time)
       merged.back().amplitude += x.amplitude;
     else
       merged.push_back(x);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
@@ -41,6 +42,7 @@ namespace jounce {
 namespace {
 
 using Complex = std::complex<double>;
+using profiles_detail::rounded_value;
 using profiles_detail::two_pi;
 constexpr std::size_t moments = Segment::max_degree + 1;
 
@@ -83,7 +85,7 @@ struct Span {
   std::array<Complex, moments> moment{};
 
   void become(double new_length, Complex s) {
-    if (std::abs(new_length - length) <= 1e-14 * length) return;
+    if (std::abs(new_length - length) <= rounded_value * length) return;
     length = new_length;
     z = s * length;
     decay = std::exp(z);

@@ -34,6 +34,7 @@ namespace {
 
 using profiles_detail::two_pi;
 
+constexpr double finest_search = 1e-12;  ///< least tolerance that a caller may choose
 /// The moments M_0, M_1, M_2. A step of the position counts at its instant.
 struct Moments {
   double travel = 0;
@@ -142,7 +143,7 @@ void require_band(const ModeBand& band) {
 
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance) {
   require_band(band);
-  if (!(tolerance >= 1e-12) || tolerance > 1)
+  if (!(tolerance >= finest_search) || tolerance > 1)
     throw InputError("tolerance", tolerance, "must be between 1e-12 and 1");
   const double low = two_pi * band.low;
   const double high = two_pi * band.high;

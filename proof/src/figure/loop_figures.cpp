@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/proof/loop_text.hpp"
 #include "jounce/validate/loop.hpp"
+
+#include "proof/src/text/loop_text.hpp"
 
 namespace jounce {
 namespace {

@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/proof/loop_text.hpp"
 #include "jounce/report/report_text.hpp"
+
+#include "proof/src/text/loop_text.hpp"
 
 namespace jounce {
 namespace {

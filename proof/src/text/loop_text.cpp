@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/proof/loop_text.hpp"
+#include "proof/src/text/loop_text.hpp"
 
 #include <cmath>
 

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/curve/cycle_motion.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // The walk of position_compare.cpp from the instant of one point to that of the next, piece by
 // piece. Between two pieces it remembers on which side of the next point the axis was.
@@ -69,7 +70,7 @@ void LiveCompare::fire(double dt) {
 
 /// The first s at or after s_ at which the piece has this value.
 std::optional<double> LiveCompare::reach(double level) {
-  const double flat = 4e-16 * (magnitude(piece_) + std::abs(level));
+  const double flat = profiles_detail::two_roundings * (magnitude(piece_) + std::abs(level));
   const double here = value(piece_, s_) - level;
   const bool met = (compare_.mode == CompareMode::less && here < 0) ||
                    (compare_.mode == CompareMode::greater && here > 0);

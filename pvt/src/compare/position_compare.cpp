@@ -7,11 +7,18 @@
 #include <string>
 
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+using profiles_detail::two_roundings;
+
+constexpr double ns = 1e-9;  ///< s
 
 std::string key_of(std::size_t i, const char* field) {
   return "points[" + std::to_string(i + 1) + "]." + field;
@@ -57,7 +64,7 @@ class Walk {
   std::optional<double> to(double level) {
     for (; i_ < motion_.segments().size(); ++i_, s_ = 0) {
       const Segment& f = motion_.segments()[i_];
-      const double flat = 4e-16 * (magnitude(f) + std::abs(level));
+      const double flat = two_roundings * (magnitude(f) + std::abs(level));
       const double here = value(f, s_) - level;
       const bool passed = side_ && *side_ * here < 0;  // at the previous break, missed by rounding
       side_ = here;
@@ -194,7 +201,7 @@ std::vector<double> candidates(const PlaneCompare& compare, const PlaneCompare::
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y) {
   require_valid(compare);
-  if (std::abs(x.start() - y.start()) + std::abs(x.end() - y.end()) > 1e-12 * x.length())
+  if (std::abs(x.start() - y.start()) + std::abs(x.end() - y.end()) > rounded_sum * x.length())
     throw InputError("y", number(y.start()) + " to " + number(y.end()),
                      "must span the range of x, " + number(x.start()) + " to " + number(x.end()));
   const double end = std::min(x.end(), y.end());
@@ -232,13 +239,13 @@ PositionCompare position_trigger(double start, double end, double interval, int 
   if (pulse_width < 20 || pulse_width > 80'000 || pulse_width % 20 != 0)
     throw InputError("PulseWidth", std::to_string(pulse_width),
                      "must be 20 to 80000 ns in steps of 20");
-  const double intervals = std::floor(std::abs(end - start) / interval + 1e-9);
+  const double intervals = std::floor(std::abs(end - start) / interval + rounded_input);
   if (intervals > 1e7)
     throw InputError("Interval", interval, "makes more than 1e7 triggers between start and end");
   return {
       CompareMode::linear,
       evenly(start, end < start ? -interval : interval, static_cast<std::size_t>(intervals) + 1),
-      1e-9 * pulse_width};
+      ns * pulse_width};
 }
 
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,

@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/compensation.hpp"
 #include "jounce/pvt/table.hpp"
@@ -23,6 +24,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_root;
 
 using Cell = Compensation::Cell;
 
@@ -116,7 +119,7 @@ std::vector<double> cuts(const Trajectory& motion, const Compensation& compensat
         all.push_back(t);
   }
   std::sort(all.begin(), all.end());
-  const double apart = 1e-13 * std::max(std::abs(motion.start()), std::abs(motion.end()));
+  const double apart = rounded_root * std::max(std::abs(motion.start()), std::abs(motion.end()));
   std::vector<double> kept{motion.start()};
   for (const double t : all)
     if (t - kept.back() > apart && motion.end() - t > apart) kept.push_back(t);

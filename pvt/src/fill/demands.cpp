@@ -20,6 +20,7 @@
 namespace jounce::pvt_detail {
 namespace {
 
+constexpr double demand_resolution = 1e-9;  ///< relative, of a bisection
 constexpr double rounding = 1e-13;
 
 struct Corner {
@@ -108,7 +109,8 @@ double needed_stretch(const Limits& limits, double length, double chord, Gap fro
   while (!enough(more))
     if ((more *= 1.25) > 1e12) return std::numeric_limits<double>::infinity();
   double less = more / 1.25;
-  while (more - less > 1e-9 * more) (enough((less + more) / 2) ? more : less) = (less + more) / 2;
+  while (more - less > demand_resolution * more)
+    (enough((less + more) / 2) ? more : less) = (less + more) / 2;
   return more;
 }
 

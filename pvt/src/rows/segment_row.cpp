@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "pvt/src/table/piece.hpp"
 
@@ -19,6 +20,8 @@
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 bool given(double rate) {
   return !std::isnan(rate);
@@ -132,7 +135,7 @@ RowRule check(const SegmentRow& row, const RowStart& from) {
   if (row.degree == 2 && given(row.v_start) && given(row.v_end)) {
     const double end = rates(row, from, 0).end;
     const double scale = std::abs(row.v_start) + std::abs(end);
-    if (!(std::abs(end - row.v_end) <= 1e-9 * scale)) return RowRule::rates_differ;
+    if (!(std::abs(end - row.v_end) <= rounded_input * scale)) return RowRule::rates_differ;
   }
   return RowRule::none;
 }
@@ -143,14 +146,14 @@ RowRule check(const RowPeaks& f, const RowLimits& limits) {
   for (const double peak : {f.velocity, f.acceleration, f.jerk})
     if (!std::isfinite(peak)) return RowRule::not_finite;
   const double stroke = f.position_max - f.position_min;
-  const double near = 1e-9 * stroke;
+  const double near = rounded_input * stroke;
   if (!(f.position_min >= limits.position_min - near)) return RowRule::position;
   if (!(f.position_max <= limits.position_max + near)) return RowRule::position;
   if (!(f.velocity <= limits.velocity * same)) return RowRule::velocity;
   if (!(f.acceleration <= limits.acceleration * same)) return RowRule::acceleration;
   if (!(f.jerk <= limits.jerk * same)) return RowRule::jerk;
-  // A step within the rounding of a chain of quotients is not a step of the rate.
-  if (!(f.velocity_step <= limits.velocity_step * same + 1e-9 * f.velocity))
+  // The rounding error of a chain of quotients is no step of the rate.
+  if (!(f.velocity_step <= limits.velocity_step * same + rounded_input * f.velocity))
     return RowRule::velocity_step;
   return RowRule::none;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
@@ -23,6 +24,8 @@
 // stretch.
 namespace jounce::pvt_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr int refinements = 8;
 constexpr double most_parts = 64;
@@ -148,7 +151,7 @@ class Places {
   }
 
   [[nodiscard]] double share_of(const Knot& a, const Knot& b) const {
-    const double spacing = target_.spacing * (1 - 1e-12);
+    const double spacing = target_.spacing * (1 - rounded_sum);
     if (!(b.x > a.x) || b.x - a.x < spacing) return profiles_detail::inf;
     const auto limit = std::upper_bound(fixed_.begin(), fixed_.end(), a.x);
     if (limit != fixed_.end() && b.x > *limit) return profiles_detail::inf;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "pvt/src/sample/whole_steps.hpp"
 
@@ -15,12 +16,12 @@ bool is_one_quadratic(const Knot& a, const Knot& b) {
   const double mean = (a.jet[1] + b.jet[1]) / 2;
   const double size =
       std::abs(a.jet[0]) + std::abs(b.jet[0]) + (std::abs(a.jet[1]) + std::abs(b.jet[1])) * h;
-  return std::abs(b.jet[0] - a.jet[0] - mean * h) <= 1e-13 * size;
+  return std::abs(b.jet[0] - a.jet[0] - mean * h) <= profiles_detail::rounded_root * size;
 }
 
 std::optional<Knot> knot_between(const Target& target, const Knot& a, const Knot& b) {
   const double x = rounded_to(a.x + (b.x - a.x) / 2, target.x_step);
-  const double least = target.spacing * (1 - 1e-12);
+  const double least = target.spacing * (1 - profiles_detail::rounded_sum);
   const double h_a = x - a.x;
   const double h_b = b.x - x;
   if (!(h_a > 0 && h_b > 0 && h_a >= least && h_b >= least)) return std::nullopt;

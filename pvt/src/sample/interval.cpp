@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // The difference between the polynomial of the table and the segments of the curve. Each piece is
 // decided by the cheapest possible test:
@@ -20,6 +21,8 @@
 //        zeros of its derivative.
 namespace jounce::pvt_detail {
 namespace {
+
+using profiles_detail::one_rounding;
 
 Segment between(Interpolation rule, const Knot& a, const Knot& b) {
   const double length = b.x - a.x;
@@ -49,7 +52,7 @@ bool hull_within(const Segment& d, double bound) {
 double exact_peak(const Segment& d) {
   double peak = std::max(std::abs(value(d, 0)), std::abs(value(d, 1)));
   thread_local std::vector<double> critical;
-  roots(derivative(d), 2e-16 * magnitude(d) / d.length, critical);
+  roots(derivative(d), one_rounding * magnitude(d) / d.length, critical);
   for (const double s : critical) peak = std::max(peak, std::abs(value(d, s)));
   return peak;
 }

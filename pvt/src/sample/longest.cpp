@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "pvt/src/sample/halves.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
@@ -65,6 +66,15 @@ Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side) {
 
 namespace {
 
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+using profiles_detail::two_roundings;
+
+constexpr double least_step = 1e-13;      ///< share of the position and of the length
+constexpr double step_resolution = 1e-6;  ///< share of the step: a narrower bracket is not divided
+constexpr double least_error = 1e-30;     ///< an error of 0 has no logarithm
+constexpr double at_a_step = 1e-6;        ///< share of a step of x
+
 template <class Over>
 class Search {
  public:
@@ -79,12 +89,12 @@ class Search {
 
   std::optional<Knot> run(double guess) {
     double h = guess;
-    for (int i = 0; i < 200 && h > 1e-13 * (std::abs(a_.x) + f_.length()); ++i) {
+    for (int i = 0; i < 200 && h > least_step * (std::abs(a_.x) + f_.length()); ++i) {
       const double x = a_.x + h < limit_.x ? a_.x + h : limit_.x;
       const double e = tried(x);
       if (x == limit_.x && e <= 1) return best_;
       if (e >= 1 - 1e-4 && e <= 1) break;
-      if (hi_ < profiles_detail::inf && hi_ - lo() <= 1e-6 * (hi_ - a_.x)) break;
+      if (hi_ < profiles_detail::inf && hi_ - lo() <= step_resolution * (hi_ - a_.x)) break;
       h = next(x - a_.x, e, i);
     }
     return at_break();
@@ -107,7 +117,7 @@ class Search {
 
   /// The next length by (1), within the bracket.
   [[nodiscard]] double next(double h, double e, int i) const {
-    const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(target_));
+    const double factor = std::pow(0.99995 / std::max(e, least_error), 1.0 / order(target_));
     if (hi_ == profiles_detail::inf) return h * std::clamp(factor, 1.01, 8.0);
     const double from = lo() - a_.x;
     const double to = hi_ - a_.x;
@@ -154,7 +164,7 @@ bool steps_at(const Curve<Over>& f, double x) {
 
 /// True if a knot at x is permitted after one at a: checks the spacing to a and to the limit.
 bool may_be(const Target& target, double a, double x, double limit) {
-  const double least = target.spacing * (1 - 1e-12);
+  const double least = target.spacing * (1 - rounded_sum);
   return x > a && x - a >= least && (x == limit || limit - x >= least);
 }
 
@@ -164,12 +174,12 @@ std::vector<double> places(const Target& target, double a, double reach, double 
   constexpr double many = 4096;
   std::vector<double> all;
   if (target.x_step > 0) {
-    const double last = std::floor(reach / target.x_step * (1 + 4e-16) + 1e-9);
+    const double last = std::floor(reach / target.x_step * (1 + two_roundings) + rounded_input);
     const double first = std::round(a / target.x_step) + 1;
     const double stride = std::max(1.0, std::floor((last - first) / many));
     for (double k = last; k >= first; k -= stride) {
       const double x = steps(k, target.x_step);
-      all.push_back(limit - x <= 1e-6 * target.x_step ? limit : x);
+      all.push_back(limit - x <= at_a_step * target.x_step ? limit : x);
     }
   } else if (target.p_step > 0 || target.v_step > 0) {
     for (double i = 0; i < 512; ++i) all.push_back(reach - (reach - a) * i / 512);

@@ -9,6 +9,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -45,6 +46,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::inf;
+using profiles_detail::rounded_digit;
 using pvt_detail::Knot;
 using pvt_detail::Straight;
 using pvt_detail::Tolerances;
@@ -76,7 +78,7 @@ class Reduction {
   Reduction(const Curve<Over>& f, const Target& target)
       : f_(f), target_(target), stretches_(pvt_detail::kept_stretches(f, target)) {
     for (const Segment& segment : f.segments()) floor_ = std::max(floor_, magnitude(segment));
-    floor_ *= 1e-15;
+    floor_ *= rounded_digit;
     const Range travel = extrema(f, 0);
     const double stroke = travel.max.value - travel.min.value;
     const bool any = target.tolerance || target.velocity_tolerance;
@@ -191,7 +193,7 @@ class Reduction {
   /// tried first.
   [[nodiscard]] Attempt least(Attempt found, std::size_t most, double factor) const {
     double lo = 0;
-    while (lo == 0 && found.scale * asked_.position > floor_ && found.scale > 1e-15) {
+    while (lo == 0 && found.scale * asked_.position > floor_ && found.scale > rounded_digit) {
       const double scale = found.scale * factor;
       Attempt tried = attempt(scale, most);
       if (tried.reaches)

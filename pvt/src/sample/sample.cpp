@@ -12,6 +12,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
@@ -21,13 +22,18 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_digit;
+using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
+using profiles_detail::two_roundings;
 /// Sets the last values of a periodic table exactly to the first ones, if they differ only by
 /// rounding.
 void close_period(std::vector<double>& column) {
   if (column.empty()) return;
   double scale = 0;
   for (const double value : column) scale = std::max(scale, std::abs(value));
-  if (std::abs(column.back() - column.front()) <= 1e-12 * scale) column.back() = column.front();
+  if (std::abs(column.back() - column.front()) <= rounded_sum * scale)
+    column.back() = column.front();
 }
 
 template <class Over>
@@ -148,7 +154,8 @@ class Spread {
     const double noise = 24 * std::numeric_limits<double>::epsilon() * peaks_[0];
     const std::array factors{0.0, length * length / 12, length / 6, 1.0};
     for (std::size_t k = 1; k < here.size(); ++k)
-      if (here[k] > peaks_[k] * (1 + 1e-12) + factors[k] * noise / profiles_detail::cube(length))
+      if (here[k] >
+          peaks_[k] * (1 + rounded_sum) + factors[k] * noise / profiles_detail::cube(length))
         return false;
     return true;
   }
@@ -324,7 +331,8 @@ template <class Over>
 void require_certifiable(const Curve<Over>& f, const char* key, double tolerance) {
   double largest = 0;
   for (const Segment& segment : f.segments()) largest = std::max(largest, magnitude(segment));
-  const double least = std::max(1e-14 * std::abs(extrema(f, 0).peak().value), 1e-15 * largest);
+  const double least =
+      std::max(rounded_value * std::abs(extrema(f, 0).peak().value), rounded_digit * largest);
   if (tolerance < least)
     throw InputError(
         key, tolerance,
@@ -336,7 +344,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
                       std::size_t most) {
   require_positive("tolerance", tolerance);
   // A tolerance below the rounding of the values cannot be kept.
-  const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
+  const double wanted = std::max(tolerance, two_roundings * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
     const Curve<Over> piece({f.segments()[i]});  // from 0: far from 0, short pieces have few digits

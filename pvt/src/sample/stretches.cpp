@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
@@ -18,6 +20,8 @@
 // The ends move inwards to steps of x. A stretch without two such steps is not kept.
 namespace jounce::pvt_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr double least_part = 1.0 / 64;
 constexpr double rounding = 4e-15;  // share of the sum of a segment's terms
@@ -94,7 +98,7 @@ Straight knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
 
 /// True if two different knots are far enough apart.
 bool apart(double x, double next, double spacing) {
-  return next == x || next - x >= spacing * (1 - 1e-12);
+  return next == x || next - x >= spacing * (1 - rounded_sum);
 }
 
 }  // namespace

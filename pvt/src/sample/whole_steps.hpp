@@ -3,13 +3,15 @@
 
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::pvt_detail {
 
 /// k steps. If 1 is a whole number of steps, such as 1 s of 0.001 s, it divides: 9 / 1000 is the
 /// double nearest to 0.009, but 9 * 0.001 is not.
 inline double steps(double k, double step) {
   const double per_unit = std::round(1 / step);
-  const bool divides = step < 1 && std::abs(per_unit * step - 1) <= 1e-12;
+  const bool divides = step < 1 && std::abs(per_unit * step - 1) <= profiles_detail::rounded_sum;
   return divides ? k / per_unit : k * step;
 }
 
@@ -21,7 +23,8 @@ inline double rounded_to(double x, double step) {
 /// True if x is a whole number of steps, to 1e-9 of a step and to rounding.
 inline bool is_whole(double x, double step) {
   const double k = x / step;
-  return std::abs(k - std::round(k)) <= 1e-9 + 4e-16 * std::abs(k);
+  return std::abs(k - std::round(k)) <=
+         profiles_detail::rounded_input + profiles_detail::two_roundings * std::abs(k);
 }
 
 }  // namespace jounce::pvt_detail

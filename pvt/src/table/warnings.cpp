@@ -9,10 +9,14 @@
 #include <string>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_value;
 
 /// For people: six digits.
 std::string rounded(double x) {
@@ -26,7 +30,7 @@ std::array<double, 2> end_slopes(const Segment& f) {
   std::array slopes{evaluate(f, 0)[1], evaluate(f, 1)[1]};
   const double scale = std::max(std::abs(slopes[0]), std::abs(slopes[1]));
   for (double& slope : slopes)
-    if (std::abs(slope) <= 1e-9 * scale) slope = 0;
+    if (std::abs(slope) <= rounded_input * scale) slope = 0;
   return slopes;
 }
 
@@ -146,7 +150,7 @@ struct TableSegments {
 Report overshoots_in(const auto& segments, const Range& travel, double tolerance) {
   const double stroke = travel.max.value - travel.min.value;
   // An excess below the rounding of the positions cannot be detected.
-  const double least = std::max(tolerance * stroke, 1e-14 * std::abs(travel.peak().value));
+  const double least = std::max(tolerance * stroke, rounded_value * std::abs(travel.peak().value));
   Report report;
   for (std::size_t i = 0; i + 1 < segments.f.breaks().size(); ++i) {
     if (segments.surely_between_ends(i, least)) continue;

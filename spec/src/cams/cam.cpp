@@ -140,7 +140,7 @@ std::optional<double> read_budget(TomlReader& table) {
 
 void read_optimize(TomlReader& top, Spec& spec) {
   const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
-  if (load && (load->limits.torque || load->limits.rms_torque) && !spec.master)
+  if (load && (load->peak_torque || load->rms_torque) && !spec.master)
     top.fail("load", "", "limits a torque, which depends on the speed: add [master]");
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();

@@ -79,9 +79,9 @@ MachineMasterSpec::FromTable read_from_table(TomlReader& reader, const std::stri
   const auto folder = std::filesystem::path(reader.document().name).parent_path();
   if (const std::filesystem::path given(table.file); given.is_relative())
     table.file = (folder / given).string();
-  table.velocity = positive(reader, "velocity", rate_unit(unit, "s", 1));
-  table.acceleration = positive(reader, "acceleration", rate_unit(unit, "s", 2));
-  if (reader.has("jerk")) table.jerk = positive(reader, "jerk", rate_unit(unit, "s", 3));
+  table.limits.velocity = positive(reader, "velocity", rate_unit(unit, "s", 1));
+  table.limits.acceleration = positive(reader, "acceleration", rate_unit(unit, "s", 2));
+  if (reader.has("jerk")) table.limits.jerk = positive(reader, "jerk", rate_unit(unit, "s", 3));
   return table;
 }
 

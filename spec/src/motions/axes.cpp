@@ -73,8 +73,8 @@ std::vector<Bounds> read_stretch(TomlReader limits, const std::vector<AxisPart>&
   return all;
 }
 
-ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
-  ViaNorm norm;
+Limits read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
+  Limits norm;
   auto table = top.optional_table("norm");
   if (!table) return norm;
   for (const AxisPart& part : parts)
@@ -82,9 +82,9 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
       top.fail("norm", "", "needs the same unit on all axes: leave it out, or change a unit");
   const std::vector<std::string> units{rate_units(parts, 1).front(), rate_units(parts, 2).front(),
                                        rate_units(parts, 3).front()};
-  norm.velocity = table->optional_number("velocity", units[0]).value_or(norm.velocity);
-  norm.acceleration = table->optional_number("acceleration", units[1]).value_or(norm.acceleration);
-  norm.jerk = table->optional_number("jerk", units[2]).value_or(norm.jerk);
+  norm.velocity = table->optional_number("velocity", units[0]);
+  norm.acceleration = table->optional_number("acceleration", units[1]);
+  norm.jerk = table->optional_number("jerk", units[2]);
   table->finish();
   return norm;
 }
@@ -168,7 +168,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     axes.points = read_positions(top, spec.axes);
   } else {
     read_points(top, spec.axes, axes);
-    axes.via.norm = through_points ? read_norm(top, spec.axes) : ViaNorm{};
+    axes.via.norm = through_points ? read_norm(top, spec.axes) : Limits{};
   }
   return axes;
 }

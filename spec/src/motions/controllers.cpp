@@ -204,11 +204,11 @@ MoveSpec read_pmc600(MotionFields& f) {
   Pmc600Spec s;
   f.may("from", 0, s.from);
   f.need("to", 0, s.to);
-  f.need("velocity", 1, s.ramps.velocity);
-  f.need("acceleration", 2, s.ramps.acceleration);
-  f.may("deceleration", 2, s.ramps.deceleration);
-  f.may("jerk", 3, s.ramps.jerk);
-  read_mode(f, s.ramps.mode);
+  f.need("velocity", 1, s.dynamics.velocity);
+  f.need("acceleration", 2, s.dynamics.acceleration);
+  f.may("deceleration", 2, s.dynamics.deceleration);
+  f.may("jerk", 3, s.dynamics.jerk);
+  read_mode(f, s.mode);
   return s;
 }
 

@@ -7,6 +7,7 @@ namespace jounce::spec_detail {
 
 namespace {
 
+constexpr double shortest_cycle = 1e-5;  ///< s
 /// Reads the stops and the supervision of the axis. A function whose key is omitted is off, or has
 /// the executor's default.
 void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
@@ -49,7 +50,7 @@ void read_patience(TomlReader& axis, AxisSpec& spec) {
 AxisSpec read_axis(TomlReader axis, const Units& units) {
   AxisSpec spec;
   spec.cycle = axis.optional_number("cycle", "s").value_or(spec.cycle);
-  if (!(spec.cycle >= 1e-5 && spec.cycle <= 1))
+  if (!(spec.cycle >= shortest_cycle && spec.cycle <= 1))
     axis.fail("cycle", number(spec.cycle), "must be between 10 us and 1 s");
   spec.position = axis.optional_number("position", units.position).value_or(0);
   spec.require_home = axis.optional_flag("require_home").value_or(false);

@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/point_file.hpp"
 
 namespace jounce::spec_detail {
 namespace {
+
+using profiles_detail::rounded_input;
 
 const std::vector<std::string> controllers{"googol", "pmc600"};
 const std::vector<std::string> point_types{"normal", "even", "stop", "continue"};
@@ -90,7 +93,7 @@ std::optional<int> optional_int(TomlReader& reader, const char* key) {
 bool is_whole_ms(double t) {
   const double ms = 1000 * t;
   const bool vanishes = t != 0 && std::round(ms) == 0;
-  return !vanishes && std::abs(ms - std::round(ms)) <= 1e-9 * std::max(1.0, std::abs(ms));
+  return !vanishes && std::abs(ms - std::round(ms)) <= rounded_input * std::max(1.0, std::abs(ms));
 }
 constexpr const char* whole_ms_rule =
     "must be a whole number of ms, the resolution of the data type TIME";

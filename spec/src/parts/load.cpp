@@ -122,19 +122,17 @@ void read_key(TomlReader& table, const LoadKey& key, const std::string& slave, L
   load.*key.field = value;
 }
 
-LoadLimits read_load_limits(TomlReader& load) {
-  LoadLimits limits;
-  auto table = load.optional_table("limits");
-  if (!table) return limits;
+void read_load_limits(TomlReader& reader, LoadSpec& load) {
+  auto table = reader.optional_table("limits");
+  if (!table) return;
   const auto positive = [&](const char* key) {
     const auto value = table->optional_number(key, "N m");
     if (value && !(*value > 0)) table->fail(key, number(*value), "must be greater than 0");
     return value;
   };
-  limits.torque = positive("torque");
-  limits.rms_torque = positive("rms_torque");
+  load.peak_torque = positive("torque");
+  load.rms_torque = positive("rms_torque");
   table->finish();
-  return limits;
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ std::optional<LoadSpec> read_load(TomlReader& top, const Units& units) {
   load.winding_loss = table->optional_number("winding_loss", "W/(N m)^2");
   if (load.winding_loss && !(*load.winding_loss > 0))
     table->fail("winding_loss", number(*load.winding_loss), "must be greater than 0");
-  load.limits = read_load_limits(*table);
+  read_load_limits(*table, load);
   table->finish();
   return load;
 }

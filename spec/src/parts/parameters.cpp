@@ -12,6 +12,8 @@
 namespace jounce::spec_detail {
 namespace {
 
+constexpr double finest_optimum = 1e-9;  ///< least tolerance of an objective
+
 /// The unit of a number that the spec has read. Throws InputError if no number has this name.
 std::string unit_of(TomlReader& parameter, const std::string& key) {
   const auto& units = parameter.document().units;
@@ -77,7 +79,7 @@ void read_options(TomlReader& table, OptimizeOptions& options) {
   if (const auto seconds = options.budget.seconds; seconds && *seconds <= 0)
     table.fail("seconds", number(*seconds), "must be greater than 0");
   options.tolerance = table.optional_number("tolerance", "1").value_or(options.tolerance);
-  if (options.tolerance < 1e-9 || options.tolerance > 0.01)
+  if (options.tolerance < finest_optimum || options.tolerance > 0.01)
     table.fail("tolerance", number(options.tolerance), "must be from 1e-9 to 0.01");
 }
 

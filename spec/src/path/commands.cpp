@@ -11,6 +11,8 @@
 namespace jounce::spec_detail {
 namespace {
 
+constexpr double curve_tolerance = 1e-9;  ///< share of the size of a curve
+
 const std::vector<std::string> command_types{"line",   "arc",     "ellipse",
                                              "spline", "bspline", "dwell"};
 const std::vector<std::string> rotations{"clockwise", "counterclockwise"};
@@ -128,7 +130,7 @@ PathCurve read_b_spline(TomlReader& command, const PathAxes& axes, const Point& 
     for (std::size_t i = 0; i < axes.path_axes; ++i)
       size += std::abs(points[k][i] - points[k - 1][i]);
   const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
-  return over_length(curve, tolerance.value_or(1e-9 * size), axes.path_axes);
+  return over_length(curve, tolerance.value_or(curve_tolerance * size), axes.path_axes);
 }
 
 /// Makes the spline through the start and each point; with a tolerance, as a function of its arc

@@ -139,21 +139,21 @@ CallOutcome Client::move_superimposed(double distance, const MoveDynamics& dynam
   return command(command::MoveSuperimposed{distance, dynamics});
 }
 
-CallOutcome Client::move_velocity(double velocity, const RampDynamics& dynamics) {
+CallOutcome Client::move_velocity(double velocity, const MoveDynamics& dynamics) {
   return command(command::MoveVelocity{velocity, dynamics});
 }
 
-CallOutcome Client::jog(double velocity, const RampDynamics& dynamics) {
+CallOutcome Client::jog(double velocity, const MoveDynamics& dynamics) {
   return command(
       command::MoveVelocity{.velocity = velocity, .dynamics = dynamics, .hold_to_run = true});
 }
 
-CallOutcome Client::halt(const StopDynamics& dynamics) {
+CallOutcome Client::halt(const MoveDynamics& dynamics) {
   return command(command::Halt{dynamics});
 }
 
 CallOutcome Client::gear_in(std::int32_t numerator, std::int32_t denominator,
-                            const RampDynamics& dynamics) {
+                            const MoveDynamics& dynamics) {
   return command(command::GearIn{numerator, denominator, dynamics});
 }
 

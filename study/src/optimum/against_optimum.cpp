@@ -5,10 +5,10 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/spec/edit.hpp"
-#include "jounce/study/against.hpp"
 
 #include "study/src/optimum/optimum.hpp"
 #include "study/src/optimum/shape_text.hpp"
+#include "study/src/tune/against.hpp"
 
 namespace jounce {
 namespace {

@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace jounce::study_detail {
+namespace {
+
+constexpr double active_margin = 1e-6;  ///< a smaller margin is that of an active limit
+
+}  // namespace
 
 std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words) {
   const double length = words.length(run);
@@ -30,7 +35,7 @@ const Finding* next_limit(const CamRunOutcome& run) {
   for (const Finding& f : run.shape.limits.findings) {
     const bool met = std::any_of(run.shape.active.begin(), run.shape.active.end(),
                                  [&](const Finding& a) { return a.quantity == f.quantity; });
-    if (f.broken || met || f.margin <= 1e-6) continue;
+    if (f.broken || met || f.margin <= active_margin) continue;
     if (next == nullptr || f.margin < next->margin) next = &f;
   }
   return next;

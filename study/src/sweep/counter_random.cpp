@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/counter_random.hpp"
+#include "study/src/sweep/counter_random.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/study/counter_random.hpp"
-#include "jounce/study/sobol.hpp"
+
+#include "study/src/sweep/counter_random.hpp"
+#include "study/src/sweep/sobol.hpp"
 
 namespace jounce {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sobol.hpp"
+#include "study/src/sweep/sobol.hpp"
 
 #include <array>
 #include <cassert>

@@ -14,8 +14,9 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/base/printable.hpp"
-#include "jounce/study/journal.hpp"
 #include "jounce/study/tune.hpp"
+
+#include "study/src/sweep/journal.hpp"
 
 namespace jounce {
 namespace {

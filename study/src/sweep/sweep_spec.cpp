@@ -13,7 +13,8 @@
 #include "jounce/io/table_file.hpp"
 #include "jounce/spec/detail/share.hpp"
 #include "jounce/spec/detail/toml_reader.hpp"
-#include "jounce/study/counter_random.hpp"
+
+#include "study/src/sweep/counter_random.hpp"
 
 namespace jounce {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "jounce/study/against.hpp"
+#include "study/src/tune/against.hpp"
 
 /// A cam of which one run of segments changes, with a drive that follows it once. The drive is
 /// evaluated at equally spaced instants, and at the peaks between them that add_peaks() has found.

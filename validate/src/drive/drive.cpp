@@ -16,6 +16,7 @@
 #include "validate/src/drive/drive_run.hpp"
 #include "validate/src/linear/course.hpp"
 #include "validate/src/linear/periodic.hpp"
+#include "validate/src/tolerances.hpp"
 
 namespace jounce {
 namespace {
@@ -46,7 +47,7 @@ constexpr std::array<Limit, 3> of_standstill{{
 
 void require_options(const DriveOptions& options) {
   require_not_negative("settle", options.settle);
-  if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-3))
+  if (!(options.tolerance >= validate_detail::finest_integration && options.tolerance <= 1e-3))
     throw InputError("tolerance", options.tolerance, "must be between 1e-12 and 1e-3");
   if (options.max_steps < 1)
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "validate/src/drive/peak.hpp"
 
 namespace jounce::validate_detail {
@@ -162,7 +164,8 @@ void Observer::swing(const Point& a, const Point& b) {
 
 void Observer::sample(const OdeSolver& solver, const SignalPiece& reference) {
   const double unit = 1 / model_.radians_per_unit();
-  const double slack = 1e-9 * spacing_;  // rounding must not drop the last one
+  const double slack =
+      profiles_detail::rounded_input * spacing_;  // rounding must not drop the last one
   while (found_.samples.size() < options_.samples) {
     const double t = static_cast<double>(found_.samples.size()) * spacing_;
     if (t > solver.time() + slack) return;

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::validate_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 int sign_of(double x) {
   return (x > 0) - (x < 0);
@@ -144,7 +148,7 @@ bool Switches::update(const Jet& r, double* y, std::span<const int> crossed) {
 
 void Switches::begin(const Jet& r, double fastest) {
   if (!feed_) return;
-  const bool standing = std::abs(r[1]) <= 1e-12 * fastest;  // torque that sets it in motion
+  const bool standing = std::abs(r[1]) <= rounded_sum * fastest;  // torque that sets it in motion
   model_.mode().feed = sign_of(!standing ? r[1] : r[2] != 0 ? r[2] : r[3]);
 }
 

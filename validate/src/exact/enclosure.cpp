@@ -25,10 +25,14 @@
 
 #include "validate/src/exact/enclosure.hpp"
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "validate/src/linear/small_product.hpp"
 
 namespace jounce::validate_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr std::size_t doublings =
     3;  // in units of h: bounds over a norm of 2 to 4 are still useful
@@ -58,7 +62,7 @@ void Enclosure::bend(const Eigen::VectorXd& z, double* found) {
 
 Enclosure::Halves Enclosure::halves(const TrajectorySpan& s) {
   std::size_t rung = 0;  // the longest one with a useful bound
-  while (std::ldexp(ladder_->shortest(), static_cast<int>(rung) + 1) < s.length * (1 - 1e-12))
+  while (std::ldexp(ladder_->shortest(), static_cast<int>(rung) + 1) < s.length * (1 - rounded_sum))
     ++rung;
   const double gone = std::ldexp(ladder_->shortest(), static_cast<int>(rung));
   Halves h{s, s};

@@ -7,20 +7,20 @@
 #include <Eigen/Core>
 
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "validate/src/linear/ladder.hpp"
 
 namespace jounce::validate_detail {
 
-/// Bounds of the magnitude of an output over an interval.
-struct Bounds {
+/// The bounds of the magnitude of an output.
+struct Magnitude {
   double least = 0;  ///< lower bound; 0 if the output may cross zero
   double most = 0;   ///< upper bound
 };
 
-/// Returns the bounds for an output from its values at both ends and a bound `bend` of its second
-/// derivative: (1) of enclosure.cpp.
-inline Bounds bounds_of(double begin, double end, double length, double bend) {
+/// For an output from its values at both ends and a bound of its second derivative: (1) of enclosure.cpp.
+inline Magnitude bounds_of(double begin, double end, double length, double bend) {
   const double slack = length * length / 8 * bend;
   const double near = std::min(std::abs(begin), std::abs(end));
   return {(begin < 0) != (end < 0) ? 0 : std::max(0.0, near - slack),
@@ -36,8 +36,7 @@ struct TrajectorySpan {
   Eigen::VectorXd end;    ///< outputs at its end
   Eigen::VectorXd bend;   ///< bound of the second derivative of each output in between
 
-  /// Returns the bounds of an output.
-  [[nodiscard]] Bounds bounds(Eigen::Index row) const {
+  [[nodiscard]] Magnitude bounds(Eigen::Index row) const {
     return bounds_of(begin(row), end(row), length, bend(row));
   }
 };
@@ -63,7 +62,7 @@ class Enclosure {
   template <class Open, class Done, class Leaf>
   void search(const TrajectorySpan& s, const Open& open, const Done& done, const Leaf& leaf) {
     if (!open(s)) return done(s);
-    if (s.length <= ladder_->shortest() * (1 + 1e-12)) return leaf(s);
+    if (s.length <= ladder_->shortest() * (1 + profiles_detail::rounded_sum)) return leaf(s);
     const auto [first, second] = halves(s);
     search(first, open, done, leaf);
     search(second, open, done, leaf);

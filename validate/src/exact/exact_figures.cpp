@@ -171,10 +171,8 @@ class Figures {
   /// Calls `visit(from, to, outside)` for all parts, with whether |output| is over a limit there.
   template <class Visit>
   void excursions(const Steps& s, Index row, double limit, const Visit& visit) {
-    const auto either = [&](const Bounds& b) { return b.most > limit && !(b.least > limit); };
-    const auto open = [&](const TrajectorySpan& part) {
-      return either(part.bounds(row));
-    };
+    const auto either = [&](const Magnitude& b) { return b.most > limit && !(b.least > limit); };
+    const auto open = [&](const TrajectorySpan& part) { return either(part.bounds(row)); };
     const auto done = [&](const TrajectorySpan& part) {
       visit(part.time, part.time + part.length, part.bounds(row).least > limit);
     };
@@ -186,7 +184,7 @@ class Figures {
               std::abs(value(f, (ends[k - 1] + ends[k]) / 2)) > limit);
     };
     for (Index i = 0; i < s.count(); ++i)
-      if (const Bounds b = s.bounds(i, row); either(b))
+      if (const Magnitude b = s.bounds(i, row); either(b))
         way_.enclosure().search(s.span(i), open, done, leaf);
       else
         visit(s.begin(i), s.begin(i + 1), b.least > limit);
@@ -228,7 +226,7 @@ class Figures {
       done(part);
     };
     for (Index i = 0; i < s.count() && !faded_; ++i) {
-      const Bounds b = s.bounds(i, load_velocity_row);
+      const Magnitude b = s.bounds(i, load_velocity_row);
       faded_ = b.most <= std::max(fades_below * swings_.fastest(), s.rounding(load_velocity_row));
       if (!faded_) way_.enclosure().search(s.span(i), open, done, leaf);
     }
@@ -241,7 +239,7 @@ class Figures {
   /// The work of step i, divided where the power changes its sign.
   void power(const Steps& s, Index i, double work) {
     const double all = found_.energy.driving + found_.energy.regenerated;
-    const auto turns = [&](const Bounds& torque, const Bounds& speed, double length) {
+    const auto turns = [&](const Magnitude& torque, const Magnitude& speed, double length) {
       if (torque.least > 0 && speed.least > 0) return false;
       if (speed.most <= s.rounding(velocity_row)) return false;
       return torque.most * speed.most * length > equal * all;

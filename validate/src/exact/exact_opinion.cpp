@@ -4,11 +4,14 @@
 #include <limits>
 #include <numbers>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/loop.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 double stroke(const std::vector<DriveSample>& samples) {
   const auto [least, greatest] = std::minmax_element(
@@ -24,7 +27,7 @@ double share(double difference, double of) {
 
 /// True if the torque steps at t, where a sample may be from either side.
 bool steps(const Trajectory& reference, const Controller& controller, double t) {
-  const double near = 1e-9 * reference.length();
+  const double near = rounded_input * reference.length();
   const auto breaks = reference.breaks();
   const auto after = std::lower_bound(breaks.begin(), breaks.end(), t - near);
   if (after != breaks.end() && *after <= t + near) return true;

@@ -7,8 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::validate_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 std::vector<double> frequencies(const Segment& f) {
   std::vector<double> found;
@@ -23,8 +27,8 @@ int equally_spaced(std::span<const double> times, double step, double end) {
   int count = 1;
   for (; count < Ladder::block && static_cast<std::size_t>(count) < times.size(); ++count) {
     const double t = times[static_cast<std::size_t>(count)];
-    const double slack = 1e-12 * step + 2 * std::numeric_limits<double>::epsilon() *
-                                            std::max(std::abs(t), std::abs(first));
+    const double slack = rounded_sum * step + 2 * std::numeric_limits<double>::epsilon() *
+                                                  std::max(std::abs(t), std::abs(first));
     if (!(t < end) || std::abs(t - first - count * step) > slack) break;
   }
   return count;

@@ -28,7 +28,7 @@ struct Steps {
   [[nodiscard]] double begin(Eigen::Index i) const { return time[static_cast<std::size_t>(i)]; }
   /// Length of step i.
   [[nodiscard]] double length(Eigen::Index i) const { return begin(i + 1) - begin(i); }
-  [[nodiscard]] Bounds bounds(Eigen::Index i, Eigen::Index row) const {
+  [[nodiscard]] Magnitude bounds(Eigen::Index i, Eigen::Index row) const {
     return bounds_of(y(row, i), y(row, i + 1), length(i), bend(row, i));
   }
   /// Step i as an interval.

@@ -137,7 +137,7 @@ class Fit {
       const std::vector<double>& d = recorded(recording_, fit_.used[static_cast<std::size_t>(b)]);
       const auto [low, high] = std::minmax_element(d.begin(), d.end());
       const double least = 30 * spec_.tolerance * (*high - *low);
-      sigma[b] = std::max({rms(fit_.block(r, b)) / std::sqrt(free), least, 1e-300});
+      sigma[b] = std::max({rms(fit_.block(r, b)) / std::sqrt(free), least, least_divisor});
     }
     return sigma;
   }
@@ -154,7 +154,7 @@ class Fit {
     if (fit_.cancelled) return std::nullopt;
     auto r = deviations(x);
     if (!r) return r;
-    const double share = r->residual.norm() / std::max(fit_.before.norm(), 1e-300);
+    const double share = r->residual.norm() / std::max(fit_.before.norm(), least_divisor);
     if (keep_going_ && !keep_going_(++runs_, share)) fit_.cancelled = true;
     weigh(*r, fit_.sigma);
     return r;

@@ -9,6 +9,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "validate/src/tolerances.hpp"
+
 namespace jounce::validate_detail {
 namespace {
 
@@ -81,7 +83,7 @@ void require_valid(const IdentifySpec& spec) {
   if (spec.fit.empty()) throw InputError("fit", "", "must name at least one number");
   if (spec.max_iterations < 1)
     throw InputError("max_iterations", std::to_string(spec.max_iterations), "must be at least 1");
-  if (!(spec.tolerance >= 1e-12 && spec.tolerance <= 1e-3))
+  if (!(spec.tolerance >= validate_detail::finest_integration && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be between 1e-12 and 1e-3");
   Drive copy = spec.drive;
   for (std::size_t i = 0; i < spec.fit.size(); ++i) {

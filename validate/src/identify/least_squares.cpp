@@ -27,6 +27,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double cost_rounding = 1e-14;  ///< share of the cost
+constexpr double least_damping_factor = 1e-15;
+constexpr double flat_cost = 1e-9;        ///< share of the cost: the accuracy of the residuals
+constexpr double least_column = 1e-10;    ///< share of the longest column
+constexpr double least_singular = 1e-10;  ///< share of the greatest singular value
+
 /// J and r by the triangle R and Q^T r, which have the same normal equations in n rows.
 Linearized condensed(const Linearized& at) {
   const Index n = at.jacobian.cols();
@@ -72,7 +78,7 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
   double scale = 0;
   double mu = options.damping;
   for (; best.iterations < options.max_iterations; ++best.iterations) {
-    scale = std::max({scale, small.jacobian.colwise().norm().maxCoeff(), 1e-300});
+    scale = std::max({scale, small.jacobian.colwise().norm().maxCoeff(), least_divisor});
     const auto within = step_within(small, scale, options.longest_step, mu);
     if (!within) break;
     const VectorXd& step = *within;
@@ -81,7 +87,7 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
         small.residual.squaredNorm() - (small.residual + small.jacobian * step).squaredNorm();
     const double cost = best.at.residual.squaredNorm();
     if (step.cwiseAbs().maxCoeff() <= options.tolerance ||
-        promised <= std::max(options.flat, 1e-14 * cost)) {
+        promised <= std::max(options.flat, cost_rounding * cost)) {
       best.status = LeastSquares::Status::converged;
       break;
     }
@@ -92,9 +98,9 @@ LeastSquares least_squares(const ResidualFunction& f, const VectorXd& x,
       best.x = next;
       best.at = std::move(*there);
       small = condensed(best.at);
-      mu = std::max(mu / 10, 1e-15);
+      mu = std::max(mu / 10, least_damping_factor);
     } else {
-      if (promised <= 1e-9 * cost) {  // flat within the accuracy of the residuals
+      if (promised <= flat_cost * cost) {  // flat within the accuracy of the residuals
         best.status = LeastSquares::Status::converged;
         break;
       }
@@ -109,14 +115,14 @@ Covariance covariance(const MatrixXd& jacobian) {
   // Scales the columns to equal length first, so that units do not decide which numbers count as unknown.
   VectorXd length = jacobian.colwise().norm();
   const double longest = length.maxCoeff();
-  for (double& l : length) l = std::max(l, 1e-10 * (longest > 0 ? longest : 1));
+  for (double& l : length) l = std::max(l, least_column * (longest > 0 ? longest : 1));
   const MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(
       Linearized(condensed({VectorXd::Zero(jacobian.rows()), scaled})).jacobian,
       Eigen::ComputeFullV);
   VectorXd singular = VectorXd::Zero(n);
   singular.head(svd.singularValues().size()) = svd.singularValues();
-  const double least = 1e-10 * std::max(singular.maxCoeff(), 1e-300);
+  const double least = least_singular * std::max(singular.maxCoeff(), least_divisor);
   const MatrixXd half = length.cwiseInverse().asDiagonal() * svd.matrixV() *
                         singular.cwiseMax(least).cwiseInverse().asDiagonal();
   const MatrixXd whole = half * half.transpose();

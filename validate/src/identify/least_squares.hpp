@@ -9,6 +9,9 @@
 
 namespace jounce::validate_detail {
 
+/// In place of a sum of squares that may be 0.
+inline constexpr double least_divisor = 1e-300;
+
 /// Residuals and their derivatives at one point.
 struct Linearized {
   Eigen::VectorXd residual;  ///< m numbers

@@ -23,8 +23,12 @@
 #include <limits>
 #include <vector>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::validate_detail {
 namespace {
+
+using profiles_detail::rounded_sum;
 
 constexpr double level = 1e-3;
 constexpr std::size_t least_samples = 20;
@@ -113,7 +117,7 @@ double resolution(std::span<const double> recorded) {
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double step = sorted[i] - sorted[i - 1];
     // smaller differences are rounding of the numbers
-    if (step > 1e-12 * std::abs(sorted[i]) && (least == 0 || step < least)) least = step;
+    if (step > rounded_sum * std::abs(sorted[i]) && (least == 0 || step < least)) least = step;
   }
   return least;
 }

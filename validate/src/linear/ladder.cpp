@@ -40,12 +40,17 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "validate/src/linear/exponential.hpp"
 #include "validate/src/linear/small_product.hpp"
 
 namespace jounce::validate_detail {
 namespace {
 
+using profiles_detail::rounded_sum;
+
+constexpr double last_term = 1e-19;          ///< share of the sum
 constexpr double reach = exponential_reach;  // norm of M h below
 constexpr int terms = exponential_terms;
 constexpr std::size_t most_products = 2;
@@ -90,7 +95,7 @@ double dot(const Eigen::MatrixXd& rows, Eigen::Index row, const Eigen::VectorXd&
 int terms_of(double size) {
   double term = 1;
   for (int k = 1; k < terms; ++k)
-    if ((term *= size / k) < 1e-19) return k;
+    if ((term *= size / k) < last_term) return k;
   return terms;
 }
 
@@ -261,7 +266,7 @@ Eigen::MatrixXd Ladder::greatest() const {
 double Ladder::advance(Eigen::VectorXd& z, double time, std::span<ProductIntegral> products) {
   const double whole = std::nearbyint(time / h_);
   const double left = time - whole * h_;
-  const bool exactly = std::abs(left) <= 1e-12 * time;
+  const bool exactly = std::abs(left) <= rounded_sum * time;
   auto digits = static_cast<unsigned long long>(whole);
   for (std::size_t j = 0; digits != 0; ++j, digits >>= 1U) {
     if ((digits & 1U) == 0) continue;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "validate/src/drive/dense.hpp"
@@ -19,10 +20,15 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
+
 using Eigen::Index;
 using validate_detail::DriveRow;
 using validate_detail::ExactPath;
 using validate_detail::LinearSystem;
+
+/// Reciprocal condition of eigenvectors that are nearly parallel.
+constexpr double parallel_vectors = 1e-6;
 
 void require_linear(const Drive& drive) {
   require_valid(drive);
@@ -95,7 +101,7 @@ std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorX
   const auto [share, rcond] =
       validate_detail::solve_full(vectors, state.cast<std::complex<double>>());
   // Nearly parallel vectors: the rest of each is a difference of large numbers.
-  const bool apart = rcond > 1e-6;
+  const bool apart = rcond > parallel_vectors;
   std::vector<DriveMode> found;
   for (Index k = 0; k < values.size(); ++k) {
     if (values(k).imag() < 0) continue;
@@ -175,7 +181,7 @@ ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<co
   validate_detail::require_steady(drive);
   require_times(times, period.start());
   const double end = period.end();
-  if (!times.empty() && times.back() > end + 1e-12 * period.length())
+  if (!times.empty() && times.back() > end + rounded_sum * period.length())
     throw InputError("times[" + std::to_string(times.size()) + "]", times.back(),
                      "must not be after the end of the period, " + number(end));
   std::vector<double> within(times.begin(), times.end());

@@ -20,6 +20,10 @@ namespace {
 using Complex = std::complex<double>;
 using validate_detail::OpenLoop;
 
+constexpr double narrowest_pole = 1e-6;  ///< width of a pole, as a share of its frequency
+constexpr double pole_at_zero = 1e-9;    ///< share of the fastest pole
+/// Imaginary part of a crossing of the real axis, as a share.
+constexpr double real_crossing = 1e-6;
 constexpr double tau = 2 * std::numbers::pi;
 constexpr int per_decade = 200;
 constexpr double rounding = 1e-10;  // relative rounding of eigenvalues, to the greatest
@@ -55,7 +59,7 @@ std::vector<LoopPole> sorted(const std::vector<Complex>& poles) {
 
 /// Frequencies about a pole, spaced by its own width.
 void refine_about(Complex pole, std::vector<double>& grid) {
-  const double width = std::max(std::abs(pole.real()), 1e-6 * std::abs(pole)) / tau;
+  const double width = std::max(std::abs(pole.real()), narrowest_pole * std::abs(pole)) / tau;
   const double middle = std::abs(pole.imag()) / tau;
   for (double away = width / 16; away < middle; away *= 1.5) {
     grid.push_back(middle - away);
@@ -71,7 +75,7 @@ std::vector<double> grid_of(const OpenLoop& loop) {
   for (const Complex p : poles) fastest = std::max(fastest, std::abs(p));
   double slowest = fastest;
   for (const Complex p : poles)
-    if (std::abs(p) > 1e-9 * fastest) slowest = std::min(slowest, std::abs(p));
+    if (std::abs(p) > pole_at_zero * fastest) slowest = std::min(slowest, std::abs(p));
   const double first = slowest / tau / 100;
   const double last = std::min(100 * fastest / tau, loop.highest());
   const auto count = static_cast<int>(std::ceil(per_decade * std::log10(last / first)));
@@ -127,7 +131,7 @@ std::vector<LoopPoint> negative_real(const OpenLoop& loop, const std::vector<Loo
   std::vector<LoopPoint> found = crossings(loop, points, [](Complex l) { return l.imag(); });
   if (std::isfinite(loop.highest())) found.push_back(points.back());  // z = -1: L is real
   std::erase_if(found, [](const LoopPoint& p) {
-    return !(p.value.real() < 0 && std::abs(p.value.imag()) < 1e-6 * std::abs(p.value));
+    return !(p.value.real() < 0 && std::abs(p.value.imag()) < real_crossing * std::abs(p.value));
   });
   return found;
 }

@@ -7,6 +7,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "validate/src/drive/peak_finding.hpp"
+#include "validate/src/tolerances.hpp"
 #include "validate/src/witness/follower_run.hpp"
 
 namespace jounce {
@@ -14,7 +15,7 @@ namespace {
 
 void require_valid(const FollowerOptions& options) {
   require_not_negative("settle", options.settle);
-  if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-3))
+  if (!(options.tolerance >= validate_detail::finest_integration && options.tolerance <= 1e-3))
     throw InputError("tolerance", options.tolerance, "must be between 1e-12 and 1e-3");
   if (options.max_steps < 1)
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");

@@ -26,6 +26,7 @@
 #include <limits>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "validate/src/drive/peak.hpp"
@@ -35,6 +36,8 @@
 
 namespace jounce::validate_detail {
 namespace {
+
+using profiles_detail::rounded_input;
 
 class FollowerModel {
  public:
@@ -262,7 +265,7 @@ class Run {
 
   void sample() {
     const double unit = 1 / follower_.metres_per_unit;
-    const double slack = 1e-9 * spacing_;
+    const double slack = rounded_input * spacing_;
     while (result_.samples.size() < options_.samples) {
       const double t = static_cast<double>(result_.samples.size()) * spacing_;
       if (t > solver_.time() + slack) return;

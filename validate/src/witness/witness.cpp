@@ -41,6 +41,8 @@ namespace {
 using validate_detail::OdeSolver;
 using validate_detail::SignalPiece;
 
+constexpr double finest_witness = 1e-15;  ///< least tolerance that a caller may choose
+
 /// Chebyshev points: stops that force the solver to evaluate every interval, at places that are not all zeros
 /// of any sine of whole periods.
 constexpr std::array stops{0.0954915028125263, 0.3454915028125263, 0.6545084971874737,
@@ -56,7 +58,7 @@ struct State {
 
 void require_valid(const WitnessOptions& options) {
   require_positive("limit", options.limit);
-  if (!(options.tolerance >= 1e-15 && options.tolerance <= 1e-3))
+  if (!(options.tolerance >= finest_witness && options.tolerance <= 1e-3))
     throw InputError("tolerance", options.tolerance, "must be between 1e-15 and 1e-3");
   if (options.max_steps < 1)
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");

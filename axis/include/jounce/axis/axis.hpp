@@ -207,7 +207,7 @@ class MotionAxis {
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
   Rejection power(bool on);
   Rejection set_position(double position);
-  Rejection end_motion(Ending ending, const StopDynamics& asked = {});
+  Rejection end_motion(Ending ending, const MoveDynamics& asked = {});
   void break_groups();
   void stop_with_group();
   Rejection hold(bool on);

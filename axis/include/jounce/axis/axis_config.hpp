@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -18,7 +19,7 @@ struct HomingSpec {
   double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
   double offset = 0;        ///< position that homing assigns to the home position, u (607Ch)
   double timeout = 60;      ///< time limit of the whole homing, s, > 0
-  double distance = 0;      ///< greatest length of each search, u; 0: not limited
+  std::optional<double> distance = {};  ///< u, > 0: limit of each search
 };
 
 /// Configuration of an axis, fixed when the executor starts. A value of 0 switches a function off,

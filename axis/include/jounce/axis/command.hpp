@@ -39,7 +39,7 @@ struct Start {
 /// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
-  StopDynamics dynamics = {};  ///< deceleration and jerk; default: as configured
+  MoveDynamics dynamics = {};  ///< deceleration and jerk
 };
 /// Stops at once and sets a fault.
 struct Abort {

@@ -30,19 +30,6 @@ struct MoveDynamics {
   double jerk = as_configured;          ///< jerk, u/s^3
 };
 
-/// Dynamics of a motion whose velocity is given by the command or by the master. See MoveDynamics.
-struct RampDynamics {
-  double acceleration = as_configured;  ///< u/s^2
-  double deceleration = as_configured;  ///< u/s^2
-  double jerk = as_configured;          ///< u/s^3
-};
-
-/// Dynamics of a stop. See MoveDynamics; a value that is not given is that of AxisConfig.
-struct StopDynamics {
-  double deceleration = as_configured;  ///< u/s^2
-  double jerk = as_configured;          ///< u/s^3
-};
-
 /// Start condition of an armed motion. The numbers are part of the wire format.
 enum class StartAt : std::uint8_t {
   tick = 0,  ///< at a given tick
@@ -103,27 +90,21 @@ namespace jounce::command {
 template <class C, class T>
 concept Of = std::same_as<std::remove_const_t<C>, T>;
 
-/// each_field(command, f) calls f(field, member) for each field of a command or of its dynamics, in
-/// the order of the wire.
-template <Of<RampDynamics> C, class F>
-constexpr void each_field(C& c, F f) {
+/// The dynamics of a stop, of a change of velocity, and of a move.
+template <Of<MoveDynamics> C, class F>
+constexpr void each_field_of_stop(C& c, F f) {
+  f(deceleration, c.deceleration);
+  f(jerk, c.jerk);
+}
+template <Of<MoveDynamics> C, class F>
+constexpr void each_field_of_ramp(C& c, F f) {
   f(acceleration, c.acceleration);
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
+  each_field_of_stop(c, f);
 }
-
-template <Of<StopDynamics> C, class F>
-constexpr void each_field(C& c, F f) {
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
-}
-
 template <Of<MoveDynamics> C, class F>
 constexpr void each_field(C& c, F f) {
   f(velocity, c.velocity);
-  f(acceleration, c.acceleration);
-  f(deceleration, c.deceleration);
-  f(jerk, c.jerk);
+  each_field_of_ramp(c, f);
 }
 
 /// The same for a command without fields: does nothing.
@@ -275,23 +256,21 @@ constexpr void each_field(C& c, F f) {
     c.distance);
   f(Field{"velocity difference", velocity.quantity, velocity.range, velocity.option, velocity.help},
     c.dynamics.velocity);
-  f(acceleration, c.dynamics.acceleration);
-  f(deceleration, c.dynamics.deceleration);
-  f(jerk, c.dynamics.jerk);
+  each_field_of_ramp(c.dynamics, f);
 }
 
 /// Moves at a velocity until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
-  double velocity = 0;  ///< u/s, signed; 0: to rest
-  RampDynamics dynamics = {};
+  double velocity = 0;         ///< u/s, signed; 0: to rest
+  MoveDynamics dynamics = {};  ///< without velocity
   BufferMode buffer = BufferMode::aborting;
   bool hold_to_run = false;  ///< true: the axis stops if its session sends no heartbeat (0.2 s)
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"velocity", Quantity::velocity, FieldRange::finite, "VALUE"}, c.velocity);
-  each_field(c.dynamics, f);
+  each_field_of_ramp(c.dynamics, f);
   f(buffer_mode, c.buffer);
   f(Field{"hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
           "jog only while this command runs: the axis stops when it ends, or sends no heartbeat "
@@ -302,11 +281,11 @@ constexpr void each_field(C& c, F f) {
 /// Brings the axis to rest. Unlike Stop, it can be interrupted by any other motion at once.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
-  StopDynamics dynamics = {};
+  MoveDynamics dynamics = {};  ///< deceleration and jerk
 };
 template <Of<Halt> C, class F>
 constexpr void each_field(C& c, F f) {
-  each_field(c.dynamics, f);
+  each_field_of_stop(c.dynamics, f);
 }
 
 /// Couples the axis to its live master at a ratio, at once, in any motion.
@@ -314,13 +293,13 @@ struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  RampDynamics dynamics = {};  ///< dynamics until the axis is in gear
+  MoveDynamics dynamics = {};  ///< without velocity
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
-  each_field(c.dynamics, f);
+  each_field_of_ramp(c.dynamics, f);
 }
 
 /// Couples the axis to its live master at a ratio, in step from a given pair of positions on.

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/spec/axis_drive.hpp"
 
 namespace jounce {
@@ -50,9 +51,7 @@ struct MachineMasterSpec {
   struct FromTable {
     /// A spec or a table over time; its path is relative to the machine's spec.
     std::string file = {};
-    double velocity = 0;              ///< u/s, as in [limits]
-    double acceleration = 0;          ///< u/s^2
-    std::optional<double> jerk = {};  ///< u/s^3
+    Limits limits = {};  ///< of the axis: velocity, acceleration; jerk if it is given
   };
 
   std::string name;                                 ///< name in the file and in the network

@@ -97,7 +97,8 @@ struct AgitoJogSpec {
 /// profile = "pmc600": a move of the PMC600.
 struct Pmc600Spec {
   double from = 0, to = 0;  ///< start and target
-  pmc600::Ramps ramps;
+  Dynamics dynamics = {};
+  pmc600::VelocityMode mode = pmc600::VelocityMode::trapezoid;
 };
 
 /// profile = "pmc600_ls_velocity": LS_MoveVel of the PMC600.

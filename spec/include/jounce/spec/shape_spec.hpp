@@ -10,12 +10,6 @@
 
 namespace jounce {
 
-/// Limits of the motor, [load.limits]; check_load() checks them.
-struct LoadLimits {
-  std::optional<double> torque = {};      ///< N m, peak torque
-  std::optional<double> rms_torque = {};  ///< N m, rms torque over the cam
-};
-
 /// The load of the slave's motor, section [load], at the motor's shaft. At the slave position f the
 /// angle of the shaft is theta = 2 pi f / position_per_rev. Let r be the travel of the slave (m;
 /// rotary: rad) for one radian of the motor.
@@ -46,7 +40,9 @@ struct LoadSpec {
   double recovered = 0;
   /// W/(N m)^2: resistance / (torque constant)^2; omitted: no heat.
   std::optional<double> winding_loss;
-  LoadLimits limits = {};
+  // Limits of the motor, [load.limits]: checked by check_load().
+  std::optional<double> peak_torque = {};  ///< N m
+  std::optional<double> rms_torque = {};   ///< N m, over the cam
 };
 
 /// True if (1) is linear in f, f', f'': neither dry friction nor a lever.

@@ -114,7 +114,7 @@ struct AxisSpec {
     double acceleration = 0;
     double offset = 0;    ///< new position of the home position
     double timeout = 60;  ///< s, greatest duration
-    double distance = 0;  ///< greatest distance of each search; 0: no limit
+    std::optional<double> distance = {};
   };
 
   double cycle = 1e-3;  ///< s, period of the cyclic thread

@@ -45,7 +45,8 @@ inline Spot spot(double X, double start, double length, bool periodic) {
     return {at, std::nearbyint((X - at) / length), true};
   }
   const double at = std::clamp(X, start, start + length);
-  return {at, 0, std::abs(X - at) <= 1e-9 * length};
+  constexpr double at_place = 1e-9;  // permits rounded input
+  return {at, 0, std::abs(X - at) <= at_place * length};
 }
 
 /// Reduces the position X of a periodic cam, approached from one side. A position within `near` of
@@ -70,7 +71,8 @@ Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::rig
   constexpr double eps = std::numeric_limits<double>::epsilon();
   const double rounding =
       2 * eps * (std::abs(k * x[0]) + std::abs(p.master_offset));  // rounding of (1)
-  const double near = std::max(1e-12 * cam.length(), rounding);
+  constexpr double near_joint = 1e-12;
+  const double near = std::max(near_joint * cam.length(), rounding);
   const Spot s = p.periodic ? spot_on(cam_side, X, cam.start(), cam.end(), near)
                             : spot(X, cam.start(), cam.length(), false);
   Jet f = cam.jet(s.at, cam_side);

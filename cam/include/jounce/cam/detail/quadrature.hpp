@@ -42,7 +42,8 @@ inline std::vector<QuadratureNode> gauss(int points) {
       slope = points * (x * p - before) / (x * x - 1);
       const double step = p / slope;
       x -= step;
-      if (std::abs(step) < 1e-16) break;
+      constexpr double last_node_step = 1e-16;
+      if (std::abs(step) < last_node_step) break;
     }
     rule.push_back({(1 - x) / 2, 1 / ((1 - x * x) * slope * slope)});
   }

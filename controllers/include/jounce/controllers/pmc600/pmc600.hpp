@@ -11,8 +11,8 @@
 /// with the names of its manual. Units: u, the unit of the axis (or pulse), and s.
 ///
 ///     using namespace jounce::pmc600;
-///     const Ramps axis{.velocity = 2000, .acceleration = 4000, .mode = VelocityMode::sigmoid};
-///     const Trajectory move = move_absolute(0, 4000, axis);
+///     const Dynamics axis{.velocity = 2000, .acceleration = 4000};
+///     const Trajectory move = move_absolute(0, 4000, axis, VelocityMode::sigmoid);
 ///     const Profile quick = ls_move({.to = 50000, .velocity = 10000, .acceleration = 100000,
 ///                                    .start_velocity = 1000});
 ///     const Trajectory more = move_additive(move, 1, 500, {.velocity = 2000, .acceleration = 4000});
@@ -36,18 +36,10 @@ enum class VelocityMode {
   quadratic = 3,
 };
 
-/// Velocity and ramps of one move.
-struct Ramps {
-  double velocity = 0;      ///< velocity, u/s, > 0
-  double acceleration = 0;  ///< acceleration, u/s^2, > 0
-  double deceleration = 0;  ///< deceleration, u/s^2; 0: acceleration
-  double jerk = 0;          ///< jerk, u/s^3; > 0 in mode quadratic, otherwise unused
-  VelocityMode mode = VelocityMode::trapezoid;
-};
-
-/// MC_MoveAbsolute from standstill (manual 5.2.2). MC_MoveRelative is move_absolute(from, from +
-/// distance, ramps).
-Trajectory move_absolute(double from, double to, const Ramps& ramps);
+/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
+/// Mode quadratic needs a jerk > 0; the other modes do not use it.
+Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
+                         VelocityMode mode = VelocityMode::trapezoid);
 
 /// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower, the velocity is
 /// used.

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce::profiles_detail {
 
 /// True if two positions are equal except for rounding; `scale` is the magnitude of positions on
 /// the axis.
 inline bool same_place(double a, double b, double scale) {
-  return std::abs(a - b) <= 1e-12 * scale;
+  return std::abs(a - b) <= rounded_sum * scale;
 }
 
 /// Calls visit(start, f_part, i, g_part, k) for each stretch on which each of the two curves is a

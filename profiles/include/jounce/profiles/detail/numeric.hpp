@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 namespace jounce::profiles_detail {
 
 inline constexpr double rounding = 0x1p-49;  ///< relative: eight units in the last place
-/// Relative: tolerance for numbers that were rounded in a file.
-inline constexpr double rounded_input = 1e-9;
 inline constexpr double two_pi = 2 * std::numbers::pi;
 inline constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/moves/profile.hpp"
 
 // A move of two velocity ramps with a cruise between them, v0 -> peak -> v1. The acceleration is
@@ -123,11 +124,11 @@ std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down,
   };
   const double slack =
       4 * std::numeric_limits<double>::epsilon() * low;  // rounding of the end velocities
-  if (both(-slack) > h * (1 + 1e-14)) return std::nullopt;
+  if (both(-slack) > h * (1 + rounded_value)) return std::nullopt;
   const double rise = greatest(velocity - low, h, both);
   const double left = h - both(rise);
-  // A remaining distance within the rounding of h is not a cruise.
-  const double cruise = left > 1e-14 * h ? left / (low + rise) : 0;
+  // A rest of h within rounding is no cruise.
+  const double cruise = left > rounded_value * h ? left / (low + rise) : 0;
   return RampedMove<Law>{up, down, v0, v1, low - v0 + rise, low - v1 + rise, cruise};
 }
 

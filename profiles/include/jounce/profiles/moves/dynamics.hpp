@@ -33,29 +33,6 @@ struct Dynamics {
 /// InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// Limits of a velocity ramp in one direction: speeding up or slowing down.
-struct RampLimits {
-  double acceleration = 0;  ///< u/s^2, > 0; magnitude
-  double jerk_begin = 0;    ///< u/s^3, while the acceleration grows from zero; 0: no limit
-  double jerk_end = 0;      ///< u/s^3, while it falls to zero; 0 if and only if jerk_begin is 0
-
-  bool operator==(const RampLimits&) const = default;
-};
-
-/// The fastest motion from any state to a velocity (signed, u/s), where it ends with zero
-/// acceleration. `up` applies while the axis speeds up, `down` while it slows down. Rules:
-/// - With a jerk limit, the motion begins with the acceleration of the state. If this acceleration
-///   would lead past the velocity, it falls first. If it would reverse the axis, it falls until the
-///   axis rests.
-/// - If up and down differ, a change of direction consists of two ramps, with rest between them.
-/// - If the state is within the limits, the limits hold throughout. Exception: an acceleration at
-///   rest that only `down` permits, while it falls.
-/// - The jerks may differ between begin and end, or between up and down, but not both.
-///
-/// Throws InputError for a value out of range, and if time or position would overflow.
-Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
-                      const RampLimits& down);
-
 /// The same with the limits of dynamics; dynamics.velocity is not used.
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/profiles/moves/move.hpp"
 
 namespace jounce {
@@ -35,14 +36,6 @@ struct ViaRates {
   std::vector<double> acceleration = {};  ///< u/s^2, one for each axis; empty: 0
 };
 
-/// Limits of sqrt(x^2 + y^2 + ...) of the velocities, accelerations and jerks of all axes; default:
-/// none.
-struct ViaNorm {
-  double velocity = Bounds::none;      ///< u/s
-  double acceleration = Bounds::none;  ///< u/s^2
-  double jerk = Bounds::none;          ///< u/s^3
-};
-
 /// Input of via().
 struct ViaSpec {
   std::vector<Bounds> axes;  ///< bounds of each axis
@@ -50,9 +43,10 @@ struct ViaSpec {
   std::vector<std::vector<double>> points;
   ViaRates start = {};  ///< at the first point
   ViaRates end = {};    ///< at the last point
-  /// Bounds in each stretch, for each axis: stretches[i][axis]; empty: `axes`.
-  std::vector<std::vector<Bounds>> stretches = {};
-  ViaNorm norm = {};  ///< limits of the norm
+  std::vector<std::vector<Bounds>> stretches =
+      {};  ///< stretches of each, an axis each; empty: `axes`
+  /// Velocity, acceleration and jerk of the norm; its position has no limit.
+  Limits norm = {};
 };
 
 /// The state in which the axes pass a point.

@@ -74,19 +74,19 @@ class Client {
   CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
   /// dynamics.velocity is the velocity of the added move alone.
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
-  /// `velocity`: signed; 0: to rest.
-  CallOutcome move_velocity(double velocity, const RampDynamics& dynamics = {});
-  /// The same as a hold-to-run jog: the axis stops if the session ends, or sends nothing for 0.2 s.
-  /// Call beat() repeatedly to continue.
-  CallOutcome jog(double velocity, const RampDynamics& dynamics = {});
+  /// `velocity` is signed, 0: to rest.
+  CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
+  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
+  /// keeps it running.
+  CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
-  CallOutcome halt(const StopDynamics& dynamics = {});
+  CallOutcome halt(const MoveDynamics& dynamics = {});
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 
   CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator,
-                      const RampDynamics& dynamics = {});
+                      const MoveDynamics& dynamics = {});
   CallOutcome gear_in_pos(std::int32_t numerator, std::int32_t denominator, double master_sync,
                           double slave_sync, double master_start_distance,
                           bool avoid_reversal = false);

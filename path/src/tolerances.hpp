@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace jounce::path_detail {
+
+/// Square of the change of a unit vector that is rounding: both have the same direction.
+inline constexpr double same_direction = 1e-28;
+/// Share by which entry_velocity() is rounded down, so that the ramp fits: it is accurate to half of it.
+inline constexpr double entry_rounding = 2e-14;
+/// Share of the duration of a plan: the rest of a law that has no other stretch.
+inline constexpr double shortest_rest = 1e-9;
+
+}  // namespace jounce::path_detail
