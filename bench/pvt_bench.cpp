@@ -85,18 +85,14 @@ void count(State& state, std::size_t n) {
 
 // The limit: the three columns filled by the widest stores that the processor has, without computing.
 #ifdef __x86_64__
-#pragma GCC push_options
-#pragma GCC target("avx2")
-__attribute__((noinline)) void fill_256(double* to, std::size_t n, double x) {
+__attribute__((noinline, target("avx2"))) void fill_256(double* to, std::size_t n, double x) {
   for (const profiles_detail::Vector4 value{x, x, x, x}; n >= 4; n -= 4, to += 4)
     __builtin_memcpy(to, &value, sizeof value);
 }
-#pragma GCC target("avx512f")
-__attribute__((noinline)) void fill_512(double* to, std::size_t n, double x) {
+__attribute__((noinline, target("avx512f"))) void fill_512(double* to, std::size_t n, double x) {
   for (const profiles_detail::Vector8 value{x, x, x, x, x, x, x, x}; n >= 8; n -= 8, to += 8)
     __builtin_memcpy(to, &value, sizeof value);
 }
-#pragma GCC pop_options
 #endif
 __attribute__((noinline)) void fill_128(double* to, std::size_t n, double x) {
   for (const profiles_detail::Vector2 value{x, x}; n >= 2; n -= 2, to += 2)

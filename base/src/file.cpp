@@ -210,7 +210,7 @@ std::string read_bytes(const std::string& path) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail_to_read(path, errno);
     if (bytes.size() >= most_of_device && is_special(path))
-      throw InputError("", "", "must be a regular file, or give at most 256 MiB").at(path);
+      throw InputError("", "", "must be a regular file, or a pipe of at most 256 MiB").at(path);
     bytes.append(chunk.data(), static_cast<std::size_t>(n));
   }
   return bytes;
@@ -284,7 +284,8 @@ void write_files(const std::vector<Output>& files) {
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (is_same(files[i].path, files[k].path))
-        throw InputError("output", files[i].path, "is the name of two outputs: give each its own");
+        throw InputError("output", files[i].path,
+                         "is the name of two outputs: give each its own name");
   std::vector<Temporary> written;
   for (const Output& file : files)
     if (file.path != "-" && !is_special(file.path)) {

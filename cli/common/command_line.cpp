@@ -68,7 +68,7 @@ bool looks_like_option(const std::string& word) {
 InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
   const bool named = i > 0 && looks_like_option(words[i - 1]);
   return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
-          "is empty: leave it out, or give it a value"};
+          "is empty: leave it out, or write a value"};
 }
 
 /// The words in the order of the parser, last first. Rejects "--log=", which has no value: the parser would take the

@@ -50,8 +50,8 @@ std::string file_of_axis(const std::string& option, const std::string& path,
   if (axes == 1 || path.empty()) return path;
   if (path == "-")
     throw InputError(option, "",
-                     "is missing: each axis needs a file; -o a.csv writes a-" + axis +
-                         ".csv and so on, --axis " + axis + " writes one axis only");
+                     "is missing: with several axes, each needs a file. -o a.csv writes a-" + axis +
+                         ".csv and so on; --axis " + axis + " writes one axis only");
   const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
   const auto dot = path.find_last_of('.');
   const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;

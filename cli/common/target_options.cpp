@@ -53,17 +53,17 @@ std::vector<Option> add_target_options(const Verb& verb, TargetOptions& options)
   for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
   return {
       verb.option("--controller", options.controller,
-                  "New knots, the best for a table of this controller")
+                  "New knots: the best table that this controller can use")
           .check(one_of(names)),
       verb.option(
           "--tolerance", options.tolerance,
-          "New knots, the fewest that keep the position within this tolerance; default: unchanged"),
+          "New knots: the fewest that keep the position within this tolerance; default: unchanged"),
       verb.option("--velocity-tolerance", options.velocity_tolerance,
-                  "The same for the first derivative"),
+                  "The same for the velocity (of a cam: geo_velocity)"),
       verb.option("--most", options.most,
                   "Maximum number of new knots; without a tolerance, the table with the smallest "
                   "error, or close to it"),
-      verb.option("--spacing", options.spacing, "Least distance of new knots"),
+      verb.option("--spacing", options.spacing, "Least distance between new knots"),
       verb.option("--resolution", options.resolution,
                   "New knots at multiples of this, such as 1ms"),
       verb.option("--position-resolution", options.position_resolution,

@@ -17,9 +17,10 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
   const auto name = std::find(names.begin(), names.end(), key);
   if (equals == std::string::npos) tolerance.share = csv_number(text);
   if (equals == std::string::npos ? !tolerance.share : name == names.end())
-    throw InputError("--tolerance", text,
-                     std::string("must be a share, or KEY=VALUE with one of ") + names[0] + ", " +
-                         names[1] + ", " + names[2] + ", " + names[3]);
+    throw InputError(
+        "--tolerance", text,
+        std::string("must be a share, such as 1e-6, or KEY=VALUE with one of the keys ") +
+            names[0] + ", " + names[1] + ", " + names[2] + ", " + names[3]);
   try {
     double value = tolerance.share.value_or(0);
     if (name != names.end()) {

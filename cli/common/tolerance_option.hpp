@@ -9,8 +9,9 @@
 namespace jounce::cli {
 
 constexpr const char* tolerance_help =
-    "Tolerance for equal values: a share of each range (1e-6), or KEY=VALUE for a "
-    "quantity (position=0.01), repeatable; default: rounding only";
+    "Differences up to this tolerance count as equal: a share of the range of each quantity "
+    "(1e-6), or KEY=VALUE for one quantity (position=0.01); repeatable; default: rounding errors "
+    "only";
 
 /// The tolerance that the values of --tolerance give: `1e-6`, a share of every range; `position=0.01`;
 /// `position="10 um"`. Throws InputError.

@@ -26,10 +26,14 @@ std::string reason_of_axis(std::string reason, std::int32_t cause, const std::st
   if (reason.starts_with(who)) reason.erase(0, who.size());
   for (const CauseInfo& one : all_causes()) {
     if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
+    if (!reason.starts_with(one.name)) return reason;  // the executor's own reason has its remedy
     std::string remedy = one.remedy;
     constexpr std::string_view placeholder = "NAME";
-    if (const auto at = remedy.find(placeholder); at != std::string::npos)
+    for (auto at = remedy.find(placeholder); at != std::string::npos;
+         at = remedy.find(placeholder, at)) {
       remedy.replace(at, placeholder.size(), executor);
+      at += executor.size();
+    }
     return reason + " " + remedy;
   }
   return reason;

@@ -101,18 +101,19 @@ void add_master(CommandLine& line) {
   verb.axis(options->axis);
   verb.option("--as", options->name, "Name of the master").required();
   verb.option("--rate", options->rate, "Samples per second").check(within(1.0, 10000.0)).shown();
-  verb.option("--before", options->before, "Seconds at rest at the first point")
+  verb.option("--before", options->before, "Seconds at rest at the first point, before the motion")
       .check(within(0.0, 1e6))
       .shown();
-  verb.option("--after", options->after, "Seconds at rest at the last point, before it leaves")
+  verb.option("--after", options->after,
+              "Seconds at rest at the last point, before the master reports that it leaves")
       .check(within(0.0, 1e6))
       .shown();
   verb.option("--seconds", options->seconds,
               "End after this number of seconds; a table that repeats has no end")
       .check(seconds());
   verb.option("--epoch", options->epoch,
-              "Epoch of the sender; executors reject samples unless it is greater than all before. "
-              "Default: seconds since 2020")
+              "Number of this run of the sender: executors reject samples with a lower number than "
+              "one received before. Default: seconds since 2020")
       .check(whole(0, std::numeric_limits<std::int32_t>::max()));
   verb.option("--noise", options->noise,
               "White noise of the encoder, rms: 20um, or a number in the unit of the table");

@@ -127,7 +127,7 @@ void add_monitor(CommandLine& line) {
       "Output to a file or a pipe has one line for each status.");
   verb.option("NAME", options->executors, "Names of executors; default: all that send messages");
   verb.option("--seconds", options->seconds,
-              "End after this number of seconds; default: with q or Ctrl-C")
+              "End after this number of seconds; default: run until q or Ctrl-C")
       .check(seconds());
   verb.option("--silence", options->silence,
               "End when no message arrives for this number of seconds; on a terminal, only before "
@@ -135,7 +135,8 @@ void add_monitor(CommandLine& line) {
       .check(seconds())
       .shown();
   add_link_options(verb, options->link);
-  verb.flag("--ascii", options->ascii, "Draw bars and plots in ASCII; default: by the locale");
+  verb.flag("--ascii", options->ascii,
+            "Draw bars and plots in ASCII; default: depends on the locale");
   verb.flag("--json", options->json, "One line of JSON for each status");
   verb.work([options] { return run_monitor(*options); });
 }

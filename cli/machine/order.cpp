@@ -159,12 +159,14 @@ void add_order(CommandLine& line) {
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
-  verb.option("WHAT", options->words.what, listed(command_words()) + " (the axis's own table)")
+  verb.option("WHAT", options->words.what,
+              listed(command_words()) + " (the table of a virtual master)")
       .required()
       .check(command_word(*options));
-  verb.option("VALUE", options->words.value,
-              "Factor of override (50%), distance of inch, velocity of jog (0: to rest), position "
-              "of set-position, ratio of gear-in and gear-in-pos (3:2)");
+  verb.option(
+      "VALUE", options->words.value,
+      "Factor of override (50%), distance of inch, velocity of jog (0: come to rest), position "
+      "of set-position, ratio of gear-in and gear-in-pos (3:2)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());

@@ -38,7 +38,8 @@ std::string reason_of(const Outcome& outcome, const std::string& executor) {
 /// Prints an outcome and returns its exit status. As JSON with the entries of `more`; otherwise
 /// `done`, or the error on standard error.
 template <class Outcome>
-int report_outcome(const Outcome& outcome, bool json, const std::string& done, const Json& more,
+int report_outcome(const Outcome& outcome, const std::string& executor, bool json,
+                   const std::string& done, const Json& more,
                    std::initializer_list<StreamError> findings) {
   if (json) {
     Json document = json_of(outcome);
@@ -47,7 +48,7 @@ int report_outcome(const Outcome& outcome, bool json, const std::string& done, c
   } else if (outcome.ok()) {
     fmt::print("{}\n", done);
   } else {
-    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, reason_of(outcome, "NAME")));
+    fmt::print(stderr, "jounce: {}\n", said_of(outcome.error, reason_of(outcome, executor)));
   }
   return status_of(outcome, findings);
 }

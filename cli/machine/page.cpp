@@ -71,7 +71,7 @@ void add_page(CommandLine& line) {
       .check(whole(0, 65535))
       .shown();
   verb.option("--seconds", options->seconds,
-              "End after this number of seconds; default: with Ctrl-C")
+              "End after this number of seconds; default: run until Ctrl-C")
       .check(seconds());
   add_link_options(verb, options->link);
   verb.flag("--of-run", options->of_run, "Started by jounce run").hidden();

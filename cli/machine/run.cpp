@@ -15,6 +15,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/page_process.hpp"
 
+#include "cli/common/folders.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/say.hpp"
 #include "cli/common/verb.hpp"
@@ -79,6 +80,14 @@ void require_other_files(const RunArguments& options) {
   }
 }
 
+/// A log is written from the first cycle on: a missing folder is found before.
+void require_output_folders(const RunArguments& options) {
+  const RecorderOptions& record = options.run.record;
+  const std::string log = record.log ? record.log->string() : "";
+  const std::string box = record.black_box ? record.black_box->string() : "";
+  require_folders({{"--log", options.machine.log}, {"--record", log}, {"--black-box", box}});
+}
+
 /// Neither is any other file that these name.
 void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOptions>& axes) {
   const RecorderOptions& record = options.run.record;
@@ -91,6 +100,7 @@ void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOp
 
 int run_executor(const RunArguments& options) {
   require_other_files(options);
+  require_output_folders(options);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
   auto [axes, masters, watchdog] = machine_parts(options.machine);
   require_no_inputs(options, axes);
@@ -119,8 +129,8 @@ void add_run(CommandLine& line) {
                               "jounce run axis.toml --enable --log run.csv --once\n"
                               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");
   verb.option("SPEC", options->machine.files,
-              "Specs of kind \"axis\" (limits, cycle, name), which run in one cycle; or one spec "
-              "of kind \"machine\", which names them")
+              "One or more specs of kind \"axis\", which run in the same cycle; or one spec of "
+              "kind \"machine\", which names its axes")
       .required();
   verb.option("--log", options->machine.log,
               "CSV of the setpoints of each tick; with several axes, run.csv becomes run.NAME.csv "
@@ -128,25 +138,28 @@ void add_run(CommandLine& line) {
   verb.option("--record", options->run.record.log,
               "LCM log of all inputs and outputs of the axes, for `jounce replay`");
   verb.option("--black-box", options->run.record.black_box,
-              "Folder for the last cycles before a fault");
+              "LCM log in which the last cycles before a fault are written, for `jounce replay`");
   verb.option("--black-box-cycles", options->run.record.black_box_cycles,
-              "Number of these cycles for each axis")
+              "With --black-box: number of cycles for each axis")
       .check(whole(1, 1'000'000))
       .shown();
   verb.option("--seconds", options->run.seconds, "End after this number of seconds")
       .check(seconds());
   verb.flag("--once", options->run.once, "End after one motion");
   verb.option("--realtime", options->run.realtime.priority,
-              "SCHED_FIFO priority of the cycle, 1 to 99, if permitted")
+              "Real-time priority of the cycle, 1 to 99 (SCHED_FIFO), if the system permits it")
       .check(whole(1, 99));
-  verb.option("--cpu", options->run.realtime.cpu, "CPU of the cycle, zero-based")
+  verb.option("--cpu", options->run.realtime.cpu,
+              "Number of the CPU on which the cycle runs, from 0")
       .check(whole(0, 1023));
   verb.option("--watchdog", options->watchdog,
               "Stop all axes if the communication thread hangs for this number of seconds; 0: "
               "never; default: the value in the machine spec, or 0.5")
       .check([](const std::string& text) -> std::string {
         const double value = number_in(text).value_or(-1);
-        return value == 0 || (value >= 0.01 && value <= 3600) ? "" : "must be 0.01 to 3600, or 0";
+        return value == 0 || (value >= 0.01 && value <= 3600)
+                   ? ""
+                   : "must be from 0.01 to 3600 seconds, or 0 for none";
       });
   verb.option("--web", options->web,
               "Serve a live page on this port of 127.0.0.1 (0: any free port), like `jounce page`, "

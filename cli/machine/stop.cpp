@@ -50,7 +50,8 @@ void add_stop(CommandLine& line) {
                               "jounce stop feeder --abort");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.flag("--abort", options->abort,
-            "Stop as fast as possible, also off the path; the axis is then in error_stop");
+            "Abort: freeze the setpoint at once, or brake with abort_acceleration, even off the "
+            "path. The axis is then in error_stop");
   verb.option("--patience", options->patience, "Wait at most this number of seconds for standstill")
       .check(seconds())
       .shown();

@@ -43,49 +43,53 @@ void add_stream(CommandLine& line) {
       "jounce stream cam.toml --to knife --live --start-at 250mm   with its live master\n"
       "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut "
       "on\n"
-      "jounce stream xyz.toml --to x,y,z                        several axes, in the same tick\n"
-      "jounce stream long.csv --to feeder --rolling             longer than its memory\n"
+      "jounce stream xyz.toml --to x,y,z                        several axes, started in the same "
+      "cycle\n"
+      "jounce stream long.csv --to feeder --rolling             for a table longer than its "
+      "memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
   verb.option("FILE", options->file, "Spec or table; - is standard input").required();
   verb.axis(options->axis);
   verb.option("--to", options->to, "Name of the executor").required();
   verb.option("--master", options->master,
-              "Table over time of the master of a cam table; a cam spec has its own [master]");
+              "For a cam table: table over time of its master; a cam spec has its own [master]");
   verb.flag("--live", options->live, "The cam follows the live master of the axis");
   verb.option("--start-at", options->start_at,
               "With --live: begin when the master passes this position");
   verb.option("--at", options->at, "Begin at this tick of the executor, or after +SECONDS");
   verb.flag("--at-next-cut", options->at_next_cut,
-            "With --live: a knife or shear begins at the end of the present pass");
+            "With --live: a knife or a shear begins at its next cut, the end of the present pass");
   verb.flag("--keep-velocity", options->keep_velocity,
             "With --live: if the cam ends at a velocity, keep it instead of braking");
   verb.flag("--no-wait", options->no_wait,
             "Return when the start is accepted, before the motion begins");
   verb.option("--swap", options->swaps,
-              "Table that continues, in motion, at the end of the table before; repeatable");
-  const Option bank = verb.option("--bank", options->bank,
-                                  "Static queue of two banks: FILE fills the first, this table the "
-                                  "second, which follows at the end of FILE");
-  verb.option("--loops", options->loops, "With --bank: number of passes of the second bank")
+              "Table that follows without a stop at the end of the previous table; repeatable");
+  const Option bank =
+      verb.option("--bank", options->bank,
+                  "Table that follows at the end of FILE and can repeat (--loops). The executor "
+                  "holds FILE in its first bank, and this table in its second");
+  verb.option("--loops", options->loops,
+              "With --bank: number of times that the second bank is played")
       .needs(bank)
       .check(whole(1, 1'000'000'000))
       .shown();
-  const Option rolling =
-      verb.flag("--rolling", options->rolling,
-                "Send while the axis plays: for tables longer than the memory of the executor");
+  const Option rolling = verb.flag("--rolling", options->rolling,
+                                   "Send the table row by row while the axis plays it: for tables "
+                                   "that exceed the memory of the executor");
   verb.flag("--resume", options->resume, "With --rolling: continue after a buffer underrun")
       .needs(rolling);
   verb.flag("--relative", options->relative,
-            "With --rolling, --bank or a live follow spec: begin at the position of the axis "
-            "instead of that of the table");
+            "With --rolling, --bank or a live follow spec: begin at the present position of the "
+            "axis instead of the first position of the table");
   verb.option(
           "--ahead", options->capacity,
           "With --rolling: number of rows to send before the start; the buffer holds twice as many")
       .needs(rolling)
       .check(whole(2, 1 << 20))
       .shown();
-  verb.option("--until", options->until, "Last step: download, arm or start")
+  verb.option("--until", options->until, "Stop after this step: download, arm or start")
       .check(one_of({"download", "arm", "start"}))
       .shown();
   verb.option("--patience", options->patience, "Give up after this number of seconds")

@@ -61,7 +61,7 @@ int stream_rolling(const StreamArguments& options) {
   const RowOutcome outcome = stream_rows(link.transport(), std::move(plan), rolling);
   const RowProgress& p = outcome.progress;
   return report_outcome(
-      outcome, options.json,
+      outcome, options.to, options.json,
       fmt::format("{} of {} rows played at {}, {} underruns, {} messages sent again; {}", p.played,
                   p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped"),
       {{"rows", p.sent},
@@ -84,7 +84,7 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
        .cancelled = [&] { return work.interrupted(); }});
   static_cast<void>(client.release());
   return report_outcome(
-      outcome, options.json,
+      outcome, options.to, options.json,
       fmt::format("{} at {}: {}", what, options.to, work.interrupted() ? "stopped" : end),
       Json::object(), {StreamError::refused});
 }

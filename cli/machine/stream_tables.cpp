@@ -66,7 +66,8 @@ std::int64_t tick_of(const StreamArguments& options, Link& link, const std::stri
   const bool good =
       number && *number >= 0 && *number <= 1e15 && (from_now || *number == std::floor(*number));
   if (!good)
-    throw InputError("--at", options.at, "must be a tick, or + and seconds from now: 120000, +2.5");
+    throw InputError("--at", options.at,
+                     "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
   if (!from_now) return static_cast<std::int64_t>(*number);
   const auto status =
       present_status(link.transport(), executor, std::chrono::seconds(2), link.key());
@@ -109,7 +110,7 @@ std::string done_text(const StreamOutcome& outcome, const StreamArguments& optio
 
 int report(const StreamOutcome& outcome, const StreamArguments& options) {
   const StreamProgress& progress = outcome.progress;
-  return report_outcome(outcome, options.json,
+  return report_outcome(outcome, options.to, options.json,
                         fmt::format("{} chunks arrived at {}, {} sent again; {}", progress.chunks,
                                     options.to, progress.resent, done_text(outcome, options)),
                         {{"downloaded", outcome.downloaded},
@@ -187,7 +188,8 @@ int stream_group(const StreamArguments& options) {
                      options.until != "start";
   if (alone)
     throw InputError("--to", options.to,
-                     "names several axes: omit --rolling, --bank, --swap, --start-at, "
+                     "names several axes, so the options for one axis do not apply: omit "
+                     "--rolling, --bank, --swap, --start-at, "
                      "--at-next-cut, --relative and --until");
   const std::vector<std::string> names = names_of(options.to);
   std::vector<StreamPlan> plans;
@@ -196,8 +198,9 @@ int stream_group(const StreamArguments& options) {
   });
   for (const Input& input : inputs) {
     if (is_live_follow(input, options))
-      throw InputError("--to", options.to,
-                       "names several axes: stream a follow spec to one of them");
+      throw InputError(
+          "--to", options.to,
+          "names several axes, but a follow spec is for one axis: name that axis only");
     plans.push_back(plan_of(options, names[plans.size()], input));
   }
   Link link(options.link);

@@ -50,9 +50,10 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   std::vector<std::string> known;
   for (const auto& [name, target] : all) known.push_back(name);
   const std::string near = nearest(key, known);
-  throw InputError("--limit", text,
-                   fmt::format("must be KEY=VALUE with one of {}{}", fmt::join(known, ", "),
-                               near.empty() || near == key ? "" : ": did you mean " + near + "?"));
+  throw InputError(
+      "--limit", text,
+      fmt::format("must be KEY=VALUE with one of the keys {}{}", fmt::join(known, ", "),
+                  near.empty() || near == key ? "" : ": did you mean " + near + "?"));
 }
 
 void set_limits(Input& input, const CheckArguments& options) {
@@ -147,7 +148,7 @@ void add_check(CommandLine& line) {
   add_run_options(verb, options->run);
   verb.option(
           "--limit", options->limits,
-          "Limit KEY=VALUE in addition to the limits of the spec, or in place of one; repeatable")
+          "Limit KEY=VALUE to add to the limits of the spec, or to replace one of them; repeatable")
       .one_each();
   verb.axis(options->axis);
   verb.machine(options->machine);
@@ -157,15 +158,14 @@ void add_check(CommandLine& line) {
       .check(whole(0, 3))
       .shown();
   verb.option("--slave", options->slave,
-              "For a spec with [coupling]: rest position of the slave at its start; default: the "
-              "first value "
-              "of the cam");
+              "For a spec with [coupling]: position of the slave, at rest, when it starts to "
+              "engage; default: the first value of the cam");
   verb.option("--master", options->master,
-              "For a spec with [coupling]: position of the master at that time; default: the start "
-              "of the cam");
+              "For a spec with [coupling]: position of the master when the slave starts to engage; "
+              "default: the start of the cam");
   verb.option("--master-velocity", options->master_velocity,
-              "For a spec with [coupling]: velocity of the master at that time, per second; "
-              "default: that of [master]");
+              "For a spec with [coupling]: velocity of the master, per second, when the slave "
+              "starts to engage; default: the velocity in [master]");
   verb.work([options] { return run_check(*options); });
 }
 

@@ -25,8 +25,9 @@ std::vector<std::string> files_of(const CheckRun& run) {
   const bool in_folder = !run.baseline.empty() && std::filesystem::is_directory(run.baseline);
   std::vector<std::string> files = find_files(run.files, in_folder ? run.baseline : "");
   if (files.empty())
-    throw InputError("FILE", fmt::format("{}", fmt::join(run.files, " ")),
-                     "names no file of Jounce: a spec with `jounce = 1`, a table, or a key file");
+    throw InputError(
+        "FILE", fmt::format("{}", fmt::join(run.files, " ")),
+        "contains no file of Jounce: name a spec with `jounce = 1`, a table, or a key file");
   return files;
 }
 
@@ -95,27 +96,26 @@ bool CheckRun::is_one_answer() const {
 
 void add_run_options(const Verb& verb, CheckRun& run) {
   verb.option("FILE", run.files,
-              "Specs and tables; folders and quoted patterns (\"cams/**/*.toml\") stand for the "
-              "files of Jounce in them; - is standard input")
+              "Specs and tables. A folder, or a pattern in quotes such as \"cams/**/*.toml\", "
+              "means all files of Jounce in it; - is standard input")
       .required();
-  const Option format =
-      verb.option("--format", run.format,
-                  "Format of the findings of many files: text, json, github (annotations), gitlab "
-                  "(Code Quality), sarif, junit")
-          .check(one_of({"text", "json", "github", "gitlab", "sarif", "junit"}))
-          .shown();
+  const Option format = verb.option("--format", run.format,
+                                    "Format of the answer for several files: text, json, github "
+                                    "(annotations), gitlab (Code Quality), sarif, junit")
+                            .check(one_of({"text", "json", "github", "gitlab", "sarif", "junit"}))
+                            .shown();
   verb.flag("--json", run.json,
-            "All results as JSON, numbers with all digits; for several files --format json")
+            "All results of one file as JSON, numbers with all digits; for several files, use "
+            "--format json")
       .excludes({format});
-  verb.flag("--strict", run.strict, "A warning is a finding: exit status 1");
-  verb.flag("--quiet", run.quiet, "Errors and broken limits alone: no warnings, no summary");
+  verb.flag("--strict", run.strict, "Exit with status 1 for a warning, too");
+  verb.flag("--quiet", run.quiet, "Print errors and broken limits only: no warnings, no summary");
   const Option baseline = verb.option(
       "--baseline", run.baseline,
-      "Accepted versions to compare with: a folder of specs or tables, or a revision of "
-      "git");
+      "Accepted versions to compare with: a folder of specs or tables, or a git revision");
   verb.option("--tolerance", run.tolerances, tolerance_help).one_each().needs(baseline);
   verb.option("--summary", run.summary,
-              "Folder for summary.md, with pictures of each change before and after")
+              "Folder for a new summary.md, with pictures of each changed motion before and after")
       .needs(baseline);
 }
 
@@ -154,7 +154,7 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
 
 void require_one_file(const CheckRun& run, const char* option, const std::string& value) {
   if (!value.empty() && !run.is_one_answer())
-    throw InputError(option, value, "is for one file with its whole answer as text or --json");
+    throw InputError(option, value, "applies to a single file, with the answer as text or --json");
 }
 
 }  // namespace jounce::cli

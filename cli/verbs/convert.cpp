@@ -151,20 +151,21 @@ void add_convert(CommandLine& line) {
               "For csv and json: linear, cubic_hermite, quintic_hermite; default: unchanged")
       .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));
   const auto target = add_target_options(verb, options->target);
-  verb.option("--intervals", options->intervals,
-              "New knots at equal intervals, this number of them")
+  verb.option("--intervals", options->intervals, "New knots at this number of equal intervals")
       .check(whole(1, 10'000'000))
       .excludes(target);
   verb.option("--every", options->every,
               "Write samples instead of a table: position and two derivatives at every step of the "
               "first column, such as \"1 ms\", as CSV");
   verb.option("--master-unit", options->master_unit,
-              "Unit of the first column: that of a file without units, or the unit to convert to");
+              "Unit of the first column. For a file without units: the unit that it is in; "
+              "otherwise the unit to convert to");
   verb.option("--position-unit", options->position_unit, "The same for the position");
   verb.flag("--periodic", options->periodic,
-            "The cam repeats, and the slave advances if it ends at another position; for files "
-            "without this information");
-  verb.flag("--decimal-comma", options->decimal_comma, "Read 0,5 as 0.5");
+            "For files that do not state it: the cam repeats. If the slave ends at another "
+            "position, it advances in each period");
+  verb.flag("--decimal-comma", options->decimal_comma,
+            "Read numbers with a decimal comma: 0,5 is 0.5");
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_convert(*options); });
 }

@@ -66,13 +66,15 @@ void add_design(CommandLine& line) {
   const auto options = std::make_shared<DesignArguments>();
   const Verb verb = line.verb("design", "Make the table of a spec",
                               "jounce design cam.toml -o cam.csv --curve cam.curve.json");
-  verb.option("SPEC", options->spec, "Spec; - is standard input").required();
+  verb.option("SPEC", options->spec, "Spec, or G-code program with --machine; - is standard input")
+      .required();
   verb.option("-o,--output", options->output,
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
               "becomes a-NAME.csv for each");
   verb.axis(options->axis);
   verb.machine(options->machine);
-  verb.option("--curve", options->curve, "Also write the exact curve, segment by segment (JSON)");
+  verb.option("--curve", options->curve,
+              "Also write the exact curve to this file, segment by segment (JSON)");
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_design(*options); });
 }

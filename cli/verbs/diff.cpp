@@ -77,7 +77,9 @@ void add_diff(CommandLine& line) {
       "diff", "Show the exact differences of two specs or tables; exit status 1 if there are any",
       "jounce diff cam.toml better.toml --tolerance position=\"1 um\" -o both.svg");
   verb.option("BEFORE", options->before, "Spec or table; - is standard input").required();
-  verb.option("AFTER", options->after, "Second spec or table; numbers are in its units").required();
+  verb.option("AFTER", options->after,
+              "Spec or table to compare with BEFORE; numbers are in its units")
+      .required();
   verb.axis(options->axis);
   verb.option("--tolerance", options->tolerances, tolerance_help).one_each();
   verb.option(

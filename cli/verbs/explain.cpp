@@ -46,8 +46,8 @@ std::vector<Message> all_messages() {
     all.push_back({"Findings of a check", "", one.rule, one.meaning, one.remedy});
   for (const ControllerError& one : controller_errors()) {
     const std::string here = one.here == std::string("none") ? "does not occur" : one.here;
-    all.push_back({std::string("Errors of ") + one.controller + " for a cam", code_text(one), "",
-                   one.meaning, here + ": " + one.how, true});
+    all.push_back({std::string("Errors of ") + one.controller + " for cams and gears",
+                   code_text(one), "", one.meaning, here + ": " + one.how, true});
   }
   return all;
 }
@@ -79,7 +79,7 @@ void add_explain(CommandLine& line) {
                 "jounce explain following_error");
   verb.option("CODE", options->code,
               "Number or name, as in a message, a log or a status; or the rule of a finding");
-  verb.flag("--markdown", options->markdown, "All as a page (docs/reference/messages.md)");
+  verb.flag("--markdown", options->markdown, "Print all as a page (docs/reference/messages.md)");
   verb.flag("--json", options->json, "As JSON");
   verb.work([options] { return run_explain(*options); });
 }

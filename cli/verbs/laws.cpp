@@ -31,9 +31,9 @@ Law law_of(const std::string& word) {
   std::vector<std::string> names;
   for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
   const std::string near = nearest(word, names);
-  throw InputError(
-      "LAW", word,
-      "is not a law: " + (near.empty() ? "`jounce laws` lists all" : "did you mean " + near + "?"));
+  throw InputError("LAW", word,
+                   "is not a law: " + (near.empty() ? "`jounce laws` lists them all"
+                                                    : "did you mean " + near + "?"));
 }
 
 void draw(const LawsArguments& options) {
@@ -75,7 +75,7 @@ void add_laws(CommandLine& line) {
                               "jounce laws modified_sine -o modified_sine.svg");
   verb.option("LAW", options->law, "Name of a law, as in a spec");
   verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png");
-  verb.flag("--markdown", options->markdown, "The whole guide (docs/laws.md)");
+  verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_laws(*options); });
 }

@@ -61,11 +61,12 @@ int run_map(const MapArguments& options) {
 
 void add_map(CommandLine& line) {
   const auto options = std::make_shared<MapArguments>();
-  const Verb verb =
-      line.verb("map", "Show the fastest line for each cut length, and the limit that binds",
-                "jounce map knife.toml --from 100 --to 1000 -o map.png");
+  const Verb verb = line.verb(
+      "map", "Show the greatest line speed for each cut length, and the limit that determines it",
+      "jounce map knife.toml --from 100 --to 1000 -o map.png");
   verb.option("FILE", options->file, "Spec of a knife or a shear; - is standard input").required();
-  verb.option("--from", options->from, "Shortest cut; default: the whole range of interest");
+  verb.option("--from", options->from,
+              "Shortest cut; without --from and --to, the program chooses the range");
   verb.option("--to", options->to, "Longest cut");
   verb.option("--steps", options->steps, "Number of lengths from --from to --to, both included")
       .check(whole(2, 100000));

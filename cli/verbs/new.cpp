@@ -33,8 +33,8 @@ void add_new(CommandLine& line) {
     bool force = false;
   };
   const auto options = std::make_shared<Options>();
-  const Verb verb =
-      line.verb("new", "Write a commented starting spec", "jounce new cam -o feeder.toml");
+  const Verb verb = line.verb("new", "Write an example spec with comments, as a start for your own",
+                              "jounce new cam -o feeder.toml");
   std::vector<std::string> kinds;
   for (const auto& [kind, text] : templates()) kinds.push_back(kind);
   kinds.emplace_back("key");

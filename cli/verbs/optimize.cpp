@@ -70,7 +70,9 @@ void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
   const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
   if (!before || !after) return;  // lines that overlap
   const double bound = lower_bound(*after);
-  fmt::print(out, "{}at least {} {} on this path (proven; jerk not limited): {} times the bound\n",
+  fmt::print(out,
+             "{0}proven lower bound on this path, without jerk limits: {1} {2}; the duration is "
+             "{3} times this bound\n",
              path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,
              rounded(after->duration() / bound));
 }
@@ -138,8 +140,9 @@ void add_optimize(CommandLine& line) {
       "Find the best values and shapes of the free quantities of a spec, within the limits",
       "jounce optimize cam.toml -o better.toml --table better.csv");
   verb.option("SPEC", options->spec,
-              "Spec with [optimize]: a cam with `free` knots or shapes, or any kind with "
-              "[[optimize.parameter]]; or a path: its corners; - is standard input")
+              "Spec with [optimize]: a cam with `free` knots or shapes, or a spec of any kind with "
+              "[[optimize.parameter]]. A path without [optimize]: its corners are optimized; - is "
+              "standard input")
       .required();
   verb.option("-o,--output", options->output,
               "Optimized spec to write: the same text with new numbers and points");
@@ -147,7 +150,8 @@ void add_optimize(CommandLine& line) {
   verb.option("--plot", options->plot,
               "Picture to write, .svg or .png: the optimized motion over the given one");
   verb.option("--against", options->against,
-              "Drive to optimize for, a spec of kind \"drive\": for minimize = [\"drive "
+              "Spec of the drive for which the cam is optimized, of kind \"drive\". For minimize = "
+              "[\"drive "
               "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
               "error\", \"drive end following error\"");
   verb.option("--seconds", options->seconds,

@@ -149,16 +149,17 @@ void add_sweep(CommandLine& line) {
   const auto options = std::make_shared<SweepArguments>();
   const Verb verb = line.verb(
       "sweep", "Make variants of a spec and compare them: grids, tolerances, Pareto fronts",
-      "jounce sweep sweep.toml -o results.csv --plot front.svg\n"
-      "  mpirun -n 4 jounce sweep sweep.toml -o results.csv");
+      "jounce sweep sweep.toml -o results.csv --plot front.svg\nmpirun -n 4 jounce sweep "
+      "sweep.toml -o results.csv");
   verb.option("SWEEP", options->file, "Sweep spec: the base spec, its parameters and their values")
       .required();
   verb.option("-o,--output", options->output,
-              "Table of all cases to write, CSV. A journal beside it permits the same command to "
-              "continue after an interruption");
-  verb.option("--npy", options->npy, "The same as a structured array for NumPy");
-  verb.option("--plot", options->plot,
-              "Pareto front, distributions, or figures over the parameter: .svg or .png");
+              "Table of all cases to write, CSV. After an interruption, the same command "
+              "continues, from a journal that is written beside the table");
+  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)");
+  verb.option(
+      "--plot", options->plot,
+      "Picture to write, .svg or .png: Pareto front, distributions, or figures over the parameter");
   verb.option("--jobs", options->jobs, "Number of threads; default: one for each core")
       .check(whole(1, 4096));
   verb.flag("--json", options->json, "Summary as JSON, numbers with all digits");

@@ -24,8 +24,8 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
                        "must be at most 2147483647 ms: GT_PtData takes a long of 32 bits");
     if (whole != points[i].x) {
       std::string rule =
-          "must be a whole number of ms: GT_PtData takes a long, which makes it " + number(whole);
-      if (!(whole > before)) rule += ", and the table never advances";
+          "must be a whole number of ms: GT_PtData converts it to a long, here " + number(whole);
+      if (!(whole > before)) rule += ", and the table would never advance";
       throw InputError(key("point", i), points[i].x, rule);
     }
     before = whole;

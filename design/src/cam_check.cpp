@@ -11,7 +11,8 @@
 namespace jounce {
 namespace {
 
-/// The number of the spec's segment for each segment of the cam: pieces of one segment share a label.
+/// For each segment of the cam, the number of the spec's segment. All pieces of one segment have
+/// the same label.
 std::vector<std::size_t> origin_of(const Cam& cam, const Labels& labels) {
   std::vector<std::size_t> origin;
   const auto all = groups(cam.segments().size(), labels);
@@ -41,7 +42,7 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   const bool reported =
       std::any_of(report.findings.begin(), report.findings.end(),
                   [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
-  if (reported)  // knife/reversal has an advice
+  if (reported)  // knife/reversal has an advice of its own
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   take(report, std::move(odd));
   if (has_designed_rises(input)) take(report, certificates(cam));

@@ -43,7 +43,7 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   if (rates.acceleration > 0 && master_accelerates_too_fast(cam, *input.spec)) {
     const MasterLimit most = greatest_master_acceleration(cam, *input.spec);
     return fmt::format(
-        "  fastest acceleration of the master {} {}: the slave's {} limit, at {} {}\n",
+        "  fastest acceleration of the master {} {}, limited by the slave's {} at {} {}\n",
         rounded(most.value), master_rate_unit(*input.spec, 2), most.quantity, rounded(most.where),
         input.labels.units.x);
   }
@@ -55,11 +55,11 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
                         master_rate_unit(*input.spec, 2));
-  return line + fmt::format(": the slave's {} limit, at {} {}\n", limit.quantity,
+  return line + fmt::format(", limited by the slave's {} at {} {}\n", limit.quantity,
                             rounded(limit.where), input.labels.units.x);
 }
 
-/// The figures of a slave in step, a line each.
+/// The figures of a synchronous slave, one line each.
 std::string figure_lines(const Input& input) {
   std::string text;
   if (!input.spec) return text;
@@ -127,7 +127,8 @@ std::string switches_text(const Spec& spec) {
   return text.empty() ? "" : "\n" + text;
 }
 
-/// A line for each rise with its characteristic values, and the fastest master; "" for a motion over time.
+/// For each rise, a line with its characteristic values and the fastest master; "" for a motion
+/// over time.
 std::string cam_text(const Input& input) {
   if (!input.labels.over_master) return "";
   const Cam& cam = std::get<Cam>(*input.curve);
@@ -141,7 +142,7 @@ std::string cam_text(const Input& input) {
   return text;
 }
 
-/// The same in full; null for a motion over time.
+/// The same as JSON with all values; null for a motion over time.
 Json cam_json(const Input& input) {
   if (!input.labels.over_master) return nullptr;
   const Cam& cam = std::get<Cam>(*input.curve);
@@ -164,7 +165,7 @@ Json cam_json(const Input& input) {
 
 std::string check_text(const Report& report, const Input& input) {
   std::string extrema;
-  if (!input.plan)  // the summary of the path has its lines
+  if (!input.plan)  // the summary of a path already has these lines
     extrema =
         of_motion(input, [&](const auto& motion) { return extrema_text(motion, input.labels); }) +
         "\n";

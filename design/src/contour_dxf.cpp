@@ -8,8 +8,9 @@
 
 #include "jounce/design/disc.hpp"
 
-// DXF is pairs of lines, a group code and its value (Autodesk, "DXF Reference"). Every program reads release 12; its
-// polylines are POLYLINE, VERTEX ..., SEQEND. $INSUNITS is newer; older readers skip it.
+// DXF consists of pairs of lines: a group code and its value (Autodesk, "DXF Reference"). Every
+// program reads release 12; its polylines are POLYLINE, VERTEX ..., SEQEND. $INSUNITS is newer;
+// older readers ignore it.
 
 namespace jounce {
 namespace {
@@ -37,7 +38,7 @@ void point(std::string& out, double x, double y) {
   real(out, 30, 0);
 }
 
-/// The greatest distance of the drawing from the center, arcs included.
+/// The greatest distance from the center to any point of the drawing, arcs included.
 double reach(const DiscDrawing& d) {
   double r = std::hypot(d.roller.x, d.roller.y) + d.roller_radius;
   for (const Contour* c : {&d.profile, &d.pitch, &d.cutter})

@@ -10,7 +10,7 @@
 namespace jounce {
 namespace {
 
-/// The rectangle that holds the drawing, mm.
+/// The bounding rectangle of the drawing, mm.
 struct DrawingFrame {
   double left = 0;
   double right = 0;
@@ -82,7 +82,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Line widths in mm, for printing. Light or dark as the viewer prefers.
+/// Line widths in mm, for printing. The colors are light or dark as the viewer prefers.
 constexpr const char* style_sheet =
     "<style>path,circle{fill:none;stroke:#222;stroke-width:.15}"
     ".cam{stroke-width:.5;fill:#8883}.pitch{stroke:#1a7f37;stroke-dasharray:4 1 .5 1}"
@@ -103,7 +103,7 @@ std::string contour_svg(const DiscDrawing& d) {
       "{0} {1}\">\n<title>{4}</title>\n",
       width, height, mm(f.left), mm(-f.top), escaped(d.name));
   out += style_sheet;
-  out += "<g transform=\"scale(1,-1)\">\n";  // y upwards, as in the DXF
+  out += "<g transform=\"scale(1,-1)\">\n";  // y points upwards, as in the DXF
   out += path("cam", d.profile) + path("pitch", d.pitch) + path("cutter", d.cutter);
   out += circle("base", {}, d.base_radius);
   if (d.hub_radius) out += circle("hub", {}, *d.hub_radius);

@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-/// The table in other units, and periodic if that is asked for.
+/// The table in the requested units; periodic if requested.
 TableFile in_units(TableFile file, const Conversion& wanted) {
   const auto change = [](const char* key, std::string& unit, const std::string& to) {
     if (!to.empty() && !is_unit(to)) throw InputError(key, to, "is not a known unit");
@@ -64,8 +64,9 @@ bool joins_by_spline(const CamFormat* format) {
          (format->join == KnotJoin::spline || format->join == KnotJoin::clamped_spline);
 }
 
-/// The spline by which the controller joins the knots of a table: with the slopes of the table at both ends, or where
-/// the ends are not documented periodic if the cam repeats, else natural. Numbers are rounded as in the file.
+/// The spline by which the controller joins the knots of a table. Its ends have the slopes of the
+/// table; if the ends are not documented, it is periodic if the cam repeats, otherwise natural.
+/// Numbers are rounded as in the file.
 Columns controller_spline(const CamFormat& format, const Table& made) {
   Columns columns{made.columns().x, made.columns().p, std::vector<double>(made.size()), {}};
   if (format.single)
@@ -98,8 +99,8 @@ Columns in_units_of(const TableFile& input, const Units& units, Columns columns)
   return columns;
 }
 
-/// The converted table as the controller plays it: its spline is the table if that is documented, and its distance from
-/// the input is the error.
+/// Changes the result to what the controller plays: if its spline is documented, the spline becomes
+/// the table, and its distance from the input is the error.
 void play_spline(const Input& input, const CamFormat& format, Converted& result) {
   Columns spline = controller_spline(format, result.file.table);
   result.error = std::visit(
@@ -114,7 +115,7 @@ void play_spline(const Input& input, const CamFormat& format, Converted& result)
                               result.file.table.outside(), std::move(spline));
 }
 
-/// "laws, limits, coupling and 2 cam switches stay in the spec"
+/// Text such as "laws, limits, coupling and 2 cam switches stay in the spec".
 std::string left_in(const Spec& spec) {
   std::vector<std::string> parts{"laws", "limits"};
   if (spec.coupling) parts.emplace_back("the coupling");
@@ -125,7 +126,7 @@ std::string left_in(const Spec& spec) {
   return fmt::format("{} and {} stay in the spec", fmt::join(parts, ", "), last);
 }
 
-/// Losses of a table in a format beside a table of Jounce.
+/// Adds what a table in this format loses, compared with a table of Jounce.
 void add_losses(std::vector<std::string>& all, const CamFormat& format, const Table& table) {
   if (format.join == KnotJoin::lines)
     all.emplace_back("positions only: the error is that of straight lines between them");
@@ -144,7 +145,7 @@ void add_losses(std::vector<std::string>& all, const CamFormat& format, const Ta
     all.emplace_back("the file does not state that the cam repeats: read it with --periodic");
 }
 
-/// Knots, rule and units; without the spline of a controller.
+/// Converts knots, rule and units, without the spline of a controller.
 Converted converted_once(const Input& input, const Conversion& wanted) {
   if (wanted.format != nullptr) require_cam(*wanted.format, input.table.table);
   Converted result{input.table, input.error};
@@ -167,7 +168,8 @@ bool keeps(const Target& target, const SampleError& error) {
 Converted converted(const Input& input, const Conversion& wanted) {
   Converted result = converted_once(input, wanted);
   if (!joins_by_spline(wanted.format) || !wanted.target) return result;
-  // Knots that keep a tolerance by the rule of the table need not keep it by the spline: take more.
+  // Knots that keep a tolerance with the rule of the table may not keep it with the spline: then
+  // more knots are used.
   Conversion finer = wanted;
   for (int i = 0; i < 30 && !keeps(*wanted.target, *result.error); ++i) {
     for (std::optional<double>* tolerance :

@@ -21,7 +21,7 @@ std::vector<double> grid(double from, double to, std::size_t steps) {
   return lengths;
 }
 
-/// The number; "" if nothing limits the speed, or no cut can be made.
+/// The number as text; "" if nothing limits the speed or if no cut is possible.
 std::string finite(double value) {
   return std::isfinite(value) && value > 0 ? number(value) : "";
 }

@@ -9,11 +9,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Error of the velocity of a table of fewest knots, and the reason for their number.
+/// For a table of fewest knots: the error of its velocity, and the reason for the number of knots.
 std::string fewest_text(const Input& input) {
   const std::string rate = input.labels.over_master ? std::string(OverMaster::names[1])
                                                     : std::string(OverTime::names[1]);
-  const char* why = *input.binding == Binding::none ? "two knots do"
+  const char* why = *input.binding == Binding::none ? "two knots are enough"
                     : *input.binding == Binding::most
                         ? "the smallest error for this number of knots, or close to it"
                     : *input.binding == Binding::tolerance

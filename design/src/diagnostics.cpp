@@ -8,20 +8,21 @@
 namespace jounce {
 namespace {
 
-/// The file that findings are about; a table has no spec.
+/// The file of the findings; a table has no spec.
 struct Subject {
   const Spec* spec;
   const Labels& labels;
   const std::string& axis;
 };
 
-/// A key of the document of a spec, and its place.
+/// A key in the document of a spec, and its place.
 struct KeyPlace {
   std::string key;
   FilePlace place;
 };
 
-/// The place of the first of these keys that the document has; no file if it has none.
+/// The place of the first of these keys that exists in the document; without a file if there is
+/// none.
 KeyPlace first_of(const Document& document, const std::vector<std::string>& keys) {
   for (const std::string& key : keys)
     if (const auto at = document.places.find(key); at != document.places.end())
@@ -29,7 +30,7 @@ KeyPlace first_of(const Document& document, const std::vector<std::string>& keys
   return {};
 }
 
-/// The number in "3 return" or "line 40"; 0 if there is none.
+/// The number in a label such as "3 return" or "line 40"; 0 if there is none.
 int number_in(const std::string& label) {
   const auto at = label.find_first_of("0123456789");
   int number = 0;
@@ -38,7 +39,7 @@ int number_in(const std::string& label) {
   return number;
 }
 
-/// "axis[2]." for the second of several axes.
+/// The prefix "axis[2]." for the second of several axes.
 std::string prefix_of(const Subject& subject) {
   const auto& axes = subject.spec->axes;
   const auto own = std::find_if(axes.begin(), axes.end(),
@@ -46,13 +47,14 @@ std::string prefix_of(const Subject& subject) {
   return own == axes.end() ? "" : "axis[" + std::to_string(own - axes.begin() + 1) + "].";
 }
 
-/// True if the segments of the curve are those of the file. An operator makes others.
+/// True if the segments of the curve are those of the file. Operators make other segments.
 bool keeps_segments(const Spec& spec) {
   return std::all_of(spec.then.begin(), spec.then.end(),
                      [](const Operator& each) { return std::holds_alternative<RetimeSpec>(each); });
 }
 
-/// The table of the finding's segment: [[segment]], [[command]], the end of it where the file has points.
+/// The place of the finding's segment: its line in a path; otherwise [[segment]] or [[command]], or
+/// the [[point]] or [[knot]] at its end.
 KeyPlace place_of_segment(const Finding& finding, const Subject& subject) {
   if (!finding.segment || !keeps_segments(*subject.spec)) return {};
   const Document& document = subject.spec->document;
@@ -91,7 +93,7 @@ KeyPlace place_of_limit(const Finding& finding, const Subject& subject) {
   }
 }
 
-/// The section of a finding that has neither a segment nor a limit.
+/// The section for a finding without a segment and without a limit.
 KeyPlace place_of_section(const Finding& finding, const Subject& subject) {
   const std::string own = prefix_of(subject);
   std::string section = name(finding.rule.family());

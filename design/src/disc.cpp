@@ -21,7 +21,7 @@ const DiscPart& require_disc(const Spec& spec) {
   return *spec.disc;
 }
 
-/// Calls `work`; gives its errors the keys and the place of the document.
+/// Calls `work`; its errors get the keys and the place in the document.
 template <class Work>
 auto placed(const Spec& spec, Work work) {
   try {

@@ -6,7 +6,7 @@
 namespace jounce {
 namespace {
 
-/// Unit of the value of a finding; "": the unit of the position.
+/// Unit of the value of a finding; "" is the unit of the position.
 std::string unit_of(const Rule& rule) {
   if (rule.name().ends_with("torque") || rule == "drive/saturation") return "N m";
   if (rule.name().ends_with("velocity")) return "rad/s";

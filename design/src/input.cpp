@@ -50,15 +50,16 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           std::move(made.overlap)};
 }
 
-/// True if the number of knots is given: the table has the least error for it.
+/// True if the number of knots is given, so that the table has the least error for this number.
 bool is_best_of_so_many(const Input& input) {
   return input.options.target && !input.options.tolerance;
 }
 
-/// The greatest error of a derivative of a table due to the rounding of its knots to doubles. An error d of the
-/// position makes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded place x
-/// counts as an error of v x of the position. A knot beside a shorter interval, of length S, may have d / S more
-/// velocity, which removes the error from that interval (sample.cpp) and makes an error of 36 d / (S L^2) here.
+/// The greatest error of a derivative of a table that is caused by rounding its knots to doubles.
+/// An error d of the position causes an error of 60 d / L^3 of the jerk in a quintic of length L,
+/// less in a cubic. A rounded place x counts as an error v x of the position. A knot beside a
+/// shorter interval, of length S, may have d / S more velocity, which removes the error from that
+/// interval (pvt/src/sample/sample.cpp) and causes an error of 36 d / (S L^2) here.
 double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
   constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
   constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
@@ -77,7 +78,8 @@ double rounding_of_knots(const Table& table, double largest_position, const Find
          std::pow(length, static_cast<double>(order));
 }
 
-/// The limits that the table breaks between its knots and the curve does not, by more than the rounding of the knots.
+/// Findings for the limits that the table breaks between its knots and the curve keeps, by more
+/// than the rounding of the knots.
 Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
   Report report = check(table, limits);
   const Ranges peaks = extrema(table);
@@ -97,7 +99,7 @@ Report check_table(const Table& table, const Limits& limits, const Report& of_cu
   return report;
 }
 
-/// The error of the table against its tolerance.
+/// The finding for the error of the table against its tolerance.
 Finding table_error(const Input& input) {
   const double allowed = *table_tolerance(input);
   const bool broken = input.error->position > allowed;
@@ -119,7 +121,8 @@ void append(Report& report, const Report& part) {
   report.findings.insert(report.findings.end(), part.findings.begin(), part.findings.end());
 }
 
-/// Continuity at the joints. The moving ends of a cam that runs once are no joints: add_ends() reports them.
+/// Checks the continuity at the joints. The moving ends of a cam that runs once are no joints;
+/// add_ends() reports them.
 Report check_joints(const Input& input, int continuity) {
   if (input.labels.over_master) {
     const Cam& cam = std::get<Cam>(*input.curve);
@@ -136,18 +139,19 @@ Report check_curve(const Input& input, int continuity) {
   if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
-  // The table may break a limit between the knots that the curve keeps.
+  // The table may break a limit between its knots although the curve keeps it.
   append(report, check_table(table, input.limits, report));
   return report;
 }
 
-/// Velocity of the master per second; 0 if none is given.
+/// Velocity of the master in units per second; 0 if none is given.
 double master_speed(const Spec& spec, const EngageState& at) {
   const double speed = spec.master ? spec.master->velocity / seconds_per_unit(spec) : 0;
   return at.master_velocity.value_or(speed);
 }
 
-/// Findings of the start of the coupling. A coupling counts in s, also if the spec has another unit of time.
+/// Findings for the start of the coupling. Times of a coupling are in s, also if the spec has
+/// another unit of time.
 Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   const Coupling coupling(cam, *spec.coupling);
   const double slave = at.slave.value_or(value(cam.segments().front(), 0));
@@ -162,8 +166,8 @@ Report check_coupling(const Spec& spec, const Cam& cam, const EngageState& at) {
   return report;
 }
 
-/// Adds advice to a moving end of a cam: the motion of the slave after the end, or the jump of a slave at rest at the
-/// beginning.
+/// Adds advice to the finding for a moving end of a cam: the motion of the slave after the end, or
+/// the jump of a resting slave at the beginning.
 void explain_end(Finding& end, const Input& input, const EngageState& at) {
   const Spec* const spec = input.spec ? &*input.spec : nullptr;
   const Units& units = input.labels.units;
@@ -171,9 +175,9 @@ void explain_end(Finding& end, const Input& input, const EngageState& at) {
   const double speed = spec != nullptr ? master_speed(*spec, at) : at.master_velocity.value_or(0);
   const double slave = end.value * coupling.slave_scaling * coupling.master_scaling * speed;
   if (speed != 0)
-    end.advice =
-        fmt::format("at the master's {} {} the slave moves at {} {} there; ", rounded(speed),
-                    rate_unit(units.x, "s", 1), rounded(slave), rate_unit(units.position, "s", 1));
+    end.advice = fmt::format("at the master velocity {} {}, the slave moves at {} {} there; ",
+                             rounded(speed), rate_unit(units.x, "s", 1), rounded(slave),
+                             rate_unit(units.position, "s", 1));
   if (end.rule == "coupling/begin") {
     end.broken = true;
     end.margin = -1;
@@ -190,8 +194,9 @@ void explain_end(Finding& end, const Input& input, const EngageState& at) {
   if (!in_gear) end.severity = Severity::warning;
 }
 
-/// Adds the ends of a cam that runs once. The ends of a follow spec are checked with its tables, the beginning of a
-/// coupled cam with its coupling. A cam that refuses a master outside may begin moving.
+/// Adds findings for the ends of a cam that runs once. Other checks contain the ends of a follow
+/// spec (tables) and the beginning of a coupled cam (coupling). A cam that refuses positions
+/// outside may begin in motion.
 void add_ends(const Input& input, const EngageState& at, Report& report) {
   if (!input.labels.over_master) return;
   const Cam& cam = std::get<Cam>(*input.curve);
@@ -205,7 +210,7 @@ void add_ends(const Input& input, const EngageState& at, Report& report) {
     if (f.rule == "coupling/end" || f.rule == "coupling/begin") explain_end(f, input, at);
 }
 
-/// Names the error with which HIMC refuses a table that breaks a limit.
+/// Adds the number of the error with which HIMC rejects a table that breaks a limit.
 void name_himc_errors(Report& report) {
   for (Finding& f : report.findings) {
     if (!f.broken || f.rule.family() != RuleFamily::limit) continue;
@@ -214,8 +219,8 @@ void name_himc_errors(Report& report) {
   }
 }
 
-/// Reports a step of the velocity once: the finding of the continuity check, with the advice of the warning, which fits
-/// the type of the table.
+/// Reports each step of the velocity once. The finding of the continuity check gets the advice of
+/// the warning, which depends on the type of the table.
 Report merged(Report warnings, Report& found) {
   std::erase_if(warnings.findings, [&](const Finding& w) {
     if (w.rule != "pt/velocity_step" && w.rule != "pt/end_velocity") return false;

@@ -19,7 +19,7 @@
 namespace jounce {
 namespace {
 
-/// The rms of the `order`th derivative.
+/// The rms of the derivative of this order.
 template <class Over>
 double rms(const Curve<Over>& curve, int order) {
   double sum = 0;
@@ -45,7 +45,8 @@ bool has_current(const DriveSpec& spec) {
   return spec.drive.motor.torque_constant > 0;
 }
 
-/// The figures of a run of the drive, as far as the spec has the data for them. "u": the unit of the position.
+/// The figures of a run of the drive for which the spec has the data. The unit "u" is that of the
+/// position.
 struct DriveFigure {
   const char* name;
   const char* unit;
@@ -91,16 +92,16 @@ constexpr std::array drive_figures{
                 [](const auto& spec) { return spec.drive.motor.resistance > 0; }},
 };
 
-/// A figure that is computed on request.
+/// A figure that is computed when it is requested.
 struct Offer {
   std::string name;
   std::string unit;
   std::function<double()> value;
-  bool of_drive = false;  ///< needs the drive's integration
+  bool of_drive = false;  ///< true: requires the integration of the drive
   std::optional<double> limit = {};
 };
 
-/// One axis of a design. Costly results are computed at most once.
+/// One axis of a design. Results that take long are computed at most once.
 class Looked {
  public:
   explicit Looked(Input input) : input_(std::move(input)) {}

@@ -16,7 +16,8 @@ std::string shown(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "∞";
 }
 
-/// Right-aligned in `width` columns on a terminal: ∞ is one column and three bytes.
+/// The value, right-aligned in `width` columns of a terminal. The sign ∞ is one column, but three
+/// bytes.
 std::string cell(double value, std::size_t width) {
   const std::string text = shown(value);
   const std::size_t columns = std::isfinite(value) ? text.size() : 1;
@@ -140,7 +141,8 @@ std::vector<Law> rising_laws() {
 }
 
 Characteristics characteristics(Law law) {
-  // Values beside a dwell, the usual case: a law whose acceleration steps there has no finite jerk.
+  // The values next to a dwell, the usual case. A law whose acceleration steps there has an
+  // infinite jerk.
   const bool reverses = info(law).ends == Ends::rest_to_reversal;
   return characteristics(Cam(normalised(law, shown_form(law)), 0,
                              reverses ? Extrapolation::refuse : Extrapolation::hold));

@@ -28,7 +28,7 @@ void judge(Finding& f, double value) {
   f.broken = f.margin < -1e-12;
 }
 
-/// The greatest |torque| of the curve, with its segment.
+/// The finding for the greatest |torque| of the curve, with its segment.
 Finding peak_finding(const LoadTorque& torque, const Cam& cam, const std::vector<Segment>& shape,
                      double limit) {
   Finding f = against(limit, "limit/load_torque", "torque");

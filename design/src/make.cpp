@@ -38,8 +38,8 @@ namespace {
 
 using design_detail::cam_of;
 
-/// True if the acceleration steps at a knot: a quintic needs one acceleration there. Steps at the ends of a curve that
-/// does not repeat are outside the table.
+/// True if the acceleration steps at a knot; a quintic requires a single acceleration there. Steps
+/// at the ends of a curve that does not repeat are outside the table.
 template <class Over>
 Interpolation rule_for(const Curve<Over>& curve, const TableOptions& options) {
   if (options.rule) return *options.rule;
@@ -56,7 +56,7 @@ double fine(const Curve<Over>& curve) {
   return 1e-9 * (stroke > 0 ? stroke : 1);
 }
 
-/// The table of fewest knots. Its errors name the keys of [table].
+/// The table of fewest knots. Its errors have the keys of [table].
 template <class Over>
 Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options) {
   target.rule = rule_for(curve, options);
@@ -95,12 +95,12 @@ Mode mode_over_master(const Spec& spec) {
   return {spec.polydyne->frequency / speed, spec.polydyne->damping};
 }
 
-/// The cam that moves the load as the knots state, through the mode of the spec.
+/// The cam that makes the load move as the knots state, in spite of the spec's mode.
 Polydyne driven(const Spec& spec, const Cam& output) {
   return polydyne(output, mode_over_master(spec));
 }
 
-/// Residual vibration after one run of the cam at the speed of the master.
+/// Residual vibration after one run of the cam, at the speed of the master.
 double residual_of(const Spec& spec, const Cam& cam) {
   const auto segments = cam.segments();
   return residual_vibration(Trajectory({segments.begin(), segments.end()}), mode_over_master(spec));
@@ -126,7 +126,7 @@ Made make_cam(const Spec& spec) {
 Made make_sync(const Spec& spec) {
   SyncCam made = sync_cam_of(std::get<SyncSpec>(spec.subject));
   std::vector<std::string> names;
-  std::size_t number = 0;  // the pieces of a law share a number
+  std::size_t number = 0;  // all pieces of a law have the same number
   for (std::size_t i = 0; i < made.segments.size(); ++i) {
     if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
     names.push_back(numbered(number, made.segments[i]));
@@ -136,7 +136,8 @@ Made make_sync(const Spec& spec) {
           std::move(made.zones)};
 }
 
-/// The motions before any operator, and the names of their segments; no names: 1, 2, ...
+/// The motions before any operator, and the names of their segments. Without names, segments have
+/// the numbers 1, 2, ...
 struct Motions {
   std::vector<Trajectory> curves;
   std::vector<std::string> names;
@@ -168,7 +169,8 @@ Motions motions_of(const Spec& spec) {
   return {{design_detail::motion_of(std::get<MoveSpec>(spec.subject))}, {}};
 }
 
-/// Names of the segments after the operators. A filter makes many segments without a meaning: they have no names.
+/// Names of the segments after the operators. The many segments of a filtered motion have no
+/// meaning, and so no names.
 std::vector<std::string> names_after(const Spec& spec, const Trajectory& curve,
                                      std::vector<std::string> names) {
   const bool same = std::all_of(spec.then.begin(), spec.then.end(), [](const Operator& each) {
@@ -203,8 +205,9 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
   return all;
 }
 
-/// A time table whose velocity steps is sampled as a linear table, the only rule with two velocities at a knot. The
-/// tolerance is a millionth of the stroke: its parabolas would need very many lines for less.
+/// A time table whose velocity steps becomes a linear table, the only rule that permits two
+/// velocities at a knot. The tolerance is a millionth of the stroke, because its parabolas would
+/// require very many lines for a smaller one.
 void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {
   if (!std::holds_alternative<TimeTableSpec>(spec.subject) || options.rule) return;
   const Jump step = largest_jump(with(curve, Extrapolation::refuse), 1);
@@ -218,7 +221,7 @@ void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& option
 
 std::vector<Made> make_motions(const Spec& spec) {
   std::vector<AxisPart> parts = spec.parts();
-  // The knots of a PVT spec are its table, unless an operator changes the motion.
+  // The knots of a PVT spec are its table, unless an operator has changed the motion.
   if (const auto* knots = std::get_if<Table>(&spec.subject); knots != nullptr && spec.then.empty())
     return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
   const Motions before = motions_of(spec);
@@ -273,7 +276,8 @@ std::vector<Made> make_axes(const Spec& spec) {
 Made make(const Spec& spec) {
   std::vector<Made> all = make_axes(spec);
   if (all.size() > 1)
-    throw spec.document.located(InputError("axis", std::to_string(all.size()), "must be one axis"));
+    throw spec.document.located(InputError("axis", std::to_string(all.size()),
+                                           "must be 1: this works with a single axis only"));
   return std::move(all.front());
 }
 
@@ -298,13 +302,13 @@ Trajectory master_of(const Spec& spec) {
   const double velocity = master.velocity / unit;
   const auto [start, end] = master_range(spec);
   const double turn = end - start;
-  // Every period has its own breaks, and each is integrated.
+  // Every period has its own breaks, which are all integrated.
   if (master.distance < 1e-9 * turn || master.distance > 1e4 * turn)
     throw InputError("master.distance", number(master.distance),
                      "must be 1e-9 to 1e4 times the length of the cam, " + six_digits(turn));
   if (master.distance / velocity < 1e-6)
     throw InputError("master.velocity", master.velocity,
-                     "must be lower: the master passes its distance in less than 1 us");
+                     "is too high: the master would travel master.distance in less than 1 us");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,
                       Extrapolation::hold);
@@ -358,12 +362,12 @@ Limits slave_limits_by_master(const Spec& spec) {
 
 namespace {
 
-/// The tighter of two limits of a rate.
+/// The lower of two limits of a rate.
 std::optional<double> tighter(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b ? std::min(*a, *b) : a ? a : b;
 }
 
-/// [limits] and [limits.slave].
+/// The limits of [limits] and [limits.slave] together.
 Limits all_limits(const Spec& spec) {
   const Limits slave = slave_limits_by_master(spec);
   Limits limits = spec.limits;
@@ -373,7 +377,8 @@ Limits all_limits(const Spec& spec) {
   return limits;
 }
 
-/// [limits.slave] of a cam while the master accelerates as [master] states; none without [master].
+/// The limits of [limits.slave] for a cam whose master accelerates as stated by [master]; none
+/// without [master].
 RampedLimits ramped_limits(const Spec& spec) {
   if (!spec.master) return {};
   const double w = spec.master->velocity;
@@ -392,7 +397,8 @@ CamProblem make_problem(const Spec& spec) {
         .at(spec.document.name);
   if (spec.polydyne)
     throw spec.document.located(InputError(
-        "polydyne", "", "cannot be combined with [optimize]: the knots then belong to the load"));
+        "polydyne", "",
+        "cannot be combined with [optimize], because its knots describe the motion of the load"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);
@@ -405,7 +411,7 @@ CamProblem make_problem(const Spec& spec) {
     problem.ramped = ramped_limits(spec);
     require_valid(problem);
   } catch (const InputError& error) {
-    // The problem names its own fields. All but these are under [optimize] in the document.
+    // The problem uses its own names. In the document, all but these keys are under [optimize].
     const bool of_a_knot = error.key().starts_with("segment") ||
                            error.key().starts_with("start.") || error.key().starts_with("limits.");
     const std::string key = of_a_knot ? error.key() : "optimize." + error.key();

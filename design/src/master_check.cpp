@@ -48,11 +48,12 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.broken = true;
   f.unit = master_rate_unit(spec, 2);
   f.advice = fmt::format(
-      "the slave reaches limits.slave.{} at any speed: [master] acceleration at most {}",
+      "the slave reaches limits.slave.{0} at any speed of the master: lower acceleration in "
+      "[master] to at most {1}",
       limit.quantity, rounded(limit.value));
   const double steady = greatest_master_velocity(cam, spec.slave).value;
   if (spec.master->velocity > steady)
-    f.advice += fmt::format("; and velocity at most {} even without it", rounded(steady));
+    f.advice += fmt::format(", and velocity to at most {}", rounded(steady));
   return f;
 }
 

@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-/// The position; after the end of the motion, its last position.
+/// The position at a time; after the end of the motion, its last position.
 double position_at(const Trajectory& motion, double time) {
   return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
 }
@@ -27,12 +27,12 @@ std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory
   return events;
 }
 
-/// The pulses of a compare in a plane; overlapping ones of an output are one.
+/// The pulses of a compare in a plane. Overlapping pulses of one output are joined.
 std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
                                   const Trajectory& y) {
   const std::vector<CompareEvent> fired = compared(zone, x, y);
   std::vector<OutputEvent> events;
-  std::map<int, double> ends;  // when the last pulse of each output ends
+  std::map<int, double> ends;  // end of the last pulse of each output
   std::map<int, std::size_t> last;
   for (const CompareEvent& event : fired) {
     const int output = zone.points[event.point].output;
@@ -54,7 +54,7 @@ std::vector<OutputEvent> of_zones(const PlaneCompare& zone, const Trajectory& x,
   return events;
 }
 
-/// The words of a G-code program that move nothing, and the lines of a path, as they begin.
+/// The words of a G-code program that do not move axes, and the starts of the lines of a path.
 OutputEvents of_path(const Spec& spec, const Plan& plan) {
   const auto& path = std::get<PathSpec>(spec.subject);
   OutputEvents events{{}, spec.time_unit, spec.units.position, {}, {}};
@@ -71,7 +71,7 @@ const Input& axis_of(const std::vector<Input>& axes, const std::string& name) {
                        [&](const Input& axis) { return axis.axis == name; });
 }
 
-/// [compare] of two axes, of the length along a path, or of one axis.
+/// The events of [compare]: for two axes, for the length along a path, or for one axis.
 OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
   const CompareSpec& compare = *spec.compare;
   OutputEvents events{{}, spec.time_unit, spec.units.position, {}, axes.front().labels};
@@ -94,8 +94,9 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
                                  [&](const Input& each) { return each.axis == compare.axis; });
   if (axis == axes.end()) {
     if (!axes.front().plan)
-      throw spec.document.located(
-          InputError("compare.axis", "\"path\"", "lines that overlap have no length along them"));
+      throw spec.document.located(InputError("compare.axis", "\"path\"",
+                                             "is not possible for lines that overlap in time: they "
+                                             "have no length along the path. Name an axis"));
     add(axes.front().plan->law().curve());
     return events;
   }
@@ -105,8 +106,8 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
   return events;
 }
 
-/// The slave behind its master, to 1e-12 of its positions: a switch position counts as reached within this distance
-/// (cam_switch.hpp).
+/// The motion of the slave, to 1e-12 of its positions. A switch position counts as reached within
+/// this distance (cam_switch.hpp).
 Trajectory slave_of(const Cam& cam, const Trajectory& master) {
   const double turns = std::abs(extrema(master, 0).peak().value) / cam.length();
   const double size = std::abs(extrema(cam, 0).peak().value) + std::abs(cam.advance()) * turns;

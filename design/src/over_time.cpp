@@ -19,7 +19,7 @@ double time_at(const Trajectory& master, double x) {
   return all.empty() ? master.end() : all.front();
 }
 
-/// The times at which the master passes the zones, period after period.
+/// The intervals of time in which the master is in the zones, for all periods.
 std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
                              const Trajectory& master) {
   std::vector<SyncZone> all;
@@ -43,7 +43,7 @@ std::vector<SyncZone> passed(const std::vector<SyncZone>& zones, const Cam& cam,
   return all;
 }
 
-/// The name of the cam's segment for each piece of the motion.
+/// For each piece of the motion, the name of the cam's segment.
 std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& master, const Cam& cam,
                                   const std::vector<std::string>& names) {
   std::vector<std::string> all;
@@ -73,7 +73,7 @@ Input over_time(const Input& input) {
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);
   slave.zones = passed(sync_zones(input), *cam, master);
   slave.curve = std::move(motion);
-  slave.spec.reset();  // its segments are over the master
+  slave.spec.reset();  // the segments of the spec are over the master
   return slave;
 }
 

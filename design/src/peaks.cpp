@@ -20,7 +20,8 @@ double peak_of(const Input& input, std::size_t order) {
       *input.curve);
 }
 
-/// Nothing where the given spec makes no curve: an optimization may begin from one that cannot move.
+/// The inputs of the given spec; empty if it makes no curve, because an optimization may begin with
+/// an impossible spec.
 std::vector<Input> given_inputs(const Spec& spec) {
   try {
     return inputs_of(spec, spec.document.name);
@@ -29,7 +30,7 @@ std::vector<Input> given_inputs(const Spec& spec) {
   }
 }
 
-/// "-12.5 %", or "13 times" the given.
+/// The change as text: "-12.5 %", or "13 times" the given value.
 std::string change(const PeakChange& peak) {
   if (!peak.given || !(*peak.given > 0)) return "";
   const double ratio = peak.optimized / *peak.given;
@@ -59,7 +60,7 @@ std::vector<PeakChange> peak_changes(const Spec& given_spec, const Spec& optimiz
 
 std::string peaks_text(const std::vector<PeakChange>& peaks) {
   std::string text = fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}\n", "peaks", "given",
-                                 "optimised", "change", "limit");
+                                 "optimized", "change", "limit");
   for (const PeakChange& peak : peaks)
     text += fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", peak.name,
                         peak.given ? rounded(*peak.given) : "-", rounded(peak.optimized),

@@ -6,7 +6,8 @@
 
 #include "design/src/cam_of.hpp"
 
-// From a spec with free shapes to the problem: the values that its knots omit, and its limits over time.
+// Makes the problem of a spec with free shapes: the values that its knots omit, and its limits over
+// time.
 
 namespace jounce {
 namespace {
@@ -19,8 +20,8 @@ bool is_free(const ShapeSpec& shape, std::size_t segment) {
   return false;
 }
 
-/// A knot between two free shapes states its slave position. The shapes choose the derivatives that it omits. Start and
-/// last knot of a periodic cam are one knot.
+/// A knot between two free shapes states its slave position. The optimization chooses the
+/// derivatives that it omits. In a periodic cam, the start and the last knot are one knot.
 void free_what_is_left_out(const CamSpec& cam, const ShapeSpec& shape,
                            std::vector<FreeKnot>& knots) {
   const std::size_t last = cam.segments.size();
@@ -51,7 +52,7 @@ std::array<LinearQuantity, 3> over_time(double w, double a) {
           LinearQuantity{"jerk", {0, 0, 3 * w * a, w * w * w}, 0}};
 }
 
-/// [limits.slave] with the master at its full speed, also while it accelerates and decelerates.
+/// Adds [limits.slave] for the master at its full speed, also while it accelerates and decelerates.
 void add_limits_over_time(const Spec& spec, std::vector<Corridor>& corridors) {
   (void)slave_limits_by_master(spec);
   if (!spec.master) return;

@@ -52,8 +52,8 @@ double tidy(double x) {
 std::vector<PtPoint> points_of(const Table& table) {
   if (table.rule() == Interpolation::quintic_hermite)
     throw InputError("rule", name(table.rule()),
-                     "points must end straight lines or parabolas: use --rule linear, or "
-                     "--controller googol_pt or googol_follow");
+                     "is not possible for the format points, which has only straight lines and "
+                     "parabolas: use --rule linear, or --controller googol_pt or googol_follow");
   const Columns& c = table.columns();
   std::vector<PtPoint> points;
   for (std::size_t i = 1; i < table.size(); ++i)

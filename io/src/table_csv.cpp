@@ -86,7 +86,7 @@ Head read_head(Lines& lines) {
     if (std::find(header_keys.begin(), header_keys.end(), key) == header_keys.end())
       lines.fail(key, text, "is not a key of the head of a table: remove it");
     if (!head.emplace(key, HeadEntry{text, lines.line()}).second)
-      lines.fail(key, text, "is there twice: remove one");
+      lines.fail(key, text, "is given twice: remove one");
   }
   for (const char* key : {"axis", "rule", "outside", "knots", "sha256"})
     if (!head.contains(key))
@@ -196,10 +196,10 @@ TableParts parse_csv(const std::string& text, const std::string& name) {
   while (!lines.only_blank()) read_row(lines, std::span(all).first(used));
   const auto& [knots, line] = head.at("knots");
   if (std::to_string(parts.columns.x.size()) != knots)
-    lines.fail(
-        "knots", knots,
-        "the file holds " + std::to_string(parts.columns.x.size()) + " rows: is it complete?",
-        line);
+    lines.fail("knots", knots,
+               "the number of rows in the file is " + std::to_string(parts.columns.x.size()) +
+                   ": is the file complete?",
+               line);
   return parts;
 }
 

@@ -36,7 +36,7 @@ class JsonReader {
   const Json& require(const char* key) {
     known_.insert(key);
     const auto it = object_.find(key);
-    if (it == object_.end()) fail(key, "", "is missing");
+    if (it == object_.end()) fail(key, "", "is missing: a Jounce table in JSON needs this key");
     return *it;
   }
 
@@ -86,7 +86,7 @@ Json parse_strictly(const std::string& text, const std::string& document) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw InputError(value.get<std::string>(), "", "is there twice: remove one").at(document);
+      throw InputError(value.get<std::string>(), "", "is given twice: remove one").at(document);
     return true;
   };
   try {
@@ -167,7 +167,8 @@ TableParts parse_json(const std::string& text, const std::string& name) {
   columns.finish();
   const std::string knots = top.require("knots").dump();
   if (knots != std::to_string(parts.columns.x.size()))
-    top.fail("knots", knots, "the columns hold " + std::to_string(parts.columns.x.size()));
+    top.fail("knots", knots,
+             "the number of rows in the columns is " + std::to_string(parts.columns.x.size()));
   top.finish();
   return parts;
 }

@@ -29,8 +29,9 @@ bool differs(const FileChange& change) {
 std::string counts(const std::vector<FileChange>& changes) {
   std::string text;
   for (const auto& [what, word] : words) {
-    const auto n = std::count_if(changes.begin(), changes.end(),
-                                 [&](const FileChange& each) { return each.what == what; });
+    const auto n =
+        std::count_if(changes.begin(), changes.end(),
+                      [what = what](const FileChange& each) { return each.what == what; });
     if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, word);
   }
   return text.empty() ? "no files" : text;

@@ -55,9 +55,10 @@ void add_diagnostics(FileChange& change, const Comparison& c, const Tolerance& t
     const bool exact = allowed == c.changes[k].rounding;
     Diagnostic d = diagnostic(
         "baseline/changed", Level::broken, change.file,
-        fmt::format("{} differs from the accepted version by {} at {}; {}", names[k],
-                    with_unit(largest.value, unit), with_unit(largest.where, c.labels.units.x),
-                    exact ? "no difference is allowed" : with_unit(allowed, unit) + " is allowed"));
+        fmt::format(
+            "{} differs from the accepted version by {} at {}; {}", names[k],
+            with_unit(largest.value, unit), with_unit(largest.where, c.labels.units.x),
+            exact ? "no difference is permitted" : with_unit(allowed, unit) + " is permitted"));
     d.axis = axis;
     d.quantity = names[k];
     d.unit = unit;

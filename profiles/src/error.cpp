@@ -11,7 +11,8 @@ namespace jounce {
 
 std::string number(double value) {
   char text[32];
-  // A whole number beyond 1e15 in full would be an integer to TOML, too large for one.
+  // A whole number beyond 1e15, written with all digits, would be an integer in TOML, and too large
+  // for one.
   const auto end = std::abs(value) < 1e15 ? std::to_chars(text, text + sizeof text, value)
                                           : std::to_chars(text, text + sizeof text, value,
                                                           std::chars_format::scientific);
@@ -20,7 +21,8 @@ std::string number(double value) {
 
 namespace {
 
-/// Rounded to this number of significant digits; an exponent without plus sign and leading zeros.
+/// The number with this number of significant digits; its exponent has no plus sign and no leading
+/// zeros.
 std::string rounded(double value, int digits) {
   char text[40];
   const auto end =
@@ -37,7 +39,7 @@ std::string rounded(double value, int digits) {
   return all;
 }
 
-/// The text, or its beginning where it is too long to read.
+/// The text; only its beginning if it is too long to read.
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 200;
   constexpr std::size_t kept = 60;
@@ -58,7 +60,7 @@ std::string six_digits_up(double value) {
   const std::string text = six_digits(value);
   double shown = 0;
   std::from_chars(text.data(), text.data() + text.size(), shown);
-  const double rounding = 1e-12 * std::abs(value);  // the rounding of its computation
+  const double rounding = 1e-12 * std::abs(value);  // rounding of the computation of the value
   if (!std::isfinite(value) || shown >= value - rounding) return text;
   return six_digits(shown + std::pow(10, std::floor(std::log10(std::abs(value))) - 5));
 }

@@ -21,7 +21,7 @@ Facts facts_of(const PathSummary& s, const Units& units) {
   facts.rows = {{"duration", time(s.duration)},
                 {"length", short_number(s.length) + " " + units.position},
                 {"with a stop at each corner", time(s.stop_duration)},
-                {"lower bound on this path", time(s.lower_bound) + " (proven; jerk not limited)"},
+                {"proven lower bound on this path", time(s.lower_bound) + " (without jerk limits)"},
                 {"at full speed", time(s.cost.at_full_speed)}};
   for (std::size_t k = 0; k < loss_causes; ++k) {
     const auto cause = static_cast<LossCause>(k);

@@ -122,8 +122,8 @@ std::string proof_text(const Proof& proof, const Input& input) {
     text += fmt::format("  {:<12} {}\n", who, says);
   };
   for (const auto& [who, w] : {std::pair{"exact curve", &proof.curve}, {"table", &proof.table}})
-    line(who, fmt::format("{}: the jerk integrated three times gives back position, velocity, "
-                          "acceleration to {:.1e}, {:.1e}, {:.1e} ({} steps)",
+    line(who, fmt::format("{}: three integrations of the jerk agree with position, velocity, "
+                          "acceleration to {:.1e}, {:.1e}, {:.1e} of their ranges ({} steps)",
                           w->report.ok() ? "ok" : "BROKEN", w->position.relative,
                           w->velocity.relative, w->acceleration.relative, w->integration.steps));
   if (proof.drive) text += drive_text(*proof.drive, *input.drive, u);

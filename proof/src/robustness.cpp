@@ -45,10 +45,11 @@ std::string robustness_text(const ToleranceResult& result, const std::string& un
                            : "");
   for (const ToleranceSpread& f : result.figures) {
     const std::string& u = f.unit == "u" ? unit : f.unit;
-    text +=
-        fmt::format("  {:<12} {}: {} {} on paper, {} at the worst ({:.0f} % of cases within {})\n",
-                    "", in_words(f.figure), rounded(f.nominal), u, rounded(f.worst.value), 99.0,
-                    rounded(f.most_of_all));
+    text += fmt::format(
+        "  {:<12} {}: {} {} with the given numbers, {} in the worst case ({:.0f} % of cases within "
+        "{})\n",
+        "", in_words(f.figure), rounded(f.nominal), u, rounded(f.worst.value), 99.0,
+        rounded(f.most_of_all));
     text += fmt::format("  {:<12}   worst at {}\n", "", numbers_text(f.worst));
   }
   return text;

@@ -133,9 +133,9 @@ void require_comparable(const Version& before, const Version& after) {
     try {
       (void)factor(*a, *b);
     } catch (const InputError&) {
-      throw InputError(
-          "", "",
-          names + "the unit of the " + what + " is " + *a + " in one, " + *b + " in the other");
+      throw InputError("", "",
+                       names + "the unit of the " + what + " is `" + *a + "` in the first and `" +
+                           *b + "` in the second");
     }
 }
 

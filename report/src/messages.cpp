@@ -39,10 +39,11 @@ std::string title_of(const Message& one) {
 
 std::string messages_markdown(const std::vector<Message>& all) {
   std::string text =
-      "# Messages\n\nAll numbers and names that an axis, an executor and the stream report. "
-      "`jounce explain NAME`\n"
-      "prints one of them, also the errors of controllers for cams ([their "
-      "table](../cam/errors.md)).\n"
+      "# Messages\n\nThe numbers and names that an axis, an executor, the stream and a check "
+      "report. "
+      "`jounce explain NAME` prints one\n"
+      "of them. It also explains the errors of controllers for cams and gears "
+      "([their table](../cam/errors.md)).\n"
       "`jounce explain --markdown` prints this page.\n";
   std::vector<Message> own;
   std::copy_if(all.begin(), all.end(), std::back_inserter(own),
@@ -107,7 +108,7 @@ std::vector<Message> messages_named(const std::vector<Message>& all, const std::
   throw InputError(
       "code", code,
       "is not the number or name of a message: " +
-          (meant.empty() ? "`jounce explain` lists all" : "did you mean " + meant + "?"));
+          (meant.empty() ? "`jounce explain` lists them all" : "did you mean " + meant + "?"));
 }
 
 }  // namespace jounce

@@ -38,6 +38,7 @@ std::string verdict(const Finding& finding) {
   // The limit of a master is not in the spec: it follows from those of the slave.
   const bool derived = finding.rule.text().starts_with("limit/master_");
   const std::string limit = rounded(finding.limit) + (derived ? " (from limits.slave)" : "");
+  if (std::isinf(finding.limit) && !finding.broken) return "has no limit";
   if (finding.broken && is_position_limit(finding))
     return fmt::format("{} the limit {} by {}",
                        finding.value > finding.limit ? "exceeds" : "is below", limit,
@@ -63,10 +64,11 @@ std::string verdict(const Finding& finding) {
 /// Distance above the proven bound.
 std::string of_bound(const Finding& f, const std::string& where) {
   if (f.rule == "bound/duration")
-    return fmt::format("{} = {}: {} {} the whole rise, the greatest possible value", f.quantity,
-                       rounded(f.value), percent(f.margin), f.broken ? "above" : "below");
+    return fmt::format("{} = {} is {} {} {}, the greatest possible value", f.quantity,
+                       rounded(f.value), percent(f.margin), f.broken ? "above" : "below",
+                       rounded(f.limit));
   if (f.rule.family() == RuleFamily::identity)
-    return fmt::format("{} of the rise from {} is {}, of any motion {}", f.quantity, where,
+    return fmt::format("{} of the rise from {} is {}; for every motion it is {}", f.quantity, where,
                        rounded(f.value), rounded(f.limit));
   const char* whose = f.rule == "bound/acceleration_for_jerk" ? "for its jerk" : "of any motion";
   return fmt::format("{} {} at {} is {} {} {}, the minimum {}", f.quantity, rounded(f.value), where,
@@ -83,13 +85,18 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
   if (f.rule == "warning/velocity_overshoot")
     return fmt::format("{} {} at {} exceeds {}, the {} at the end of the segment", f.quantity,
                        value, where, rounded(f.limit), f.quantity);
-  return fmt::format("{} {} at {} is against the segment's ends", f.quantity, value, where);
+  if (f.rule == "warning/reversal")
+    return fmt::format("the segment reverses: {} is {} at {}", f.quantity, value, where);
+  return fmt::format("{} {} at {} has the opposite sign of the {} at both ends of the segment",
+                     f.quantity, value, where, f.quantity);
 }
 
 /// Warnings of a time table.
 std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "pt/oscillation")
-    return fmt::format("{} changes by {} up to {} and back after it", f.quantity, value, where);
+    return fmt::format(
+        "{} alternates from point to point: it changes by {} up to {}, and then back", f.quantity,
+        value, where);
   if (f.rule == "pt/end_velocity")
     return fmt::format("{} is {} at the end, {}", f.quantity, value, where);
   return fmt::format("{} is {} at {}", f.quantity, value, where);
@@ -100,8 +107,9 @@ std::string of_compare(const Finding& f, const std::string& value, const std::st
   if (f.rule == "compare/missed")
     return fmt::format("{} of {} points fire", rounded(f.value), rounded(f.limit));
   if (f.rule == "compare/merged")
-    return fmt::format("points come {} apart at {}, and the pulse lasts longer", value, where);
-  return fmt::format("the output is up to {} late, at {}", value, where);
+    return fmt::format("the points at {1} are only {0} apart, less than the length of the pulse",
+                       value, where);
+  return fmt::format("the output fires late, by up to {} at {}", value, where);
 }
 
 /// Findings of a coupling without a limit: a step, a figure, or a start that it refuses.
@@ -115,21 +123,23 @@ std::string of_coupling(const Finding& f, const std::string& value, const std::s
     return steps ? fmt::format("{} steps by {} at the end of each period", f.quantity, value)
                  : fmt::format("{} is continuous from period to period", f.quantity);
   if (f.rule == "coupling/enter")
-    return fmt::format("the cam moves at {} where the master enters it, at {}", value, where);
+    return fmt::format("the cam already has the velocity {} where the master enters it, at {}",
+                       value, where);
   if (f.rule == "coupling/end" || f.rule == "coupling/begin")
-    return fmt::format("the cam {} moving, with {} {} at {}",
+    return fmt::format("the cam {} in motion, with {} {} at {}",
                        f.rule == "coupling/end" ? "ends" : "begins", f.quantity, value, where);
   if (f.rule == "coupling/ramp")
-    return fmt::format("the correction reaches {} {} {} {}", f.quantity, value,
+    return fmt::format("the ramp reaches {} {} {} {}", f.quantity, value,
                        f.where_unit.empty() ? "at" : "after", where);
-  return fmt::format("the slave cannot engage with its master at {}", where);
+  return fmt::format("the slave cannot engage while its master is at {}", where);
 }
 
 /// Findings of a slave in step: knives, shears, gears.
 std::string of_sync(const Finding& f, const std::string& where) {
   if (f.rule == "shear/sync")
-    return fmt::format("the carriage is in step for only {} {}, from {}: less than {} {}",
-                       rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
+    return fmt::format(
+        "the carriage is in step for only {} {}, from {} on; at least {} {} is recommended",
+        rounded(f.value), f.unit, where, rounded(f.limit), f.unit);
   if (f.rule == "knife/reversal")
     return f.broken ? fmt::format("the knife reverses at {}", where)
                     : fmt::format("the knife never reverses; it is slowest at {}", where);
@@ -137,10 +147,9 @@ std::string of_sync(const Finding& f, const std::string& where) {
     return fmt::format("the ratio steps from {} to {} {} at {}, where the slave engages",
                        rounded(f.limit), rounded(f.value), f.unit, where);
   if (f.rule == "gear/reversal")
-    return fmt::format("the slave reverses while it engages, fastest at {}", where);
+    return fmt::format("the slave moves backwards while it engages, fastest at {}", where);
   if (f.rule == "knife/slip")
-    return fmt::format("the blade is {:.3g} % slower along the web than in step at {}",
-                       100 * f.value, where);
+    return fmt::format("along the web, the blade is {:.3g} % too slow at {}", 100 * f.value, where);
   if (f.broken)
     return fmt::format("the blade is in the web for {} {}, but in step for only {} {}",
                        rounded(f.limit), f.unit, rounded(f.value), f.unit);
@@ -152,11 +161,12 @@ std::string of_sync(const Finding& f, const std::string& where) {
 std::string of_fill(const Finding& f, const std::string& value, const std::string& where,
                     const Labels& labels) {
   if (f.rule == "fill/limits")
-    return fmt::format("no velocities keep the limits between {} and the next knot, {} later",
-                       where, with_unit(f.value, labels.units.x));
+    return fmt::format(
+        "no velocities at the knots keep the limits between {} and the next knot, {} later", where,
+        with_unit(f.value, labels.units.x));
   return fmt::format(
-      "{} {} at the knots of {} rules out {}", f.quantity, value, where,
-      f.rule == "fill/convex" ? "the bend of the data" : "a motion without reversal");
+      "with the {} {} at a knot of the part from {} on, {}", f.quantity, value, where,
+      f.rule == "fill/convex" ? "the curve cannot bend as the points do" : "the motion reverses");
 }
 
 /// A quantity at a place; for a step, its size.
@@ -173,9 +183,9 @@ std::string of_step(const Finding& f, const std::string& value, const std::strin
 }
 
 std::string of_unstable_loop(const Finding& f, const std::string& where) {
-  return fmt::format(
-      "the loop is unstable{}: what is left of an error grows by the factor e in {} ms",
-      f.where > 0 ? " at " + where : "", rounded(1e3 / f.value));
+  return fmt::format("the loop is unstable: {} grows by the factor e = 2.718 every {} ms",
+                     f.where > 0 ? "an oscillation at " + where : "an error",
+                     rounded(1e3 / f.value));
 }
 
 /// A quantity against its limit.
@@ -194,8 +204,8 @@ std::string sentence(const Finding& f, const Labels& labels) {
   if (f.rule.name() == "integration") return fmt::format("the integration ended at {}", where);
   switch (f.rule.family()) {
     case RuleFamily::table:
-      return fmt::format("the table is {} from the exact curve at {}; {} is allowed", value, where,
-                         rounded(f.limit));
+      return fmt::format("the table differs from the exact curve by {} at {}; {} is permitted",
+                         value, where, rounded(f.limit));
     case RuleFamily::continuity:
       return of_step(f, value, where);
     case RuleFamily::joint:

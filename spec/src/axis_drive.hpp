@@ -9,16 +9,17 @@
 
 namespace jounce::spec_detail {
 
-/// [drive], as far as the executor of an axis needs it; also `spec`, `name` and so on.
+/// Reads the part of [drive] that the executor of an axis needs. The same table also has the keys
+/// of the model, or of another file.
 std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units);
 
-/// The keys of a drive behind shared memory.
+/// Reads the keys of a drive in shared memory.
 AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units);
 
-/// [drive.machine]: the switches and the index of a simulated machine.
+/// Reads [drive.machine]: the switches and the index of a simulated machine.
 std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const Units& units);
 
-/// A [drive]. Its owner may have read keys of its own before.
+/// Reads a [drive]. The caller may have read further keys of the table before.
 DriveSpec read_drive_table(TomlReader& table, const Units& units);
 
 }  // namespace jounce::spec_detail

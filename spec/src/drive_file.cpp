@@ -8,7 +8,7 @@
 namespace jounce {
 namespace {
 
-/// The table of a prefix: "mass[1]." is [[drive.mass]], "motor." is [drive.motor].
+/// The table for a prefix: "mass[1]." -> [[drive.mass]], "motor." -> [drive.motor].
 std::string table_of(const std::string& part) {
   return part.starts_with("mass[") ? "[[drive.mass]]" : "[drive." + part + "]";
 }

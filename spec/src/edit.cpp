@@ -18,7 +18,7 @@ namespace {
 
 using spec_detail::TomlEditor;
 
-/// A number of a knot. A missing key is added below the master, if that is permitted.
+/// Sets a number of a knot. A missing key is added below the master, if that is permitted.
 void set(TomlEditor& editor, const toml::table& table, const char* key, double before, double after,
          bool may_add) {
   if (before == after) return;
@@ -68,7 +68,7 @@ void set_law(TomlEditor& editor, const toml::table& segment, const CamSegment& a
   editor.add(segment, "law", "points", list_of(after.points));
 }
 
-/// Changes values that are in the text; adds nothing.
+/// Changes only values that are present in the text.
 void set_given(TomlEditor& editor, const toml::table& table, const CamKnot& before,
                const CamKnot& after) {
   set(editor, table, "slave", before.slave, after.slave, false);

@@ -22,7 +22,8 @@ using spec_detail::TomlReader;
 
 using spec_detail::read_unit;
 
-/// A kind of spec: its independent axis, and the function that reads its own part, after units, table and limits.
+/// A kind of spec: its independent axis, and the function that reads its own part after units,
+/// table and limits.
 struct Kind {
   const char* name;
   enum { over_time, over_master, no_curve } runs;
@@ -112,7 +113,7 @@ void read_axis(TomlReader& top, Spec& spec) {
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
-  if (!spec.drive)
+  if (!top.has("drive"))
     top.fail("drive", "",
              "is missing: add the section [drive]; `jounce new drive` writes an example");
   spec.subject = DriveAlone{};
@@ -159,7 +160,7 @@ constexpr std::array kinds{
     Kind{"drive", Kind::no_curve, read_drive_alone},
 };
 
-/// Kinds of files for other verbs.
+/// Rejects kinds of files that belong to other commands.
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
@@ -210,8 +211,8 @@ void spec_detail::require_version(TomlReader& top) {
 
 namespace {
 
-/// Throws InputError for a dotted key of too many parts. The parser nests a table for each part and destroys them
-/// recursively: 50 000 parts overrun the stack. It limits nested values itself.
+/// Throws InputError for a dotted key of too many parts. The parser nests a table for each part and
+/// destroys them recursively: 50 000 parts overrun the stack. It limits nested values itself.
 void require_shallow_keys(const Document& document) {
   constexpr std::size_t most = 256;
   int line = 1;

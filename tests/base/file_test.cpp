@@ -51,7 +51,7 @@ TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
 
 TEST_F(Files, ADeviceWithoutEndIsRefused) {
   EXPECT_THAT(why([] { (void)read_file("/dev/zero"); }),
-              HasSubstr("/dev/zero: must be a regular file, or give at most 256 MiB"));
+              HasSubstr("/dev/zero: must be a regular file, or a pipe of at most 256 MiB"));
 }
 
 /// Runs what writes to a pipe in a process of its own.

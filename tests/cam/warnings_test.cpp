@@ -48,7 +48,8 @@ TEST(Warnings, TheDefaultCamOfCodesysOvershootsItsVelocity) {
   EXPECT_NEAR(first.value, 1.512, 1e-12);
   EXPECT_NEAR(first.where, 72, 1e-9);
   EXPECT_EQ(first.advice,
-            "rho = 1 is not within 5/3 to 5/2: use a master length from 200 to 300, or a stroke "
+            "rho = slope * length / stroke = 1 is not within 5/3 to 5/2: use a master length from "
+            "200 to 300, or a stroke "
             "from 48 to 72");
 }
 

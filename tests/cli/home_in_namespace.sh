@@ -25,6 +25,14 @@ refused() {  # refused STATUS WORDS ARGUMENTS...
   grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
 }
 
+# The remedy of a rejected table names the axis.
+"$jounce" new move -o move.toml
+order bare disable || fail "disable: $(cat out)"
+"$jounce" stream move.toml --to bare > out 2>&1 && fail "a table for a disabled axis"
+grep -q 'refused: not_enabled: The axis is disabled. Enable the axis: `jounce order bare enable`.' out ||
+  fail "no remedy: $(cat out)"
+order bare enable || fail "enable: $(cat out)"
+
 # before it is homed
 refused 1 not_homed slide move --to 10mm
 order slide move --by 1mm || fail "a move by a distance: $(cat out)"

@@ -14,6 +14,8 @@
 #include "jounce/cam/coupling/coupling_cycle.hpp"
 #include "jounce/cam/design/design.hpp"
 #include "jounce/cam/switches/cam_switches.hpp"
+#include "jounce/gear/gear_in.hpp"
+#include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -36,6 +38,41 @@ std::string thrown(const std::function<void()>& f) {
 
 std::string engaging(const Coupling& coupling, const Jet& master) {
   return std::string("CouplingStatus ") + name(engage(coupling, {}, master, 0).status);
+}
+
+/// A GearIn of a resting slave to a master at 1 m/s.
+std::function<std::string()> gearing(const GearInSpec& spec) {
+  return [spec] { return thrown([&] { gear_in(spec, {}, {0, 1, 0, 0}, 0); }); };
+}
+
+/// "GearInPosStatus NAME" of a slave that would have to reverse, with avoid_reversal.
+std::function<std::string()> connecting(std::optional<double> slave_period) {
+  return [slave_period] {
+    // The slave is at its sync position already: it must run back to gain speed. Each of the five turns of 1e-3 is too
+    // short.
+    GearInPosSpec spec{.master_sync_position = 100, .master_start_distance = 100};
+    spec.avoid_reversal = true;
+    spec.slave_period = slave_period;
+    switch (gear_in_pos(spec).status) {
+      case GearInPosStatus::reversal_unavoidable:
+        return std::string("GearInPosStatus reversal_unavoidable");
+      case GearInPosStatus::reversal_on_linear_axis:
+        return std::string("GearInPosStatus reversal_on_linear_axis");
+      default:
+        return std::string("nothing");
+    }
+  };
+}
+
+/// "GearInPosStatus NAME" of a master that moves back while the slave connects.
+std::string reversing() {
+  const GearInPos gear = gear_in_pos(
+      {.master_sync_position = 100, .slave_sync_position = 50, .master_start_distance = 100});
+  GearInPosState state;
+  for (const double master : {-1.0, 20.0, 40.0}) state = step(gear, state, {master, 1, 0, 0}).state;
+  const GearInPosStep back = step(gear, state, {30, -1, 0, 0});
+  return back.status == GearInPosStatus::master_reversed ? "GearInPosStatus master_reversed"
+                                                         : "nothing";
 }
 
 /// A provocation of each error that this module can throw, by controller and code.
@@ -68,6 +105,13 @@ std::map<std::string, std::function<std::string()>> provocations() {
        }},
       {"PMC600 627", spec({.start = StartMode::ramp_in})},
       {"PMC600 628", spec({.master_scaling = 0})},
+      {"PMC600 675", gearing({.denominator = 0, .acceleration = 1})},
+      {"PMC600 676", gearing({.acceleration = 0})},
+      {"PMC600 677", gearing({.acceleration = 1, .deceleration = -1})},
+      {"PMC600 679", gearing({.acceleration = 1, .jerk = -1})},
+      {"PMC600 775", reversing},
+      {"PMC600 776", connecting(1e-3)},
+      {"PMC600 777", connecting({})},
       {"PMC600 678",
        [] {
          return engaging(Coupling(cam(Extrapolation::hold)), {NAN, 0, 0, 0});
@@ -111,7 +155,7 @@ TEST(ControllerErrors, EachThatTheLibraryCanGiveIsProvoked) {
   for (const ControllerError& error : controller_errors()) {
     const std::string here = error.here;
     const bool of_library = here.starts_with("InputError") || here.starts_with("CouplingStatus") ||
-                            here.starts_with("SwitchStep");
+                            here.starts_with("GearInPosStatus") || here.starts_with("SwitchStep");
     if (!of_library || elsewhere.contains(key(error))) {
       EXPECT_FALSE(provoke.contains(key(error))) << key(error);
       continue;
@@ -125,8 +169,8 @@ TEST(ControllerErrors, ListsEveryCodeOfTheManuals) {
   std::set<std::string> codes;
   for (const ControllerError& error : controller_errors()) codes.insert(key(error));
   EXPECT_EQ(codes.size(), controller_errors().size()) << "none twice";
-  for (const unsigned code :
-       {600U, 601U, 602U, 625U, 626U, 627U, 628U, 629U, 678U, 750U, 751U, 752U, 753U, 754U})
+  for (const unsigned code : {600U, 601U, 602U, 625U, 626U, 627U, 628U, 629U, 675U, 676U, 677U,
+                              678U, 679U, 750U, 751U, 752U, 753U, 754U, 775U, 776U, 777U})
     EXPECT_TRUE(codes.contains(key({"PMC600", code, "", "", ""}))) << code;
   for (unsigned code = 0x1388; code <= 0x1397; ++code)
     EXPECT_TRUE(codes.contains(key({"HMPL", code, "", "", ""}))) << code;

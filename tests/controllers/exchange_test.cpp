@@ -185,10 +185,12 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
             "t:3: knot[2].master = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")), "t:4: row = 3 values: must have 4");
   EXPECT_EQ(complaint(replaced(good, "X\tY\tV\tA", "X\tY\tA\tV")).substr(0, 13), "t:1: columns ");
-  EXPECT_EQ(complaint("5\n0;0\n1;1\n"),
-            "t:1: number of points = 5: the file holds 2: is it complete?");
+  EXPECT_EQ(
+      complaint("5\n0;0\n1;1\n"),
+      "t:1: number of points = 5: the number of points in the file is 2: is the file complete?");
   EXPECT_EQ(complaint("1 2 3 4\n"), "t: knots = 1: must be at least 2");
-  EXPECT_EQ(complaint("# knots: 9\n" + good), "t:1: knots = 9: the file holds 3: is it complete?");
+  EXPECT_EQ(complaint("# knots: 9\n" + good),
+            "t:1: knots = 9: the number of knots in the file is 3: is the file complete?");
   EXPECT_EQ(complaint("# master: degrie\n" + good), "t:1: master = degrie: is not a known unit");
   EXPECT_NE(complaint("CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n").find("KAS"), std::string::npos);
   EXPECT_NE(complaint("a : ARRAY[0..2] OF SMC_CAMXYVA := [(dX := 0), (dX := 1)];"), "");

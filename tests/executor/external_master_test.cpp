@@ -278,7 +278,8 @@ TEST(ExternalMasterRun, AMasterInAnotherUnitIsRefusedAndNamed) {
   site.line.unit = "in";
   site.advance(500ms);
   EXPECT_TRUE(site.seen(0).lost());
-  EXPECT_THAT(site.notices, Contains("master line: samples rejected: their unit is in, not mm"));
+  EXPECT_THAT(site.notices,
+              Contains("master line: samples rejected, because their unit is in, not mm"));
 }
 
 // Googol's example 7-8, 802 segments through a dynamic queue: PASS at 50000 pulses of a line at 50 a ms.

@@ -268,12 +268,13 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
   EXPECT_EQ(text({.zones = {{5, 5, 1}}}), "zone[1].to = 5: must be greater than from = 5");
   EXPECT_EQ(text({.zones = {{0, 50, 1}, {40, 60, 1}}}),
             "zone[2].from = 40: must be at least 50, the end of the previous zone");
-  EXPECT_EQ(text({.zones = {{0, 50, 1}, {50, 60, 2}}}),
-            "zone[2].ratio = 2: must be 1, the ratio of the slave there: let it reach the new "
-            "ratio before this zone");
+  EXPECT_EQ(
+      text({.zones = {{0, 50, 1}, {50, 60, 2}}}),
+      "zone[2].ratio = 2: must be 1, the ratio that the slave has there: let it reach the new "
+      "ratio before this zone");
   EXPECT_EQ(text({.zones = {{0, 50, 1, 3}}}),
-            "zone[1].slave = 3: must be 0, the position of the slave there: leave it out, or "
-            "change the point or zone before");
+            "zone[1].slave = 3: must be 0, the position that the slave has there: leave it out, or "
+            "change the previous point or zone");
   EXPECT_EQ(text({.points = {{20, 30}, {30, 35}}, .zones = {{10, 40, 1}}}),
             "point[2].slave = 35: must be 40, the position of the slave in zone 1 at this master: "
             "leave it out");

@@ -124,7 +124,8 @@ TEST(Follow, Example78WithOneSegmentLessIsFoundByItsEnd) {
   EXPECT_TRUE(report.findings[0].broken);
   EXPECT_EQ(report.findings[0].value, 119900);
   EXPECT_EQ(report.findings[0].limit, 120000);
-  EXPECT_THAT(report.findings[0].advice, HasSubstr("as much as segment 2 has"));
+  EXPECT_THAT(report.findings[0].advice,
+              HasSubstr("which equals segment 2: check whether a segment is missing"));
 }
 
 TEST(Follow, Example78WithOneSegmentLessAndTheEndKeptSteps) {
@@ -165,7 +166,8 @@ TEST(Follow, Example79MisprintIsNamed) {
   EXPECT_EQ(f->segment, 5U) << "the third segment of table 2";
   EXPECT_EQ(f->where, 60000 + 260000);
   EXPECT_NEAR(f->value, -0.85454545454545, 1e-12);
-  EXPECT_THAT(f->advice, HasSubstr("220000, is 11 times the usual 20000: check it"));
+  EXPECT_THAT(f->advice,
+              HasSubstr("220000, is 11 times that of the other segments, 20000: check it"));
   EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "the advice omits the consequence";
 }
 

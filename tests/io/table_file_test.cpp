@@ -135,14 +135,14 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
   const std::string csv = to_csv(small());
   EXPECT_EQ(complaint(""), "t:1: the file is empty");
   EXPECT_EQ(complaint(replaced(csv, "table 1", "table 7")),
-            "t:1: jounce table = 7: this program reads schema version 1");
+            "t:1: jounce table = 7: must be 1, the format version that this program reads");
   EXPECT_EQ(complaint(replaced(csv, "# rule: cubic_hermite", "# rule: cubic")),
             "t:3: rule = \"cubic\": must be one of linear, cubic_hermite, quintic_hermite");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "1,nan,1.5")),
             "t:9: column 2 = \"nan\": must be a finite number");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "1,2")), "t:9: row = 2 values: must have 3");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5\n", "")),
-            "t:5: knots = 3: the file holds 2 rows: is it complete?");
+            "t:5: knots = 3: the number of rows in the file is 2: is the file complete?");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "0,2,1.5")),
             "t:9: knot[2].time = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(csv, "[mm/s]", "[mm/min]")),
@@ -155,12 +155,13 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
 
   const std::string json = to_json(small());
   EXPECT_EQ(complaint(replaced(json, "\"jounce_table\": 1", "\"jounce_table\": 2")),
-            "t: jounce_table = 2: this program reads schema version 1");
+            "t: jounce_table = 2: must be 1, the format version that this program reads");
   EXPECT_EQ(complaint(replaced(json, "\"knots\": 3", "\"knots\": 3, \"knots\": 3")),
-            "t: knots: is there twice: remove one");
+            "t: knots: is given twice: remove one");
   EXPECT_EQ(complaint(replaced(json, "1.5", "null")),
             "t: columns.velocity[2] = null: must be a finite number");
-  EXPECT_EQ(complaint(replaced(json, "\"axis\": \"time\",", "")), "t: axis: is missing");
+  EXPECT_EQ(complaint(replaced(json, "\"axis\": \"time\",", "")),
+            "t: axis: is missing: a Jounce table in JSON needs this key");
 }
 
 TEST(WriteFile, LeavesNothingBehindWhenItCannotWrite) {

@@ -46,7 +46,7 @@ TEST(MissingParts, AreSentences) {
   summary.cycle.lost = 3;
   summary.axes[1].log_truncated = true;
   EXPECT_THAT(missing_parts(summary, "run.csv"),
-              ElementsAre("3 ticks are missing from the log",
+              ElementsAre("the log lacks 3 ticks: they could not be written in time",
                           "the log of knife is cut off: run.knife.csv.truncated"));
   EXPECT_THAT(missing_parts(summary, ""), IsEmpty()) << "without a log, no tick is missing";
   summary.record_lost = 7;

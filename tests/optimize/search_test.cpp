@@ -153,7 +153,7 @@ TEST(Search, StaysInItsDipWhenItIsNotToLookElsewhere) {
   const SearchOutcome outcome = search(box(2, -5.12, 5.12, 1.7), rastrigin_in_disc, {.starts = 1});
   expect_met(outcome, rastrigin_in_disc);
   EXPECT_EQ(outcome.starts, 0);
-  EXPECT_THAT(outcome.reason, HasSubstr("no proof"));
+  EXPECT_THAT(outcome.reason, HasSubstr("without proof"));
 }
 
 // ---- one variable ------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ TEST(Search, SaysWhatIsMissedLeastWhereNothingIsFeasible) {
   EXPECT_EQ(outcome.status, Status::infeasible);
   EXPECT_FALSE(outcome.usable());
   EXPECT_NEAR(outcome.answer.constraints[1], 0.5, 1e-4);
-  EXPECT_THAT(outcome.reason, HasSubstr("number 2 is missed by 0.5"));
+  EXPECT_THAT(outcome.reason, HasSubstr("constraint 2 is violated by 0.5"));
 }
 
 TEST(Search, SaysWhyNothingIsPossible) {

@@ -11,6 +11,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "support/errors.hpp"
 
@@ -198,7 +199,7 @@ TEST(SplineTimes, NamesWhatItRefuses) {
   EXPECT_NE(complaint(spec).find("limits[5]"), std::string::npos);
   spec = good;
   spec.duration = 3;
-  EXPECT_EQ(complaint(spec), "duration = 3: is found by times = \"shortest\": leave it out");
+  EXPECT_EQ(complaint(spec), "duration = 3: is computed by times = \"shortest\": leave it out");
   spec = good;
   spec.objective = TimeObjective::least_peak_jerk;
   EXPECT_NE(complaint(spec).find("duration = 0"), std::string::npos);

@@ -33,21 +33,20 @@ std::string rejected(const MotionState& from, const MotionState& to, double dura
 
 TEST(Explain, NamesTheValueOfTheTargetAndItsBound) {
   EXPECT_THAT(rejected({}, {.position = 1, .velocity = 12}),
-              EndsWith("bounds: velocity 12 is above velocity_max = 10"));
-  EXPECT_THAT(
-      rejected({}, {.position = 1, .velocity = -11, .acceleration = 200}),
-      EndsWith("bounds: velocity -11 is below velocity_min = -10, acceleration 200 is above "
-               "acceleration_max = 100"));
+              EndsWith("bounds: velocity 12 is above the highest permitted value 10"));
+  EXPECT_THAT(rejected({}, {.position = 1, .velocity = -11, .acceleration = 200}),
+              EndsWith("bounds: velocity -11 is below the lowest permitted value -10, acceleration "
+                       "200 is above the highest permitted value 100"));
 }
 
 // The acceleration 100 builds up over 0.1 s at jerk 1000, and so over 100^2 / 2000 = 5 of velocity.
 TEST(Explain, NamesTheVelocityBeforeTheTarget) {
-  EXPECT_THAT(
-      rejected({}, {.position = 1, .velocity = -8, .acceleration = 100}),
-      EndsWith("velocity -13 is below velocity_min = -10 before acceleration 100 at velocity -8"));
-  EXPECT_THAT(
-      rejected({}, {.position = 1, .velocity = 8, .acceleration = -100}),
-      EndsWith("velocity 13 is above velocity_max = 10 before acceleration -100 at velocity 8"));
+  EXPECT_THAT(rejected({}, {.position = 1, .velocity = -8, .acceleration = 100}),
+              EndsWith("velocity -13 is below the lowest permitted value -10 before acceleration "
+                       "100 at velocity -8"));
+  EXPECT_THAT(rejected({}, {.position = 1, .velocity = 8, .acceleration = -100}),
+              EndsWith("velocity 13 is above the highest permitted value 10 before acceleration "
+                       "-100 at velocity 8"));
 }
 
 TEST(Explain, NamesThePositionLimits) {
@@ -68,8 +67,8 @@ TEST(Explain, NamesWhatIsNotFiniteAndWhatIsNoBound) {
 TEST(Explain, NamesThePossibleDurations) {
   const Durations all = durations({}, {.position = 1}, bounds);
   const std::string text = rejected({}, {.position = 1}, all.minimum / 2);
-  EXPECT_THAT(text, HasSubstr("is given, possible are "));
-  EXPECT_NEAR(std::stod(text.substr(text.find("possible are ") + 13)), all.minimum, 1e-12);
+  EXPECT_THAT(text, HasSubstr("is given; possible durations are "));
+  EXPECT_NEAR(std::stod(text.substr(text.find("durations are ") + 14)), all.minimum, 1e-12);
 }
 
 }  // namespace

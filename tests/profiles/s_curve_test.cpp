@@ -152,5 +152,20 @@ TEST(Moves, RefuseWhatIsNoMove) {
                InputError);
 }
 
+// Distances below 1e-300: the duration was not a number, and the error was of a key that no spec has.
+TEST(Moves, ADistanceTooShortForADoubleIsAnErrorOfTheTarget) {
+  for (const double to : {1e-320, -5e-324}) {
+    const SCurveSpec spec{
+        .to = to, .velocity = 400, .acceleration = 4000, .deceleration = 2500, .jerk = 80000};
+    try {
+      s_curve(spec);
+      ADD_FAILURE() << to;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), "to");
+      EXPECT_EQ(error.rule(), "is too close to `from`: the move would be too short to compute");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace jounce::s_curve_test

@@ -74,8 +74,9 @@ TEST(PositionCompare, FiresAListInItsOrderAndWaitsForWhatIsMissed) {
   const Report report = check(wrong, motion, {});
   EXPECT_FALSE(report.ok());
   EXPECT_EQ(report.findings[0].rule, "compare/missed");
-  EXPECT_EQ(report.findings[0].advice,
-            "point 3 at 4000 is not passed after the one before, and blocks those after it");
+  EXPECT_EQ(
+      report.findings[0].advice,
+      "point 3 at 4000 is not passed after the previous one, and blocks all following points");
 }
 
 TEST(PositionCompare, SetsLevelsThereAndBack) {

@@ -107,7 +107,7 @@ TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
   ramp.unit = "mm/s";
   ramp.where = 0.03;
   ramp.where_unit = "s";
-  EXPECT_EQ(sentence(ramp, labels), "the correction reaches velocity 150 mm/s after 0.03 s");
+  EXPECT_EQ(sentence(ramp, labels), "the ramp reaches velocity 150 mm/s after 0.03 s");
   EXPECT_EQ(sentence(joint("polydyne/geo_acceleration", "step of geo_acceleration", 5.83), labels),
             "geo_acceleration steps by 5.83 mm/deg^2 at 460 deg");
   const std::string json = to_json({{start}}, labels);

@@ -107,7 +107,7 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
                        "1\nslave = 1\n"),
               HasSubstr("must be 1 or -1"));
   EXPECT_THAT(error_of("[follow]\nincrements = true\n[[segment]]\nmaster = -1\nslave = 1\n"),
-              HasSubstr("it is an increment"));
+              HasSubstr("with increments = true it counts from the previous segment"));
 }
 
 TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
@@ -119,8 +119,8 @@ TEST(FollowSpecFile, KeepsToWhatAGoogolTakes) {
   const std::string googol = "[follow]\ncontroller = \"googol\"\nincrements = true\n[[segment]]\n";
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 512\n"), "");
   EXPECT_EQ(complaint(googol + "master = 100\nslave = 50.5\nrepeat = 513\n"),
-            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table, the size of the "
-            "FIFO of memory 1");
+            "f.toml:7:1: segment = 513 segments: must be at most 512 in a table: the FIFO of the "
+            "controller holds no more (memory 1)");
   EXPECT_EQ(
       complaint(googol + "master = 0.5\nslave = 1\n"),
       "f.toml:8:10: segment[1].master = 0.5 pulse: must be a whole number of pulses: GT_FollowData "

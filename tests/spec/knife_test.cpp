@@ -80,7 +80,7 @@ TEST(KnifeSpec, RefusesInTheDocumentsWords) {
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nsync_length = 1\n"),
               HasSubstr("knife.sync_length = 1 in: cannot be combined"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nlaw = \"line\"\n"),
-              HasSubstr("knife.law = line: must be a symmetric rise"));
+              HasSubstr("knife.law = line: must be a symmetric law from rest to rest"));
   EXPECT_THAT(refusal("deg", "cut_length = 4\nsync_angle = 10\nmatching = \"none\"\n"),
               HasSubstr("knife.matching"));
 }

@@ -71,9 +71,10 @@ TEST(KnotsSpec, ShortestTimesOfTwoKnotsUnderAJerkLimit) {
 }
 
 TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
-  EXPECT_THAT(complaint(spec("times = \"shortest\"\nlimits = { jerk = 1 }\nknot = [{ time = 0, "
-                             "position = 0 }, { position = 1 }]\n")),
-              ::testing::HasSubstr("knot[1].time: is found by times = \"shortest\": leave it out"));
+  EXPECT_THAT(
+      complaint(spec("times = \"shortest\"\nlimits = { jerk = 1 }\nknot = [{ time = 0, "
+                     "position = 0 }, { position = 1 }]\n")),
+      ::testing::HasSubstr("knot[1].time: is computed by times = \"shortest\": leave it out"));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nknot = [{ position = 0 }, { position = 1 }]\n")),
       ::testing::HasSubstr(

@@ -500,10 +500,9 @@ INSTANTIATE_TEST_SUITE_P(
             move_spec(point + "duration = 5"),
             "a.toml:9:12: move.duration = 5 s: the move takes longer than the given duration; "
             "the next longer possible duration is 5.5"},
-        BadMotion{
-            move_spec(point + "direction = \"shortest\""),
-            "a.toml:9:13: move.direction = \"shortest\": needs the period of the axis, because "
-            "only a modulo axis has a choice of direction: add it, or leave direction out"},
+        BadMotion{move_spec(point + "direction = \"shortest\""),
+                  "a.toml:9:13: move.direction = \"shortest\": needs period, because only a modulo "
+                  "axis has a choice of direction: add period, or leave direction out"},
         BadMotion{move_spec(point + "period = -360"),
                   "a.toml:9:10: move.period = -360 mm: must be greater than 0"},
         BadMotion{move_spec(point + "to_velocity = 11"),
@@ -806,10 +805,9 @@ TEST(AxesSpec, PointsMayHaveRatesAtTheEndsLimitsOfAStretchAndANorm) {
   EXPECT_EQ(
       complaint(text("velocity = [150, 0]\n")),
       "a.toml:16:1: point: no motion was found that keeps the bounds without a reversal: begin and "
-      "end slower, within the limits of the stretch, or move the neighbouring points apart");
-  EXPECT_NE(
-      complaint(text("limits = { velocity = [1, 1] }\n")).find("which the first point has not"),
-      std::string::npos);
+      "end slower, within the limits of the stretch, or move the adjacent points apart");
+  EXPECT_NE(complaint(text("limits = { velocity = [1, 1] }\n")).find("so the first point has none"),
+            std::string::npos);
 }
 
 }  // namespace

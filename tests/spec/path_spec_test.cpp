@@ -337,7 +337,7 @@ TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
   std::string overlap = robot;
   overlap.replace(overlap.find("start = [300, 100]"), 0, "overlap = { deviation = 1 }\n");
   EXPECT_THAT(refused(overlap + scara + joints),
-              HasSubstr("kinematics: cannot be combined with an overlap"));
+              HasSubstr("kinematics: cannot be combined with overlap"));
 }
 
 TEST(PathSpecFile, AFramePutsTheCommandsIntoTheMachine) {

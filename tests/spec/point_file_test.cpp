@@ -95,7 +95,7 @@ TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
   EXPECT_EQ(curve.jet(3072, Side::left)[0], 4096);
   EXPECT_EQ(complaint(keys, "time,position,type\n1024,1024,sideways\n"),
             "points.csv:2: type = sideways: must be one of normal, even, stop, continue, or its "
-            "number from 0");
+            "number, counted from 0");
   EXPECT_EQ(complaint(pt + "[pt]\n", "time,position\n5,1\n4,2\n"),
             "points.csv:3: time = 4: must be greater than 5");
 }
@@ -119,7 +119,7 @@ TEST_F(PointFile, APtTableThatTheControllerRefusesIsNamedWithItsOwnLine) {
   EXPECT_THAT(complaint(pt + "[pt]\n", "time,position\n1,1e308\n2,-1e308\n"),
               ::testing::StartsWith("points.csv:2: position = 1e308: is too far"));
   EXPECT_THAT(complaint(pvt, "time,position,velocity\n0,0,0\n1,1e308,0\n2,-1e308,0\n"),
-              ::testing::StartsWith("points.csv:3: knot[2]: ends a segment whose value"));
+              ::testing::StartsWith("points.csv:3: knot[2]: is the end of a segment whose value"));
   const std::string follow =
       "kind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\npoints = "
       "\"points.csv\"\n";
@@ -135,9 +135,9 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
   const auto& curve = std::get<Trajectory>(*made.curve);
   EXPECT_EQ(curve.end(), 3);
   EXPECT_EQ(curve.jet(1)[1], 10);
-  EXPECT_EQ(
-      complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
-      "points.csv:3: delta_time = 0.0005: must be a whole number of ms, the resolution of TIME");
+  EXPECT_EQ(complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
+            "points.csv:3: delta_time = 0.0005: must be a whole number of ms, the resolution of "
+            "the data type TIME");
   EXPECT_THAT(
       complaint(head, "delta_time,velocity\n1,10\n0,0\n"),
       ::testing::StartsWith("points.csv:3: delta_time = 0: must be greater than 0 (PMC600"));

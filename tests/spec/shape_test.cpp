@@ -215,7 +215,7 @@ TEST(Load, RefusesWhatItCannotMean) {
   EXPECT_THAT(complaint("torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = "
                         "[\"rms torque\"]",
                         "coulomb = 1\n[optimize]\nminimize = [\"peak power\"]"),
-              testing::HasSubstr("a load without coulomb and lever"));
+              testing::HasSubstr("a load with coulomb or lever"));
 }
 
 TEST(ShapeFigures, OfADriveAreKnownByNameAndAskForOne) {
@@ -332,7 +332,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "segment[2].free: every segment next to a free knot must have a free shape"},
         Bad{"shape = 40 }", "shape = 40, slave = [60, 40] }",
             "must be [lower, upper], in this order"},
-        Bad{"[optimize]\nminimize = [\"rms torque\"]\n", "", "optimize: is missing: free shapes"},
+        Bad{"[optimize]\nminimize = [\"rms torque\"]\n", "", "optimize: is missing: a free shape"},
         Bad{"[\"rms torque\"]", "[]", "optimize.minimize: is missing"},
         Bad{"[\"rms torque\"]", "[\"rms torqe\"]", "did you mean \"rms torque\"?"},
         Bad{"[\"rms torque\"]", "[\"least torque\"]", "must be one of peak geo_velocity"},
@@ -341,18 +341,19 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "optimize.minimize[1].at: is missing"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = \"17 kg\" }]",
             "is not a unit of this quantity: give the value in Hz"},
-        Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = [20, 10] }]", "a band must ascend"},
+        Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = [20, 10] }]",
+            "a band must be [lowest, highest]"},
         Bad{"[\"rms torque\"]", "[{ figure = \"residual\", at = 17, damping = 1 }]",
-            "damping = 1: must be 0 <= damping < 1"},
+            "damping = 1: must be at least 0 and less than 1"},
         Bad{"[\"rms torque\"]", "[{ figure = \"rms torque\", weight = 0 }]",
             "optimize.minimize[1].weight = 0: must be greater than 0"},
         Bad{"[\"rms torque\"]", "[{ figure = \"rms torque\", weight = nan }]",
             "must be a finite number"},
         Bad{"[\"rms torque\"]",
             "[\"rms torque\"]\nceiling = [{ figure = \"energy\", at_most = 1 }]",
-            "cannot be limited"},
+            "cannot have a limit"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 3, to = 2, lower = 1 }]",
-            "optimize.corridor[1].from = 3 deg: must not be above to"},
+            "optimize.corridor[1].from = 3 deg: must be at most to = 2 deg"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2 }]",
             "a corridor needs a lower bound, an upper bound or a value"},
         Bad{"[\"rms torque\"]",

@@ -101,7 +101,7 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),
-              HasSubstr("shear.angle = 90 deg: must be between -90 and 90 deg"));
+              HasSubstr("shear.angle = 90 deg: must be greater than -90 and less than 90 deg"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1")), HasSubstr("shear.sync_time"));
 }
 
@@ -139,7 +139,7 @@ TEST(ShearSpec, TellsTheShortestCutAndTheFastestLine) {
   const double back = 1000 * std::sqrt(10 / std::sqrt(3.0) * 337.5 / 10000);
   EXPECT_NEAR(figure(all, "shortest cut").value, 525 + back, 1e-9);
   EXPECT_EQ(figure(all, "shortest cut").meaning,
-            "at 1000 mm/s: the slave's acceleration limit, on its return");
+            "at 1000 mm/s, limited by the slave's acceleration on its return");
   // L / v = 0.15 + 2 r v / a + sqrt(Ca (r v / a + 0.15) v / a), all in seconds.
   const double v = figure(all, "fastest line").value;
   const double ramp = 1.875 * v / 10000;
@@ -163,8 +163,9 @@ TEST(ShearSpec, WarnsOfASyncThatIsAsGoodAsNone) {
   EXPECT_NEAR(f.value, 4.5, 1e-9);
   EXPECT_EQ(f.limit, 10);
   EXPECT_EQ(f.advice, "the stroke is too short: lengthen it, or slow the line down");
-  EXPECT_EQ(sentence_over(f, "mm"),
-            "the carriage is in step for only 4.5 mm, from 187.5 mm: less than 10 mm");
+  EXPECT_EQ(
+      sentence_over(f, "mm"),
+      "the carriage is in step for only 4.5 mm, from 187.5 mm on; at least 10 mm is recommended");
   EXPECT_THAT(figure(sync_figures(of("192")), "in step").meaning,
               StartsWith("0.0045 s at 1000 mm/s"));
   EXPECT_TRUE(check_sync(of("250")).findings.empty());

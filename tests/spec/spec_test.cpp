@@ -177,9 +177,9 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:9:1: limits.velocity = 1: is not a key here; possible keys: "
             "geo_acceleration, geo_jerk, geo_velocity, position_max, position_min, slave"},
         Bad{cam, "[limits]", "[limits",
-            "a.toml:8:8: [limits: the header of a section needs a closing ]"},
+            "a.toml:8:8: [limits: needs a closing ] at the end of the section header"},
         Bad{cam, "law = \"quintic\"", "law = \"quintic\"\nlaw = \"line\"",
-            "a.toml:7:7: law = \"line\": is here a second time: remove one of the two"},
+            "a.toml:7:7: law = \"line\": is given twice: remove one of the two"},
         Bad{move, "velocity = 10", "velocity = 0",
             "a.toml:7:12: move.velocity = 0 mm/s: must be greater than 0"},
         Bad{move, "velocity = 10", "velocity = 1e400",

@@ -109,9 +109,8 @@ TEST(PtSpec, RefusesExample74AsPrinted) {
   const std::string printed =
       "point = [{time = 0.016, position = 40.1447}]\n[pt]\ncontroller = \"googol\"\n";
   EXPECT_EQ(message(googol(printed)),
-            "t.toml:4:18: point[1].time = 0.016 ms: must be a whole number of ms: GT_PtData takes "
-            "a long, "
-            "which makes it 0, and the table never advances");
+            "t.toml:4:18: point[1].time = 0.016 ms: must be a whole number of ms: GT_PtData "
+            "converts it to a long, here 0, and the table would never advance");
   EXPECT_THAT(message(pmc600(printed)), HasSubstr("units.position = \"mm\": must be pulse"));
   EXPECT_THAT(
       message(googol("[pt]\ncontroller = \"googol\"\n[[point]]\ntime = 1\nposition = 1\ntype = "
@@ -149,7 +148,7 @@ TEST(PtSpec, Pmc600ErrorsStandAtTheirKeys) {
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 1e-12\nposition = 1\n")),
               HasSubstr("point[1].delta_time = 1e-12 s: must be a whole number of ms"));
   EXPECT_THAT(message(pmc600(head + "[[point]]\ndelta_time = 0.0005\nposition = 1\n")),
-              HasSubstr("must be a whole number of ms, the resolution of TIME"));
+              HasSubstr("must be a whole number of ms, the resolution of the data type TIME"));
 }
 
 TEST(PvtSpec, SaysWhatHappensAtItsEnd) {

@@ -37,14 +37,16 @@ TEST(TomlSyntax, AQuantityNeedsQuotesAndADecimalPoint) {
   EXPECT_EQ(error_of("velocity = 400,5"),
             "a.toml:3:15: velocity = 400,5: a number has a decimal point: velocity = 400.5");
   EXPECT_EQ(error_of("periodic = True"),
-            "a.toml:3:12: periodic = True: must be true or false, in small letters");
+            "a.toml:3:12: periodic = True: must be true or false, in lower case");
 }
 
 TEST(TomlSyntax, NamesWhatIsMissing) {
   EXPECT_EQ(error_of("velocity = "), "a.toml:3:12: velocity: has no value: write velocity = VALUE");
-  EXPECT_EQ(error_of("velocity 400"), "a.toml:3:10: velocity: needs = between key and value");
+  EXPECT_EQ(error_of("velocity 400"),
+            "a.toml:3:10: velocity: needs a = between the key and its value");
   EXPECT_EQ(error_of("name = \"rise"), "a.toml:3:13: name = \"rise: the closing quote is missing");
-  EXPECT_EQ(error_of("[move"), "a.toml:3:6: [move: the header of a section needs a closing ]");
+  EXPECT_EQ(error_of("[move"),
+            "a.toml:3:6: [move: needs a closing ] at the end of the section header");
   EXPECT_EQ(error_of("end = { master = 1"),
             "a.toml:3:19: end: needs its closing } on the same line");
   EXPECT_EQ(error_of("end = { master = 1 slave = 2 }"),
@@ -53,9 +55,9 @@ TEST(TomlSyntax, NamesWhatIsMissing) {
 
 TEST(TomlSyntax, NamesWhatIsThereTwice) {
   EXPECT_EQ(error_of("name = \"a\"\nname = \"b\""),
-            "a.toml:4:8: name = \"b\": is here a second time: remove one of the two");
+            "a.toml:4:8: name = \"b\": is given twice: remove one of the two");
   EXPECT_EQ(error_of("[limits]"),
-            "a.toml:4:1: [limits]: is here a second time: keep one section, with the keys of both");
+            "a.toml:4:1: [limits]: is given twice: keep one section, with the keys of both");
 }
 
 }  // namespace

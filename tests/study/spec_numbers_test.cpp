@@ -89,11 +89,11 @@ TEST(SpecNumbers, RefuseWhatIsNoNumber) {
   EXPECT_EQ(refused("segment[1].law"), "a.toml:8: segment[1].law: is not a number");
   EXPECT_EQ(refused("segment[2].end"), "a.toml:13: segment[2].end: is not a number");
   EXPECT_EQ(refused("segment[2].end.slaves"),
-            "a.toml: segment[2].end.slaves: is not a number of this file: did you mean "
+            "a.toml: segment[2].end.slaves: names no number in this file: did you mean "
             "segment[2].end.slave?");
   EXPECT_EQ(refused("master.velocity"),
-            "a.toml: master.velocity: is not a number of this file; if the file leaves it out, "
-            "write it there first");
+            "a.toml: master.velocity: names no number in this file; if the file omits the key, add "
+            "it there first");
   EXPECT_EQ(refused("start.slave", std::nan("")),
             "a.toml: start.slave = nan: must be a finite number");
   const std::vector<SpecNumbers::Change> twice{{"start.slave", 1}, {"start.slave", 1}};

@@ -367,7 +367,7 @@ values = [2, 8, 4, 6]
   EXPECT_EQ(f.limit, 7);
   EXPECT_EQ(result.rows[1].why, "peak velocity above 7");
   EXPECT_THAT(summary_text(spec, result, summary_of(spec, result)),
-              HasSubstr("4 cases; 3 within all limits, 1 beyond one"));
+              HasSubstr("4 cases; 3 within all limits, 1 beyond a limit"));
 }
 
 TEST(Share, IsWilsons) {
@@ -405,10 +405,11 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
             "number to vary");
   EXPECT_EQ(
       refused("[[parameter]]\nkey = \"move.velocty\"\nvalues = [1]\n"),
-      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": is not a number of this file: did you "
+      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": names no number in this file: did you "
       "mean move.velocity? (" +
           path("move.toml") + ")");
-  EXPECT_THAT(refused(one), HasSubstr("needs exactly one of values, from (with to and count)"));
+  EXPECT_THAT(refused(one),
+              HasSubstr("needs exactly one of the keys values, from (with to and count)"));
   EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: give at least one value"));
   EXPECT_THAT(refused(one + "values = [nan]\n"), HasSubstr("must be a finite number"));
   EXPECT_THAT(refused(one + "values = [\"1 deg\"]\n"),

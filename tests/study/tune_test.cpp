@@ -271,7 +271,7 @@ TEST(ParametersSpec, RefusesWhatMakesNoSense) {
   EXPECT_THAT(said(least + parameter("move.velocty", "1, 2")),
               HasSubstr("did you mean \"move.velocity\"?"));
   EXPECT_THAT(said(least + parameter("move.jerk", "1, 2")),
-              HasSubstr("is not a number of this spec"));
+              HasSubstr("names no number in this spec"));
   EXPECT_THAT(said(least + parameter("move.velocity", "\"1 kg\", 2")), HasSubstr("range"));
   EXPECT_THAT(said(least + parameter("move.velocity", "2, 1")), HasSubstr("in this order"));
   EXPECT_THAT(said(least + parameter("move.velocity", "nan, 1")), HasSubstr("finite"));

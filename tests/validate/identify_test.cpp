@@ -399,7 +399,7 @@ TEST(Identify, RefusesBadInput) {
   const Drive drive = servo_400w();
   const Recording run = recorded(test::law_345(360, 0.3), drive, 51, {}, 1);
   expect_refused(run, {drive, {}}, "fit");
-  expect_refused(run, {drive, {"mass[2].inertia"}}, "is not a number of this drive");
+  expect_refused(run, {drive, {"mass[2].inertia"}}, "names no number of this drive");
   expect_refused(run, {drive, {"controller.position_gain"}}, "is a setting");
   expect_refused(run, {drive, {"motor.friction.coulomb"}}, "cannot be fitted from 0");
   expect_refused(run, {drive, {"motor.inertia", "motor.inertia"}}, "twice");

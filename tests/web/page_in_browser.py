@@ -84,7 +84,7 @@ def test():
         browser.run(f"{button}.dispatchEvent(new Event('{leaves}'))")
         shows("state", "standstill")
     move_to(1e9)
-    browser.wait_for("document.getElementById('said').textContent.includes('is refused')")
+    browser.wait_for("document.getElementById('said').textContent.includes('was rejected')")
     browser.open(address.split("#")[0])
     shows("state", "standstill")
     assert browser.run("[...document.querySelectorAll('button[data-what],section input')].every(b => b.disabled)")

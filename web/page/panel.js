@@ -13,11 +13,11 @@ const classOf = (state) => state === 'error_stop' ? 'fault' : moving.includes(st
 const asks = {
   stop: (axis) => [`Bring ${axis} to rest?`, 'Stop'],
   hold: (axis) => [`Hold ${axis} on its path?`, 'Hold'],
-  resume: (axis) => [`Let ${axis} go on? It may move at once.`, 'Resume'],
+  resume: (axis) => [`Resume the motion of ${axis}? It may move at once.`, 'Resume'],
   enable: (axis) => [`Enable ${axis}?`, 'Enable'],
-  disable: (axis) => [`Disable ${axis}? It holds its position no longer.`, 'Disable'],
+  disable: (axis) => [`Disable ${axis}? It will no longer hold its position.`, 'Disable'],
   reset: (axis) => [`Clear the fault of ${axis}?`, 'Reset'],
-  move: (axis, value, unit) => [`Start ${axis} to ${value} ${unit}? It moves at once.`, 'Start'],
+  move: (axis, value, unit) => [`Move ${axis} to ${value} ${unit}? It moves at once.`, 'Start'],
 };
 
 const number = (value, unit) => value === null || value === undefined ? '–'
@@ -43,10 +43,10 @@ async function send(axis, what, value, hold) {
       body: JSON.stringify(body)});
     const text = await answer.text();
     const reason = answer.headers.get('Content-Type').startsWith('application/json') ? JSON.parse(text).reason : text;
-    say(answer.ok ? `${axis}: ${what} accepted` : `${axis}: ${what} is refused: ${reason}`, answer.ok);
+    say(answer.ok ? `${axis}: ${what} accepted` : `${axis}: ${what} was rejected: ${reason}`, answer.ok);
     return answer.ok;
   } catch (error) {
-    say(`${axis}: the page's server cannot be reached; what the axis does is not known here`, false);
+    say(`${axis}: the server of this page cannot be reached; the state of the axis is unknown`, false);
     return false;
   }
 }
@@ -136,7 +136,7 @@ function show(axis) {
   const view = viewOf(axis.name), parts = view.parts;
   const silent = axis.heard === null || axis.heard > 1;
   view.element.classList.toggle('silent', silent);
-  if (axis.heard === null) { parts.state.textContent = 'not heard'; return; }
+  if (axis.heard === null) { parts.state.textContent = 'no message yet'; return; }
   const unit = axis.unit;
   parts.state.textContent = silent ? `silent for ${axis.heard.toFixed(0)} s` : words(axis.state);
   parts.state.className = `state ${silent ? 'waiting' : classOf(axis.state)}`;
@@ -242,7 +242,7 @@ function showCycle(axis) {
   if (section.hidden) return;
   const part = (name) => section.querySelector(`[data-cycle=${name}]`);
   part('facts').textContent = `every ${number(axis.cycle_ms, 'ms')}, ${axis.late} late by a period or more`;
-  for (const [name, what] of [['lateness', 'woken late'], ['computing', 'computed']]) {
+  for (const [name, what] of [['lateness', 'wake-up delay'], ['computing', 'computing time']]) {
     part(name).textContent = `${what}: half within ${within(axis[name], 0.5)} µs, 99.9 % within ${within(axis[name], 0.999)} µs`;
     section.querySelector(`canvas[data-bins=${name}]`).counts = axis[name];
   }
@@ -304,7 +304,7 @@ async function read(answer) {
 
 async function follow() {
   for (;;) {
-    let why = 'the page has lost its server; it tries again';
+    let why = 'no connection to the server of this page; trying again';
     try {
       const answer = await fetch('/events', {headers: token ? {'X-Jounce-Token': token} : {}});
       if (answer.ok) { link.textContent = 'live'; await read(answer); } else why = await answer.text();

@@ -27,8 +27,8 @@ std::string interval(const Cam& f) {
   return number(f.start()) + " to " + number(f.end());
 }
 
-/// f up to u and from there on, 0 < u < length. The two lengths add up to f's exactly: the greater
-/// one leaves a difference without rounding (Sterbenz).
+/// Divides f at u, 0 < u < length. The sum of both lengths is exactly that of f: the greater length
+/// leaves a difference without rounding (Sterbenz).
 std::pair<Segment, Segment> split(const Segment& f, double u) {
   const double rest = f.length - u;
   const double first = f.length - rest;
@@ -39,7 +39,7 @@ std::pair<Segment, Segment> split(const Segment& f, double u) {
   return halves;
 }
 
-/// Appends the part of a segment over [a, b] that lies between from and to.
+/// Appends the part of a segment over [a, b] that is between `from` and `to`.
 void append(Segments& out, Segment f, double a, double b, double from, double to, double apart) {
   const bool starts_within = a >= from - apart;
   const bool ends_within = b <= to + apart;
@@ -55,7 +55,7 @@ Segment lifted(const Segment& f, double by) {
   return by == 0 ? f : scaled(f, 1, by);
 }
 
-/// The segments of f's n-th turn that lie between from and to.
+/// Appends the segments of the n-th turn of f that are between `from` and `to`.
 void append_turn(Segments& out, const Cam& f, double from, double to, double n, double apart) {
   const double turn = n * f.length();
   const double gone = n * f.advance();
@@ -70,7 +70,8 @@ void append_rest(Segments& out, double from, double to, double apart, double sla
   if (to - from > apart) out.push_back(line(to - from, slave, slave));
 }
 
-/// f between from <= to, including its extrapolation; empty if that interval is rounding.
+/// The segments of f over [from, to], including its extrapolation; empty if the interval is only
+/// rounding.
 Segments cut(const Cam& f, double from, double to) {
   const double apart = axis_rounding(f.start(), f.end(), from, to);
   Segments out;
@@ -113,7 +114,8 @@ Cam part(const Cam& f, double from, double to) {
   return Cam(std::move(segments), from);
 }
 
-// Let phase = w + k L, 0 <= w < L: up to start + w the (k + 1)-th turn back, then the k-th.
+// Let phase = w + k L, 0 <= w < L: up to start + w it is the (k + 1)-th previous turn, then the
+// k-th.
 Cam phased(const Cam& f, double phase) {
   require_finite("phase", phase);
   if (!repeats(f.outside()))
@@ -163,7 +165,7 @@ Cam inserted(const Cam& f, double at, const Cam& g) {
 
 namespace {
 
-/// The number of turns of each in the common period.
+/// Number of turns of each cam in the common period.
 struct Turns {
   int f = 1;
   int g = 1;

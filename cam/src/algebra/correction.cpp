@@ -34,7 +34,7 @@ Correction Correction::over_master(const Jet& d, double origin, double distance)
   return c;
 }
 
-/// Value and derivatives by master, at u after the start.
+/// Value and derivatives with respect to the master, at the distance u from the origin.
 Jet Correction::by_master(double u) const {
   if (u >= 0) return evaluate(ahead_, u / distance_);
   const Jet c = evaluate(behind_, -u / distance_);

@@ -12,15 +12,16 @@
 
 #include "cam/src/design/parts.hpp"
 
-// Let x = g(y) for y = f(x). Differentiating f(g(y)) = y three times gives the inverse function's
-// rule. With r2 = f''/f' and r3 = f'''/f' nothing overflows before g does:
+// Let x = g(y) for y = f(x). Differentiating f(g(y)) = y three times gives the rule for inverse
+// functions. In terms of r2 = f''/f' and r3 = f'''/f', nothing overflows before g does:
 //
 //   (1)  g'   = 1 / f'
 //   (2)  g''  = -f'' / f'^3                     = -r2 g'^2
 //   (3)  g''' = (3 f''^2 - f' f''') / f'^5      = (3 r2^2 - r3) g'^3
 //
-// At a point of rest y - y0 ~ +-|x - x0|^n, n > 1, so x - x0 ~ +-|y - y0|^(1/n): every derivative
-// is infinite. With d = +1 for a rise, -1 for a fall, the signs that (1) to (3) tend to are
+// At a point of rest, y - y0 ~ +-|x - x0|^n with n > 1, so x - x0 ~ +-|y - y0|^(1/n): every
+// derivative is infinite. With d = +1 for a rise and -1 for a fall, the signs of the limits of (1)
+// to (3) are
 //
 //   (4)  g' -> d inf,   g'' -> -inf leaving the rest, +inf arriving at it,   g''' -> d inf
 //
@@ -45,14 +46,15 @@ bool rests(const Segment& f, double s) {
   return std::abs(evaluate(f, s)[1]) <= joint_rounding * magnitude(derivative(f));
 }
 
-/// The end of a piece from which an iteration measures: the nearer one, in the slave's position.
+/// The end of a piece from which an iteration measures: the one whose slave position is nearer.
 struct Anchor {
   double s = 0;
   double value = 0;
   bool rests = false;
 };
 
-/// The next s after an iterate with this f and slope f' by s: Newton's step, or (5) near a rest.
+/// The next s after an iterate with the value f and the slope f' (with respect to s): Newton's
+/// step, or (5) near a rest.
 double improved(double s, double f, double slope, double y, const Anchor& anchor) {
   if (!anchor.rests) return s - (f - y) / slope;
   const double reached = f - anchor.value;
@@ -61,17 +63,18 @@ double improved(double s, double f, double slope, double y, const Anchor& anchor
   return anchor.s + from * std::pow((y - anchor.value) / reached, 1 / n);
 }
 
-/// The position at which a straight line, or near a rest the cube of a jump in the jerk, reaches
-/// its `share`.
+/// The position at which a straight line reaches `share` of the travel; near a rest, the cube of a
+/// motion with constant jerk instead.
 double guess(const Anchor& low, const Anchor& high, double share) {
   const double width = high.s - low.s;
   if (share < 0.5) return low.s + width * (low.rests ? std::cbrt(share) : share);
   return high.s - width * (high.rests ? std::cbrt(1 - share) : 1 - share);
 }
 
-/// Returns s between low and high with f(s) = y, f monotone there. The middle replaces a step that
-/// leaves the bracket, or is longer than the previous one. The error after a step is about its
-/// square divided by the distance from the anchor, so a short step is the last.
+/// Returns s between low and high with f(s) = y, for f monotone there. If a Newton step leaves the
+/// bracket, or is longer than the previous step, the middle of the bracket replaces it. The error
+/// after a step is about its square divided by the distance from the anchor, so a short step is the
+/// last.
 double solved(const Segment& f, const Anchor& low, const Anchor& high, double y) {
   constexpr double short_step = 1e-9;
   const bool rises = high.value > low.value;
@@ -103,7 +106,8 @@ Jet at_rest(double master, bool rises, bool leaving) {
   return {master, d, leaving ? -infinite : infinite, d};
 }
 
-/// Equations (1) to (3), each if it is finite and its direction is the branch's.
+/// Equations (1) to (3). A value that is not finite, or has the wrong direction, is replaced by
+/// `infinite`.
 Jet by_slave(const Jet& f, const Jet& infinite) {
   const double g1 = 1 / f[1];
   if (f[1] == 0 || (f[1] > 0) != (infinite[1] > 0)) return infinite;
@@ -175,7 +179,7 @@ std::string span_of(const CamRun& run) {
   return "from " + number(run.from) + " to " + number(run.to);
 }
 
-/// An obstacle: the slave moves as in `value`'s run, but a single inverse requires `limit`.
+/// A finding for an obstacle: the slave moves to `value`, but a single inverse requires `limit`.
 Finding obstacle(const char* rule, double where, double value, double limit, std::string advice) {
   Finding f;
   f.rule = rule;

@@ -9,22 +9,22 @@
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Reversion of a series: w = a1 d + a2 d^2 + ..., the slave's travel over the master's, is solved
-// for d by
+// Reversion of a series. Let d be the master's travel and w = a1 d + a2 d^2 + ... the slave's. Then
+// d is found from
 //
 //   (1)  d = (w - sum over k >= 2 of a_k d^k) / a1,
 //
-// and each pass gains one order. With |a_k| <= A_k for k >= 2 and |a1| >= m over a whole piece, the
+// Each pass gains one order. If |a_k| <= A_k for k >= 2 and |a1| >= m over a whole piece, the
 // series of
 //
 //   (2)  D = (w + sum over k >= 2 of A_k D^k) / m
 //
-// has only positive coefficients. They bound those of d at every point of the piece.
+// has only positive coefficients, which bound those of d at every point of the piece.
 
 namespace jounce {
 namespace {
 
-/// Equation (1); with sign = -1 and majorants, (2). Ignores a[0] and a[1] of `higher`.
+/// Equation (1); with sign = -1, for majorants, equation (2). Ignores a[0] and a[1] of `higher`.
 template <std::size_t n>
 profiles_detail::Series<n> reverted(profiles_detail::Series<n> higher, double a1, double sign = 1) {
   higher[0] = higher[1] = 0;
@@ -36,13 +36,13 @@ profiles_detail::Series<n> reverted(profiles_detail::Series<n> higher, double a1
   return d;
 }
 
-/// An interval of the slave between two breaks of the inverse, and its position in a segment of the
+/// An interval of the slave between two breaks of the inverse, and its place in a segment of the
 /// cam.
 struct Stroke {
   const Inverse* inverse;
   std::size_t segment;
   double from, to;  ///< slave positions
-  double s0, s1;    ///< in that segment
+  double s0, s1;    ///< the same ends, as positions in the segment
 
   [[nodiscard]] const Segment& f() const { return inverse->cam().segments()[segment]; }
   [[nodiscard]] double s_at(double slave, Side side) const {

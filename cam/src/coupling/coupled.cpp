@@ -26,7 +26,8 @@ bool advances_alike(const Cam& cam, const Placement& p) {
   return p.advance == p.slave_scaling * own;
 }
 
-/// The periods that the master meets, each `advance` further; without an advance, a cam that wraps.
+/// The cam over all periods that the master meets, each higher by `advance`; without an advance, a
+/// cam that wraps.
 Cam unrolled(const Cam& cam, const Placement& p, const Trajectory& master) {
   const Range travel = extrema(master, 0);
   const double first = spot(p.at(travel.min.value), cam.start(), cam.length(), true).period - 1;

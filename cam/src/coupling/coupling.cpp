@@ -15,17 +15,17 @@
 //
 //   (1)  d = (y - Y, y' - Y', y'' - Y''),   Y by the chain rule from the master's jet
 //
-// and the setpoint Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
-// zero. For a rotary slave with period P, a cam shifted by k P is equivalent: c then goes from d to
-// (k P, 0, 0), the origin of the cam moves by k P, and c is relative to the new origin:
+// The setpoint Y + c with c(0) = d continues the slave's motion. c is a move from d to rest at
+// zero. For a rotary slave with period P, a cam that is shifted by k P is equivalent. Then c moves
+// from d to (k P, 0, 0), the origin of the cam moves by k P, and c is relative to the new origin:
 //
 //   (2)  y = (Y + k P) + (c - k P)
 //
-// Over the master, with c a function of x: c = d0, c_x x' = d1 and c_xx x'^2 + c_x x'' = d2, so
+// Over the master, c is a function of x with c = d0, c_x x' = d1 and c_xx x'^2 + c_x x'' = d2. So
 //
 //   (3)  c_x = d1 / x',   c_xx = (d2 - c_x x'') / x'^2;   at x' = 0:  c_x = d2 / x'',  c_xx = 0
 //
-// A master at rest can only correct differences with d1 = 0; if its acceleration is 0 too, only
+// A master at rest can correct only differences with d1 = 0; if its acceleration is 0 as well, only
 // those with d2 = 0.
 
 namespace jounce {
@@ -45,7 +45,8 @@ bool finite(const MotionState& s) {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.acceleration);
 }
 
-/// Speeds up in the direction of the correction by acceleration, slows down by deceleration.
+/// The bounds of a correction in this direction: it speeds up with `acceleration` and slows down
+/// with `deceleration`.
 Bounds bounds_of(const CouplingSpec& spec, double direction) {
   Bounds bounds = within(*spec.velocity_diff, *spec.acceleration, spec.jerk.value_or(Bounds::none));
   const double deceleration = spec.deceleration.value_or(*spec.acceleration);
@@ -60,8 +61,8 @@ double whole_periods(double x, double period) {
   return period * std::nearbyint(x / period);
 }
 
-/// The end of the correction of a rotary slave, a multiple of its period: (2). A target behind by
-/// at most `near` still counts as ahead.
+/// The end of the correction of a rotary slave, which is a multiple of its period: (2). A target
+/// that is behind by at most `near` counts as ahead.
 double rotary_target(const MotionState& d, const CouplingSpec& spec, double near) {
   const double period = *spec.slave_period;
   const double nearest = whole_periods(d.position, period);
@@ -77,8 +78,8 @@ double rotary_target(const MotionState& d, const CouplingSpec& spec, double near
   return target.status == MoveStatus::ok ? whole_periods(target.position, period) : nearest;
 }
 
-/// True if a correction from d to zero moves in the requested direction, except for `near` and for
-/// the braking of a slave that moves the other way at first.
+/// True if a correction from d to zero moves only in the requested direction. Exceptions: `near`,
+/// and the braking of a slave that first moves the other way.
 bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& bounds,
                   double near) {
   if (spec.start == StartMode::ramp_in) return true;
@@ -87,7 +88,7 @@ bool goes_the_way(const MotionState& d, const CouplingSpec& spec, const Bounds& 
   return sign * (halt ? halt.profile.end().position : d.position) <= near;
 }
 
-/// True if the slave is on its cam, to rounding: no motion in any direction is then necessary.
+/// True if the slave is on its cam to rounding, so that no correction is necessary.
 bool is_there(const MotionState& d, const CouplingSpec& spec, const Jet& near) {
   const double off =
       spec.slave_period ? d.position - whole_periods(d.position, *spec.slave_period) : d.position;

@@ -23,8 +23,8 @@ Finding finding(Rule rule, const char* quantity, double where, double value, boo
           .has_limit = false};
 }
 
-/// A master outside enters at an end of the cam: a slave that waits there at rest has to move at
-/// once.
+/// Adds the finding for a master outside the cam: it enters at an end of the cam, where the resting
+/// slave would have to move at once.
 void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Report& report) {
   const Cam& cam = coupling.cam();
   const double X = p.at(x[0]);
@@ -39,8 +39,8 @@ void add_enter(const Coupling& coupling, const Placement& p, const Jet& x, Repor
                                     "enters: let the cam begin at rest"));
 }
 
-/// The largest values of the correction: over time with their times, over the master with its
-/// position in the direction of travel.
+/// Adds the greatest values of the correction: over time with their times, over the master with
+/// positions in the direction of travel.
 void add_ramp(const Engaged& engaged, const Jet& x, Report& report) {
   const Correction& c = engaged.correction;
   const auto add = [&](const char* quantity, const Extremum& peak, double where) {

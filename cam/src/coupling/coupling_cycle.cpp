@@ -24,8 +24,8 @@ bool ramps(StartMode mode) {
   return mode != StartMode::absolute && mode != StartMode::relative;
 }
 
-/// Levels X = origin + n * length between two cycles: their number, and the last of them in master
-/// position.
+/// Passed levels X = origin + n * length between two cycles: their number, and the master position
+/// of the last one.
 struct Crossings {
   double count = 0;  ///< signed
   double level = 0;
@@ -44,10 +44,10 @@ int as_int(double count) {
   return static_cast<int>(std::clamp(count, -most, most));
 }
 
-/// The end at which a master on its way from X0 to X1 leaves a cam that runs once: 1 at its end, -1
-/// at its start, 0 none. A master leaves when it arrives at an end. If it comes to rest there,
-/// rounding is tolerated; if it still moves, it is beyond the end, or at rest, in the next cycle.
-/// It may begin at an end.
+/// The end at which a master on its way from X0 to X1 leaves a cam that runs once: 1 at the cam's
+/// end, -1 at its start, 0 none. A master leaves when it arrives at an end. If it comes to rest
+/// there, rounding is tolerated. If it still moves, it is beyond the end, or at rest, in the next
+/// cycle. It may start at an end.
 int left_at(const Cam& cam, double X0, double X1, bool rests) {
   const double eps = near * cam.length();
   if (X0 < cam.start() - eps || X0 > cam.end() + eps) return 0;
@@ -58,7 +58,7 @@ int left_at(const Cam& cam, double X0, double X1, bool rests) {
   return leaves(X0 - cam.start(), X1 - cam.start()) ? -1 : 0;
 }
 
-/// The position of the master if it had not jumped.
+/// The master as its velocity predicts it, without a jump.
 Sample expected(const Engaged& e, const Sample& now) {
   Sample calm = now;
   calm.master[0] = e.master[0] + (now.t - e.time) * (e.master[1] + now.master[1]) / 2;
@@ -90,8 +90,8 @@ void count_periods(const Coupling& coupling, const Sample& before, const Sample&
   out.end_time = at ? at->t : first ? before.t : now.t;
 }
 
-/// The slave at the time of `now` if its master had not jumped. With a lost master, the slave is at
-/// rest.
+/// The slave at the time of `now`, as if its master had not jumped. If the master was lost, the
+/// slave is at rest.
 Jet carried_on(const Coupling& coupling, const Engaged& engaged, const Sample& now) {
   if (engaged.lost) return {point(coupling, engaged, engaged.master, engaged.time)[0], 0, 0, 0};
   return point(coupling, engaged, expected(engaged, now).master, now.t);
@@ -118,8 +118,8 @@ void leave(const Coupling& coupling, const Engaged& engaged, const Sample& befor
       at.t, now.t, out);
 }
 
-/// Absorbs a jump of the master by a correction: by the start mode of the coupling; if that is
-/// impossible, in either direction over time; if that is impossible too, it releases the slave. The
+/// Absorbs a jump of the master by a correction. It tries the start mode of the coupling, then a
+/// correction over time in either direction. If both are impossible, it releases the slave. The
 /// slave never jumps.
 void take_up(const Coupling& coupling, const Engaged& engaged, const Sample& now, Stepped& out) {
   const CouplingSpec& spec = coupling.spec();
@@ -223,9 +223,9 @@ Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, cons
 
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at) {
-  // A master on the seam has just arrived there: the slave is at the end of the period, not yet at
-  // the start of the next. If the master was already at rest there, the last cycle has set the
-  // side.
+  // A master at the joint of two periods has just arrived there: the slave is at the end of the
+  // period, not yet at the start of the next. If the master was already at rest there, the last
+  // cycle has set the side.
   const bool arrives = at.t > engaged.time && at.master[0] != engaged.master[0];
   const Jet y = point(running, engaged, at.master, at.t, arrives ? Side::left : Side::right);
   return engage(next, state(y), at.master, at.t);

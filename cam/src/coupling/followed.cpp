@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-/// Every master position within [lo, hi] at which the cam, repeated if it wraps, has a break.
+/// All master positions within [lo, hi] at which the cam, which may repeat, has a break.
 std::vector<double> levels(const Cam& cam, double lo, double hi) {
   std::vector<double> found;
   const bool wraps = repeats(cam.outside());
@@ -33,7 +33,7 @@ std::vector<double> levels(const Cam& cam, double lo, double hi) {
 }  // namespace
 
 void require_few_periods(double first, double last, std::size_t breaks) {
-  constexpr double farthest = 1e15;  // limit at which neighboring periods are still distinct
+  constexpr double farthest = 1e15;  // limit up to which neighboring periods are distinct
   constexpr double most = 2e6;
   if (!(std::abs(first) < farthest && std::abs(last) < farthest))
     throw InputError("master", first,

@@ -17,19 +17,19 @@
 //
 //   (2)  |f'| w,   |f''| w^2 + |f'| a,   |f'''| w^3 + 3 |f''| w a + |f'| j
 //
-// Each is a sum of three terms, factor x^power |f^(k)|, in the unknown x (w or a), increasing and
-// convex in x. The result is the greatest x with
+// Each is a sum of three terms, factor * x^power * |f^(k)|, in the unknown x (w or a). It increases
+// with x and is convex in x. The result is the greatest x with
 //
 //   (3)  D(x) = max over z of the sum <= limit
 //
-// For one x, D is exact: for a choice of signs of the three terms, the sum is a linear combination
-// of f', f'', f'''. That is a segment again, and its extrema are isolated. For an x that is too
-// large, with its worst position z,
+// For a given x, D is exact: for a choice of signs of the three terms, the sum is a linear
+// combination of f', f'', f'''. This is a segment again, whose extrema are isolated. If x is too
+// large and z is its worst position,
 //
 //   (4)  x <- the x at which the sum at z is the limit
 //
-// is smaller and never below the result, since (3) must hold at z, too. This is Dinkelbach's
-// iteration: it converges faster than linearly, mostly in three to six steps.
+// is smaller than this x but never below the result, because (3) must hold at z as well. This is
+// Dinkelbach's iteration: it converges faster than linearly, usually in three to six steps.
 
 namespace jounce {
 namespace {
@@ -45,7 +45,7 @@ struct Place {
   double sum = -1;
 };
 
-/// A limit of the slave and its sum (2): weight k is factor[k] * x^power[k].
+/// A limit of the slave and its sum (2); the weight of term k is factor[k] * x^power[k].
 struct Constraint {
   const char* quantity;
   double limit;

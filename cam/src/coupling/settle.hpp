@@ -13,9 +13,9 @@ Engagement settle(const Coupling& coupling, StartMode start, const Placement& pl
 /// True if the coupling has the parameters of a start mode.
 bool has_numbers(const CouplingSpec& spec, StartMode start);
 
-/// Differences in position, velocity and acceleration that count as rounding: between a slave and
-/// its cam's y, for a master x. 1e-9 of their range; for a distant position, 1e-12 of its
-/// magnitude.
+/// Differences in position, velocity and acceleration that count as rounding, between a slave and
+/// the y of its cam, for a master at x. They are 1e-9 of their ranges; for a distant position,
+/// 1e-12 of its magnitude.
 Jet roundings(const Coupling& coupling, const MotionState& slave, const Jet& y, const Jet& x);
 
 }  // namespace jounce::cam_detail

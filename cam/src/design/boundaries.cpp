@@ -5,7 +5,7 @@
 
 // A quintic segment is fixed by position, velocity and acceleration at both ends, and the free
 // derivatives do not affect the other segments. The integral of geo_jerk^2 over the quintics is
-// therefore a quadratic function of the free derivatives. detail/least_energy.cpp finds its
+// therefore a quadratic function of the free derivatives. least_energy.cpp finds its
 // minimum, run by run: a run is the interval between two knots next to any other law.
 
 namespace jounce {
@@ -28,7 +28,8 @@ bool among_quintics(const CamSpec& spec, std::size_t knot) {
   return before && after;
 }
 
-/// True if an adjacent law defines an acceleration of its own, which may step there.
+/// True if an adjacent law defines an acceleration of its own, so that the acceleration may step
+/// there.
 bool bends_itself(const CamSpec& spec, std::size_t knot) {
   const auto own = [&](std::size_t segment) {
     const Ends ends = info(spec.segments[segment].law).ends;
@@ -37,8 +38,8 @@ bool bends_itself(const CamSpec& spec, std::size_t knot) {
   return (knot > 0 && own(knot - 1)) || (knot < spec.segments.size() && own(knot));
 }
 
-/// First and last knot of a periodic cam: a value that one gives, or that an adjacent law demands,
-/// holds for both.
+/// The first and the last knot of a periodic cam are one knot: a value that is given at one of
+/// them, or that an adjacent law requires, holds for both.
 void close(CamSpec& spec, const std::vector<CamKnot>& resolved) {
   if (!spec.periodic) return;
   const std::size_t last = spec.segments.size();

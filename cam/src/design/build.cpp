@@ -13,10 +13,10 @@ namespace jounce::camming {
 namespace {
 
 Segment added(const Segment& f, const Segment& g) {
-  return *sum(f, g);  // shapes of one piece have the same sines
+  return *sum(f, g);  // the shapes of one piece have the same sines
 }
 
-/// h rise + ...: law.hpp. Omits terms that are zero, so that they cost no digits.
+/// h rise + ... as in law.hpp. Terms that are zero are omitted, so they cost no digits.
 Segment combined(const LawPiece& piece, const Placed& at) {
   const double length = at.length();
   Segment f = scaled(piece.rise, at.to.slave - at.from.slave, at.from.slave);
@@ -31,7 +31,7 @@ Segment combined(const LawPiece& piece, const Placed& at) {
   return f;
 }
 
-/// An R-U law run backwards, from the reversal to the rest. Its only shape is its rise.
+/// An R-U law backwards, from the reversal to the rest. It has only one shape, its rise.
 std::vector<LawPiece> reversed(const std::vector<LawPiece>& law) {
   std::vector<LawPiece> back(law.rbegin(), law.rend());
   for (LawPiece& piece : back) piece.rise = scaled(jounce::reversed(piece.rise), -1, 1);

@@ -18,25 +18,25 @@
 //   (1)  1 = integral of f' = integral of p f^(n)
 //
 // so that 1 <= max|f^(n)| integral |p| and 1 <= (integral of f^(n)^2) (integral of p^2). The least
-// integral |p| is that of Chebyshev's polynomial of the second kind, the least integral p^2 that of
-// Legendre's, both shifted to [0, 1]:
+// integral |p| is that of the Chebyshev polynomial of the second kind, the least integral p^2 that
+// of the Legendre polynomial, both shifted to [0, 1]:
 //
 //   (2)  max|f^(n)|          >= 2^(2n-2) (n-1)!
 //   (3)  integral f^(n)^2    >= (2n-2)! (2n-1)! / (n-1)!^2
 //
-// A power |f' f''| <= P means f'^2 <= 2 P z and f'^2 <= 2 P (1 - z), and 1 = integral of f' gives
+// |f' f''| <= P implies f'^2 <= 2 P z and f'^2 <= 2 P (1 - z). With 1 = integral of f', this gives
 //
 //   (4)  P >= 9/4
 //
-// From rest, with |f''| <= A and |f'''| <= J, the fastest way to the velocity V with acceleration
-// zero is the ramp of constant jerks J, 0, -J. Its duration is
+// From rest, with |f''| <= A and |f'''| <= J, the fastest way to the velocity V with zero
+// acceleration is the ramp of constant jerks J, 0, -J. Its duration is
 //
 //   (5)  R = V/A + A/J,   or 2 sqrt(V/J) if A^2 > V J (no constant acceleration)
 //
-// No motion is ahead of that ramp at any time: while its acceleration rises or is constant, no
+// No motion is ahead of this ramp at any time: while its acceleration rises or is constant, no
 // motion can have more; while it falls, a' >= -J and f' <= V imply f'' <= sqrt(2 J (V - f')), which
-// the ramp attains. The ramp is point symmetric: it loses V R / 2 of the distance V R. With one at
-// each end, and V = max f' between the two,
+// the ramp attains. The ramp is point-symmetric: of the distance V R it loses V R / 2. With a ramp
+// at each end, and V = max f' between them,
 //
 //   (6)  1 <= V - V R,   that is   1/V + R <= 1
 //

@@ -8,19 +8,19 @@
 
 #include "jounce/cam/detail/quadrature.hpp"
 
-// Let z = (x - x0) / b and f = (y - y0) / h. The nth derivative by z is h / b^n times smaller than
-// that by master position:
+// Let z = (x - x0) / b and f = (y - y0) / h. The n-th derivative with respect to z is b^n / h times
+// that with respect to the master:
 //
 //   (1)  f^(n) = y^(n) b^n / h
 //
 // Cm is the peak of g = y' y'', with g' = y''^2 + y' y''' and g'' = 3 y'' y''' + y' y''''. On a
-// piece of half-width r about m,
+// piece of half-width r around m,
 //
 //   (2)  |g| <= |g(m)| + |g'(m)| r + K r^2 / 2,   K = 3 max|y''| max|y'''| + max|y'| max|y''''|
 //
-// with the exact peaks of the rise. The search drops a piece whose bound (2) is not above the best
-// value so far, and halves any other. Near a peak the bound shrinks with r^2, so that few pieces
-// remain at each size; a Newton step towards g' = 0 finds the peak itself early.
+// with the exact peaks of the rise. The search discards a piece whose bound (2) is not above the
+// best value so far, and halves all others. Near a peak the bound shrinks with r^2, so few pieces
+// remain at each size. A Newton step towards g' = 0 finds the peak itself early.
 
 namespace jounce {
 namespace {

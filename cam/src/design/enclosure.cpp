@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-// Enclosures of a segment over |t| <= h about its midpoint m, s = m + t:
+// Enclosures of a segment over |t| <= h around its midpoint m, s = m + t:
 //
 //   (1)  f^(k)/k! (m + t) = q_k + sum over j > k of C(j, k) q_j t^(j-k)  polynomial, q shifted to m
 //   (2)  a w^k/k! sin(w (m + t) + p + k pi/2)                            a sine: its exact range
 //
-// and of any function g with g', g'' enclosed over the same interval of half-width r in x:
+// and of any function g whose g' and g'' are enclosed over the same interval, of half-width r in x:
 //
 //   (3)  g <= g(m) + r max |g'|                                             mean value form
 
@@ -26,7 +26,7 @@ Shifted shifted_to(const Segment& f, double m) {
   return q;
 }
 
-/// Equation (1), by s.
+/// Equation (1), with respect to s.
 Interval polynomial(const Shifted& q, std::size_t degree, std::size_t k, double h) {
   double radius = 0;
   double factor = 1;  // C(j, k) h^(j-k)
@@ -37,7 +37,7 @@ Interval polynomial(const Shifted& q, std::size_t degree, std::size_t k, double 
   return {q[k] - radius, q[k] + radius};
 }
 
-/// Equation (2), by s, without the factorial.
+/// Equation (2), with respect to s, without the factorial.
 Interval sine(const SineTerm& term, std::size_t k, double m, double h) {
   const double middle = term.angle * m + term.phase + static_cast<double>(k) * std::numbers::pi / 2;
   const double half = std::abs(term.angle) * h;
@@ -97,8 +97,8 @@ class Maximum {
     look(over, over.s1);
   }
 
-  /// g' is monotone over the interval: it is 0 at one point at most. Newton's method inside a
-  /// bracket finds it.
+  /// g' is monotone over the interval, so it is 0 at one point at most, which Newton's method
+  /// inside a bracket finds.
   void bend(const SegmentPart& over) {
     const double first = look(over, over.s0).c[1].middle();
     const double last = look(over, over.s1).c[1].middle();

@@ -23,10 +23,12 @@ struct SegmentPart {
   [[nodiscard]] SegmentPart at(double s) const { return {segment, s, s}; }
 };
 
-/// Position on the curve's axis of s on a segment, the segment's ends exactly.
+/// The position on the curve's axis that belongs to s of a segment; exact at the ends of the
+/// segment.
 double position(const Cam& f, std::size_t segment, double s);
 
-/// f and four derivatives over an interval, by x = angle * (position on the curve's axis).
+/// f and four derivatives over an interval, with respect to x = angle * (position on the curve's
+/// axis).
 Taylor<4> enclosure(const Cam& f, const SegmentPart& over, double angle);
 
 /// A function of the curve: its value with two derivatives over an interval, by x as above.
@@ -38,9 +40,9 @@ struct Certified {
   double excess = 0;  ///< the true maximum is at most this much greater
 };
 
-/// The greatest value of `observed` over the curve, both sides of every break included; the first
-/// of equal ones. Branch and bound, to 1e-13 of the magnitude of the values (or of `scale`, if that
-/// is more). If the rounding of a value exceeds that, `excess` includes it.
+/// The greatest value of `observed` over the curve, including both sides of every break; of equal
+/// values, the first. Found by branch and bound, to 1e-13 of the magnitude of the values (or of
+/// `scale`, if that is more). If the rounding of a value exceeds that, `excess` includes it.
 Certified maximum(const Cam& f, double angle, const Observed& observed, double scale);
 
 }  // namespace jounce::cam_detail

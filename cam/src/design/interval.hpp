@@ -8,8 +8,8 @@
 
 namespace jounce::cam_detail {
 
-/// Every number between lo and hi. The result of an operation contains each result for members of
-/// its arguments, to rounding (which is not directed: a few 1e-16 of the magnitudes involved).
+/// All numbers from lo to hi. The result of an operation contains the results for all members of
+/// its arguments, to rounding (a few 1e-16 of the magnitudes; rounding is not directed).
 struct Interval {
   double lo = 0;
   double hi = 0;
@@ -23,7 +23,7 @@ struct Interval {
   [[nodiscard]] bool has_zero() const { return !(lo > 0 || hi < 0); }
 };
 
-/// The result without any bound.
+/// An interval without bounds.
 inline constexpr Interval everything{-std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity()};
 
@@ -41,7 +41,7 @@ inline Interval operator*(Interval a, Interval b) {
   const double q = a.lo * b.hi;
   const double r = a.hi * b.lo;
   const double s = a.hi * b.hi;
-  if (std::isnan(p + q + r + s)) return everything;  // infinities met: 0 or opposite ones
+  if (std::isnan(p + q + r + s)) return everything;  // 0 times infinity, or opposite infinities
   return {std::min({p, q, r, s}), std::max({p, q, r, s})};
 }
 inline Interval operator/(Interval a, Interval b) {

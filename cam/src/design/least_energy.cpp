@@ -6,21 +6,22 @@
 #include <Eigen/Cholesky>
 
 // Between two knots at distance h, the m states at both ends define the polynomial of degree 2m -
-// 1, u = (p0, v0, a0, p1, v1, a1), and its energy, the integral of the square of the m-th
-// derivative, is a quadratic form in them. With S = diag(1, h, h^2, 1, h, h^2):
+// 1. Its energy, the integral of the square of the m-th derivative, is a quadratic form in u = (p0,
+// v0, a0, p1, v1, a1). With S = diag(1, h, h^2, 1, h, h^2):
 //
 //   (1)  energy = u' S K S u / h^(2m - 1),   K the matrices below (h = 1)
 //
-// The sum over all intervals is least if its gradient by every free state vanishes:
+// The sum over all intervals is least if its gradient with respect to every free state vanishes:
 //
 //   (2)  A x = -g    A: the sum of (1) without the rows and columns of fixed states
 //                    g: the gradient with every free derivative zero
 //
-// By partial integration the gradient by p_i is twice the jump of the (2m - 1)th derivative at knot
-// i, that by v_i twice the jump of the next lower one, and so on: the solution of (2) joins the
-// pieces as smoothly as a spline. A is positive definite and couples only neighbors: blocks of 3 x
-// 3 along the diagonal. In a periodic curve the first knot is also a neighbor of the last one, so
-// it is eliminated last, as a border to the chain of the others:
+// By partial integration, the gradient with respect to p_i is twice the jump of the (2m - 1)-th
+// derivative at knot i, that with respect to v_i twice the jump of the next lower one, and so on.
+// So the solution of (2) joins the pieces as smoothly as a spline. A is positive definite and
+// couples only neighbors: blocks of 3 x 3 along the diagonal. In a periodic curve the first knot is
+// also a neighbor of the last one, so it is eliminated last, as a border of the chain of the
+// others:
 //
 //   (3)  D_i x_i + O_i x_(i+1) + O_(i-1)' x_(i-1) + B_i x_0 = r_i,   i = 1 ...
 //
@@ -93,7 +94,7 @@ class System {
            (energy_ == Energy::acceleration && k == 2);
   }
 
-  /// Adds one interval's share of (2).
+  /// Adds the contribution of one interval to (2).
   void add(std::size_t i) {
     const std::size_t j = i + 1 < unknowns_ ? i + 1 : i + 1 - unknowns_;
     const double h = (knots_[i + 1].master - knots_[i].master) / unit_;
@@ -126,7 +127,7 @@ class System {
       next_[i] = k;
   }
 
-  /// The states of an interval's ends: values relative to its start, free derivatives zero.
+  /// The states at the ends of an interval: values relative to its start, free derivatives zero.
   [[nodiscard]] States given(std::size_t i) const {
     States u = States::Zero();
     u[3] = knots_[i + 1].state[0] - knots_[i].state[0];
@@ -178,7 +179,7 @@ void close(std::vector<EnergyKnot>& knots) {
   }
 }
 
-/// Two knots with only the values fixed: every parabola through them has jerk 0. Selects the line.
+/// Two knots with given values only: all parabolas through them have jerk 0. Selects the line.
 void straighten(std::vector<EnergyKnot>& knots) {
   constexpr std::array values{true, false, false};
   if (knots.size() > 2 || knots[0].fixed != values || knots[1].fixed != values) return;

@@ -22,11 +22,11 @@ enum class Energy {
   jerk,          ///< third derivative; quintics
 };
 
-/// Sets the free states so that the energy is least. The given value of a free state[0] is its
-/// origin and may be arbitrary. Periodic: the first and the last knot are one, and the given
-/// difference of their values is kept. The fixed states must determine the free ones: no nonzero
-/// polynomial below the order of the energy may vanish in all fixed states. Exception: two knots
-/// with only the values fixed get the straight line.
+/// Sets the free states so that the energy is least. The given value of a free state[0] is used as
+/// its origin and may be arbitrary. Periodic: the first and the last knot are the same, and the
+/// given difference of their values is kept. The fixed states must determine the free ones: no
+/// nonzero polynomial below the order of the energy may vanish in all fixed states. Exception: two
+/// knots with only fixed values get the straight line.
 void minimize(std::vector<EnergyKnot>& knots, Energy energy, bool periodic);
 
 /// The segments between the knots.

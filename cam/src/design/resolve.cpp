@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spec -> its segments with every derivative filled in.
+// Fills in the derivatives of a spec and makes its segments.
 //
-// Velocities first, since accelerations follow from them. Precedence: the given value; the demand
-// of a line, a dwell or a reversal; the value of a spline at an open end; zero. Then accelerations:
-// given, then demanded. The segments are then built from left to right; a segment that defines an
-// acceleration itself sets it at its knots.
+// Velocities come first, because accelerations follow from them. Their order of precedence: the
+// given value; the requirement of a line, a dwell or a reversal; the value of a spline at an open
+// end; zero. Then accelerations: given, then required. Finally the segments are built from left to
+// right; a segment that defines an acceleration itself sets it at its knots.
 #include "cam/src/design/resolve.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace jounce::camming {
 namespace {
 
 using profiles_detail::rounded_input;
-constexpr double largest = 1e100;  // squares and quotients of derivatives stay finite
+constexpr double largest = 1e100;  // up to here, squares and quotients of derivatives are finite
 
 class Resolver {
  public:
@@ -64,7 +64,7 @@ class Resolver {
     return knot;
   }
 
-  /// The previous (-1) or next (1) segment, also across the seam of a periodic cam.
+  /// The previous (-1) or next (1) segment, also across the end of the period.
   [[nodiscard]] std::optional<std::size_t> beside(std::size_t segment, int step) const {
     const std::size_t count = spec_.segments.size();
     const bool outside = step < 0 ? segment == 0 : segment + 1 == count;
@@ -158,7 +158,7 @@ void Resolver::require_form_and_points(std::size_t i) const {
   }
 }
 
-/// An adjacent law demands a derivative at a knot: sets it, or checks the given one.
+/// Handles a derivative that an adjacent law requires at a knot: sets it, or checks the given one.
 void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                          double demanded, std::size_t segment, double scale) {
   auto& value = knots_[knot].*field;
@@ -186,7 +186,7 @@ void Resolver::demand(std::size_t i) {
   }
 }
 
-/// First and last knot of a periodic cam are one: each takes the values of the other.
+/// The first and the last knot of a periodic cam are one knot: each gets the values of the other.
 void Resolver::share_seam() {
   if (!spec_.periodic) return;
   for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
@@ -202,7 +202,8 @@ bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) 
   if (given(i + 1).geo_acceleration) return *given(i + 1).geo_acceleration == 0;
   const auto previous = beside(i, -1);
   const auto next = beside(i, 1);
-  const bool rest_before = previous ? rests(*previous) : !spec_.periodic;  // held: at rest
+  // outside, a cam that holds is at rest
+  const bool rest_before = previous ? rests(*previous) : !spec_.periodic;
   const bool rest_after = next ? rests(*next) : !spec_.periodic;
   if (rest_before != rest_after) return rest_after;
   if (i == 0) return false;
@@ -220,7 +221,7 @@ void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
                        "` has no acceleration: use a law from rest to rest");
 }
 
-/// Finds the inflection if the knot of the reversal gives an acceleration that it can meet.
+/// Computes the inflection if the knot of the reversal gives an acceleration that the law can have.
 void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const std::size_t knot = placed.reversed ? i : i + 1;
   const auto& wanted = given(knot).geo_acceleration;
@@ -254,8 +255,8 @@ Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
   return placed;
 }
 
-/// The acceleration of a knot at which a law defines its own: used if no other value is there. A
-/// value given by the spec must agree. A value demanded by a neighbor may differ: that is a step,
+/// Sets the acceleration of a knot at which a law defines its own, if there is no other value. A
+/// value given by the spec must agree. A value that a neighbor requires may differ: this is a step,
 /// which a check finds.
 void Resolver::take_own(std::size_t knot, double own, std::size_t segment, double scale) {
   if (given(knot).geo_acceleration)
@@ -264,8 +265,8 @@ void Resolver::take_own(std::size_t knot, double own, std::size_t segment, doubl
     knots_[knot].geo_acceleration = own;
 }
 
-/// A spline is natural at an end without given derivatives; a hermite law has its own points at its
-/// ends. Their derivatives then hold for the neighbor too.
+/// A spline is natural at an end without given derivatives, and a hermite law has its own points at
+/// its ends. The neighbor then gets the same derivatives.
 void Resolver::take_open_ends(std::size_t i) {
   const bool alone = spec_.periodic && spec_.segments.size() == 1;
   const auto segments = built({i, &spec_.segments[i], {}, false, knots_[i], knots_[i + 1], alone});

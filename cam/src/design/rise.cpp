@@ -20,7 +20,7 @@ Jet5 jet5(const Segment& f, double s) {
   return {low[0], low[1], low[2], low[3], evaluate(derivative(f), s)[3]};
 }
 
-/// The segments of a cam as a row that may continue beyond its end.
+/// The segments of a cam as a sequence that may continue beyond the cam's end.
 class Row {
  public:
   explicit Row(const Cam& cam)
@@ -34,8 +34,8 @@ class Row {
     return cam_.segments()[i % size()];
   }
 
-  /// Segments first to last - 1, which may pass the end, as a separate curve. The wrap continues
-  /// the slave's position: a step there does not belong to the rise.
+  /// Segments first to last - 1, which may be beyond the end, as a cam. At the end of a period the
+  /// slave's position continues, because a step there does not belong to the rise.
   [[nodiscard]] Cam part(std::size_t first, std::size_t last) const {
     std::vector<Segment> segments;
     segments.reserve(last - first);
@@ -68,7 +68,7 @@ std::array<Range, 5> ranges_of(const Cam& cam) {
   return {low[0], low[1], low[2], low[3], extrema(derivative(cam), 3)};
 }
 
-/// The greatest order up to which `zero(k)` holds from 1 on.
+/// The greatest order k such that `zero` holds for 1 to k.
 template <class Zero>
 int highest(const Zero& zero) {
   int k = 0;
@@ -124,8 +124,8 @@ bool rests(const Row& row, std::size_t i, double zero) {
          (after == nullptr || std::abs(evaluate(*after, 0)[1]) <= zero);
 }
 
-/// The breaks at which the slave rests, ascending, each by the segment that begins there. A row
-/// that wraps repeats the first at its end.
+/// The breaks at which the slave rests, as indices of the segments that begin there, ascending. If
+/// the sequence wraps, the first one is repeated at the end.
 std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
   const double zero = rounded_input * std::abs(extrema(cam, 1).peak().value);
   std::vector<std::size_t> breaks;

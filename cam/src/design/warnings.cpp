@@ -12,16 +12,16 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 
-// The quintic from rest to the slope k (or back) with stroke h over length b, accelerations zero:
-// with z = x / b and rho = k b / h,
+// The quintic from rest to the slope k (or from k to rest) with stroke h over length b,
+// accelerations zero. With z = x / b and rho = k b / h,
 //
 //   (1)  f / h  = (10 - 4 rho) z^3 + (7 rho - 15) z^4 + (6 - 3 rho) z^5
 //   (2)  f' b/h = z^2 [(30 - 12 rho) + (28 rho - 60) z + (30 - 15 rho) z^2]
 //   (3)  f'' b^2/h = 12 z (1 - z) [(5 - 2 rho) - 5 (2 - rho) z]
 //
-// The bracket in (3) is 5 - 2 rho at z = 0 and 3 rho - 5 at z = 1, and linear between. If it is
-// below 0 at the start, the slave first moves backwards. If it is below 0 at the end, the velocity
-// falls to k from above. Otherwise the velocity only rises.
+// The bracket in (3) is 5 - 2 rho at z = 0, 3 rho - 5 at z = 1, and linear between them. If it is
+// negative at the start, the slave first moves backwards. If it is negative at the end, the
+// velocity falls to k from above. Otherwise the velocity only rises.
 //
 //   (4)  no reversal: rho <= 5/2;   no velocity overshoot: rho >= 5/3
 
@@ -112,7 +112,8 @@ class Inspection {
     if (v0 * v1 < 0) return;
     const int way = v0 != 0 ? v0 : (v1 != 0 ? v1 : sign(g.end[0] - g.begin[0]));
     if (way == 0) return;
-    const bool inevitable = sign(g.end[0] - g.begin[0]) != way;  // it ends behind its start
+    // the segment ends behind its start
+    const bool inevitable = sign(g.end[0] - g.begin[0]) != way;
     against("warning/reversal", g, 1, way, rounded_input,
             inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
@@ -152,7 +153,7 @@ class Inspection {
     const auto from_to = [](double a, double b) {
       return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
     };
-    return "rho = " + rounded(*k * g.length / h) +
+    return "rho = slope * length / stroke = " + rounded(*k * g.length / h) +
            " is not within 5/3 to 5/2: use a master length from " +
            from_to(rho_least * h / *k, rho_most * h / *k) + ", or a stroke from " +
            from_to(*k * g.length / rho_most, *k * g.length / rho_least);
@@ -191,7 +192,7 @@ class Inspection {
     }
   }
 
-  /// The lowest derivative from `lowest` on that steps from `left` to `right`.
+  /// Reports the lowest derivative, of order `lowest` or higher, that steps from `left` to `right`.
   void joint(const Jet& left, const Jet& right, std::size_t lowest, double where,
              std::size_t segment) {
     for (std::size_t k = lowest; k < left.size(); ++k) {

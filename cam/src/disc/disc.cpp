@@ -11,7 +11,7 @@
 
 #include "cam/src/disc/pitch.hpp"
 
-// The geometry is derived in detail/pitch.hpp. The position at lift 0, with prime radius R = base
+// The geometry is derived in pitch.hpp. The position at lift 0, with prime radius R = base
 // radius + roller radius, is:
 //
 //   (1)  d = sqrt(R^2 - e^2)                            height of a translating roller
@@ -52,8 +52,8 @@ double start_angle(const DiscSpec& spec, double travel) {
         "does not reach the base circle: base_radius + roller_radius = " + six_digits(prime) +
             " must lie between " + six_digits(std::abs(c - l)) + " and " + six_digits(c + l) +
             ", the difference and the sum of arm length and center distance");
-  // Computed from the half angle: an arc cosine loses half the digits near a stretched or folded
-  // arm.
+  // Computed from the half angle, because an arc cosine loses half of the digits near a stretched
+  // or folded arm.
   const double start = 2 * std::atan2(std::sqrt((prime - (c - l)) * (prime + (c - l))),
                                       std::sqrt(((c + l) - prime) * ((c + l) + prime)));
   const double swing = cam_detail::arm_angle(spec) * travel;
@@ -87,7 +87,7 @@ Cam whole_turn(const Cam& cam, double angle) {
   return repeated(lift, static_cast<int>(whole));
 }
 
-/// Both magnitudes of a Range: the greatest of g and of -g.
+/// A Range, computed as the greatest value of g and of -g, with the greater error of both.
 struct Both {
   Range range;
   double error;

@@ -7,14 +7,14 @@
 #include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
-// By (1) of disc.cpp and (7) of detail/pitch.hpp, a translating roller keeps |pressure angle| <= A
+// By (1) of disc.cpp and (7) of pitch.hpp, a translating roller keeps |pressure angle| <= A
 // if its height at lift 0 is at least
 //
 //   (1)  d >= max over t of (+-(L' - sigma e) / tan A - L)
 //
-// This is a maximum of exact curves. The curvature, and all conditions on an arm, have no such
-// form: the search evaluates the extrema themselves, upwards from the least radius that (1) or the
-// arm permits.
+// This is a maximum of exact curves. The curvature, and all conditions for an arm, have no such
+// form. For them the search evaluates the extrema, from the least radius that (1) or the arm
+// permits upwards.
 
 namespace jounce {
 namespace {

@@ -33,7 +33,7 @@ struct Circle {
   double bulge = 0;
 };
 
-/// The circle through a, m and b; nullopt if they are nearly straight.
+/// The circle through a, m and b; nullopt if the points are nearly on a line.
 std::optional<Circle> through(const Vertex& a, const Vertex& m, const Vertex& b) {
   const Place u{m.x - a.x, m.y - a.y};
   const Place v{b.x - a.x, b.y - a.y};

@@ -31,14 +31,14 @@ using cam_detail::SegmentPart;
 constexpr double touching = 1e-5;   // relative to the radius: a clearance that counts as none
 constexpr double precision = 1e-3;  // relative to the radius: precision of the depth
 
-/// An interval of the turn with a circle around all its contacts, and one around all centers of the
-/// rolled circle.
+/// An interval of the turn, with a circle that contains all its contact points, and one that
+/// contains all centers of the rolled circle.
 struct Arc {
   SegmentPart over;
   Place contact, centre;
   double contact_radius = 0;
   double centre_radius = 0;
-  double turning = 0;  ///< rad, upper bound of the tangent's rotation
+  double turning = 0;  ///< rad, upper bound of the rotation of the tangent
 };
 
 class Search {

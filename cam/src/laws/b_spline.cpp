@@ -10,10 +10,10 @@
 
 #include "cam/src/design/table.hpp"
 
-// Between two different knots t_j < t_(j+1) a B-spline of degree p is a polynomial f with a blossom
-// F(u1, ..., up): symmetric, affine in each argument, and f(x) = F(x, ..., x) (Ramshaw 1989). Its
-// values at consecutive knots are the control values, d_i = F(t_(i+1), ..., t_(i+p)). De Boor's
-// step replaces a knot by u:
+// Between two different knots t_j < t_(j+1), a B-spline of degree p is a polynomial f with a
+// blossom F(u1, ..., up): symmetric, affine in each argument, and f(x) = F(x, ..., x) (Ramshaw
+// 1989). Its values at consecutive knots are the control values, d_i = F(t_(i+1), ..., t_(i+p)). De
+// Boor's step replaces a knot by u:
 //
 //   (1)  d_i <- (1 - w) d_(i-1) + w d_i,   w = (u - t_i) / (t_(i+p+1-r) - t_i)   in round r
 //

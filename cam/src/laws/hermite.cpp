@@ -6,9 +6,9 @@
 
 #include "jounce/profiles/error.hpp"
 
-// Over s = u / L, with the derivatives at both ends by s (v L, a L^2, j L^3): c0 to c3 follow from
-// the left end. Let d_k be the remainder of the k-th derivative at the right end, sum over i > 3 of
-// i!/(i-k)! c_i = d_k, k = 0..3. The inverse is:
+// Over s = u / L, with the derivatives with respect to s at both ends (v L, a L^2, j L^3), c0 to c3
+// follow from the left end. Let d_k be the remainder of the k-th derivative at the right end: sum
+// over i > 3 of i!/(i-k)! c_i = d_k, k = 0..3. The inverse is:
 //
 //     (1)  c4 =  35 d0 - 15 d1 + 5/2 d2 - 1/6 d3
 //          c5 = -84 d0 + 39 d1 -   7 d2 + 1/2 d3

@@ -27,8 +27,8 @@ HermitePoint hermite_point(const CamPoint& point, const std::string& key) {
           required(point.geo_acceleration, key + "geo_acceleration"), point.geo_jerk};
 }
 
-/// A point at the end of its segment: the knot's derivatives if given, otherwise the point's own.
-/// Both must agree: a given value must not be ignored silently.
+/// The point at the end of a segment: the derivatives of the knot if given, otherwise its own. Both
+/// must agree, because a given value must not be ignored silently.
 HermitePoint hermite_end(const Placed& at, const CamKnot& knot, const CamPoint* point,
                          const std::string& key) {
   HermitePoint end{knot.master,

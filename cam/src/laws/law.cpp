@@ -13,38 +13,38 @@
 
 // Every law uses one of three kinds of rise, and one method for end velocities.
 //
-// **Ramps.** In a ramp the acceleration rises as a quarter sine, is constant, and falls as a
-// quarter cosine. From rest over the length L it ends at the velocity v and the position y, in
-// proportion to its peak. A rise is a ramp up over L1, a straight part of length s, and a ramp down
-// over L2, which is the point reflection of a ramp up. The velocity V between them follows from the
-// stroke of 1:
+// **Ramps.** In a ramp, the acceleration rises as a quarter sine, is constant, and falls as a
+// quarter cosine. From rest over the length L it ends at the velocity v and the position y, both in
+// proportion to its peak. A rise consists of a ramp up over L1, a straight part of length s, and a
+// ramp down over L2, which is the point reflection of a ramp up. The velocity V between the ramps
+// follows from the stroke of 1:
 //
 //     (1)  V (m1 + s + m2) = 1,   m = y / v of each ramp
 //
-// **Polynomials** of degree 2n - 1 whose derivatives up to the (n-1)th are given at both ends. The
-// shape whose kth derivative at 0 is 1, and all others 0 (Hermite; from the binomial series of (1 -
-// z)^-n):
+// **Polynomials** have degree 2n - 1; their derivatives up to the (n-1)-th are given at both ends.
+// The shape whose k-th derivative at 0 is 1, and whose other given derivatives are 0, is (Hermite;
+// from the binomial series of (1 - z)^-n)
 //
 //     (2)  H_k(z) = z^k / k! (1 - z)^n sum over i < n - k of C(n - 1 + i, i) z^i
 //
 // and at the other end (-1)^k H_k(1 - z). All coefficients times k! are integers.
 //
-// **Inflection.** The inflection of a rise f that is point-symmetric about its middle moves to
-// lambda by
+// **Inflection.** A rise f that is point-symmetric about its middle gets its inflection at lambda
+// by
 //
 //     (3)  F(z) = 2 lambda f(z / 2 lambda)                              for z <= lambda
 //     (4)  F(z) = 1 - 2 (1 - lambda) (1 - f(1 - (1 - z) / 2 (1 - lambda)))  above:
 //
 // The velocity peak stays, and both parts meet there with acceleration 0.
 //
-// **End velocities.** With R(z) the integral of the rise F from 0, itself a smooth ramp of
-// velocity,
+// **End velocities.** Let R(z) be the integral of the rise F from 0, which is a smooth ramp of
+// velocity. Then
 //
 //     (5)  enter = z - R - (1 - R(1)) F:   value 0 at both ends, slope 1 at 0 and 0 at 1
 //     (6)  leave = R - R(1) F:             value 0 at both ends, slope 0 at 0 and 1 at 1
 //
-// have no acceleration at the ends if F has none. Any such law therefore joins any two velocities.
-// With both velocities equal this is a rise on a slope, like a rotary knife's recovery.
+// have no acceleration at the ends if F has none. So every such law joins any two velocities. With
+// equal velocities it is a rise on a slope, such as the recovery of a rotary knife.
 
 namespace jounce {
 namespace {
@@ -64,7 +64,7 @@ Segment sine_piece(double length, double from, double to) {
   return f;
 }
 
-/// From rest over `length`, with a peak acceleration of 1.
+/// A ramp from rest over `length`, with a peak acceleration of 1, as a curve of the position.
 Cam ramp_up(const Ramp& ramp, double length) {
   std::vector<Segment> acceleration;
   if (ramp.rise > 0) acceleration.push_back(sine_piece(ramp.rise * length, 0, pi / 2));
@@ -73,7 +73,7 @@ Cam ramp_up(const Ramp& ramp, double length) {
   return integral(integral(Cam(std::move(acceleration))));
 }
 
-/// The rise of (1). `down` is described from the far end.
+/// The rise of (1). `down` is described from its end backwards.
 std::vector<Segment> ramped(const Ramp& up, double up_length, double straight, const Ramp& down,
                             double down_length) {
   const Cam a = ramp_up(up, up_length);
@@ -194,7 +194,8 @@ std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) 
 }
 
 [[noreturn]] void refuse(const char* key, const std::string& value, Law law) {
-  throw InputError(key, value, std::string("the law `") + name(law) + "` has no such parameter");
+  throw InputError(key, value,
+                   std::string("the law `") + name(law) + "` has no parameter of this name");
 }
 
 std::vector<Segment> rise(Law law, const LawForm& form) {
@@ -262,7 +263,7 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
   return {};
 }
 
-/// The n of a polynomial law that takes its end values by (2); 0 otherwise.
+/// The n of a polynomial law whose end values enter by (2); 0 for all other laws.
 int hermite_order(Law law) {
   switch (law) {
     case Law::cubic:

@@ -11,11 +11,12 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. The requirement x = y everywhere gives
+// The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. Requiring x = y everywhere gives
 //
 //   (1)  f = y + (2 D / w) y' + y'' / w^2
 //
-// and x = y holds if both begin alike. f^(k) is continuous wherever y^(k), y^(k+1) and y^(k+2) are.
+// and x = y holds if both begin with the same state. f^(k) is continuous wherever y^(k), y^(k+1)
+// and y^(k+2) are.
 
 namespace jounce {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 using profiles_detail::rounded_input;
 using profiles_detail::two_pi;
 
-/// Equation (1) on one segment. A derivative has no sines or powers that its function lacks.
+/// Equation (1) on one segment. Derivatives have no sines or powers that the function lacks.
 Segment driving(const Segment& y, double by_velocity, double by_acceleration) {
   const Segment velocity = derivative(y);
   const Segment with_velocity = sum(y, scaled(velocity, by_velocity)).value();

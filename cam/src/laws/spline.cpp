@@ -11,7 +11,7 @@
 
 // The cubic spline has the least integral of the square of the second derivative of all functions
 // through the points, the quintic spline that of the third (Schoenberg 1964; de Boor, ch. V).
-// detail/least_energy.cpp computes them as such. An omitted derivative at an end makes the boundary
+// least_energy.cpp computes them as such. An omitted derivative at an end makes the boundary
 // terms of the partial integration vanish there: the natural end. With not-a-knot ends the number
 // of knots equals that of the conditions, and the spline is a B-spline through the points
 // (b_spline.cpp).

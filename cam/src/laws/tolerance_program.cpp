@@ -8,15 +8,15 @@
 #include "cam/src/design/table.hpp"
 
 // Minimizes E(y), the least integral of geo_jerk^2 of all curves through (x_i, y_i) with |y_i -
-// given_i| <= tolerance_i. E is a convex quadratic function of y. With some points pinned to a
-// bound and the others free, the quintic spline through the pinned points alone has the least
+// given_i| <= tolerance_i. E is a convex quadratic function of y. If some points are pinned to a
+// bound and the others are free, the quintic spline through only the pinned points has the least
 // value: a free point leaves no joint, so the system stays small and well conditioned for any
-// density of the table. At a pinned point (detail/least_energy.cpp)
+// density of the table. At a pinned point (least_energy.cpp)
 //
 //   (1)  dE/dy_i = 2 (f^(5)(x_i-) - f^(5)(x_i+)),   f^(5) = 0 beyond a natural end
 //
-// and everywhere else it is zero. The curve is optimal if every free point is within its tolerance
-// and
+// and everywhere else this derivative is zero. The curve is optimal if every free point is within
+// its tolerance and
 //
 //   (2)  dE/dy_i >= 0 if y_i is at its lower bound, <= 0 if it is at its upper one.
 //
@@ -26,14 +26,15 @@
 //        gap = sum of |dE/dy_i| 2 tolerance_i over the pins that violate (2)
 //
 // Parabolas (periodic: constants) have no jerk. If too few points are pinned to determine one, a
-// few others are held at their present values: then E = 0 for any values.
+// few others are held at their present values; then E = 0 for any values.
 //
 // Descent: y moves straight towards the minimum of its face (the pinned points stay), and E falls
-// all the way. A bound on the way pins its point, and the search continues in the rest of the face.
-// After at most as many steps as there are points it reaches the minimum of a face. There it
-// releases all pins that violate (2): the next step lowers E. E is therefore lower at every such
-// minimum than at the previous one; no face recurs, and there are finitely many. (Of the pins
-// released together, some may be pinned again at once, but not the last: alone it moves inwards.)
+// all the way. If a point reaches a bound on the way, it is pinned, and the search continues in the
+// rest of the face. After at most as many steps as there are points, the search reaches the minimum
+// of a face. There it releases all pins that violate (2), so the next step lowers E. E is therefore
+// lower at every such minimum than at the previous one; no face recurs, and there are finitely many
+// faces. (Of the pins that are released together, some may be pinned again at once, but not the
+// last one: alone, it moves inwards.)
 
 namespace jounce::cam_detail {
 namespace {

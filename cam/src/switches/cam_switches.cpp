@@ -12,11 +12,12 @@
 namespace jounce {
 namespace {
 
-/// The distance from `from` to `to` on an axis of this period, nearest to the expected one.
+/// The distance from `from` to `to` on an axis with this period: the one nearest to the expected
+/// distance.
 double way(double from, double to, double expected, double period) {
   const double d = to - from;
   if (period == 0) return d;
-  if (!(std::abs(expected) < 1e6 * period)) expected = 0;  // not a velocity of an axis
+  if (!(std::abs(expected) < 1e6 * period)) expected = 0;  // implausible as a velocity
   return d - period * std::round((d - expected) / period);
 }
 
@@ -60,8 +61,8 @@ void CamSwitches::place_at(double position, double velocity) {
   placed_ = known_ = true;
 }
 
-/// The piece runs in a frame whose origin is less than a period away, so that a long run loses no
-/// digits. The end of one piece, reduced again from the given position, is the start of the next.
+/// Starts a piece in a frame whose origin is less than a period away, so a long run loses no
+/// digits. The end of a piece, reduced from the given position, is the start of the next piece.
 void CamSwitches::move(double position, double velocity) {
   const double d = way(position_, position, (velocity_ + velocity) / 2 * elapsed_, period_);
   machine_->begin(cycle_motion(local_, velocity_, local_ + d, velocity, elapsed_));

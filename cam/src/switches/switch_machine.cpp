@@ -234,7 +234,7 @@ std::optional<SwitchEdge> SwitchMachine::next() {
   return std::nullopt;
 }
 
-/// The required outputs now.
+/// The outputs that are required now.
 std::uint32_t SwitchMachine::wanted() const {
   std::uint32_t on = 0;
   std::uint32_t unknown = 0;

@@ -23,7 +23,8 @@ struct Event {
   bool rising = true;    ///< the compensated position rises there
 };
 
-/// One boundary of a switch, repeated in each period. It counts the repetitions behind the axis.
+/// One boundary of a switch, repeated in each period. It counts the repetitions that the axis has
+/// passed.
 struct Boundary : Event {
   double position = 0;
   double period = 0;  ///< 0: a single boundary
@@ -55,16 +56,16 @@ struct Heading : Event {
   void turn(bool up);
 };
 
-/// The simulation behind both forms of the cam switches: it takes a motion piece by piece and
+/// The simulation behind both forms of the cam switches. It takes a motion piece by piece and
 /// returns the edges in order.
 ///
 ///     machine.place(x0, v0);
 ///     machine.begin(motion);                          // a Segment over s, which begins at x0
 ///     while (const auto edge = machine.next()) ...    // edge->time: s since the piece's start
 ///
-/// It simulates discrete events: each boundary, heading and running duration has a time for its
-/// next event, and the earliest occurs first. All changes at one instant are one change. begin()
-/// and next() do not allocate for a piece of degree at most 3.
+/// It simulates discrete events: each boundary, direction and running duration has a time for its
+/// next event, and the earliest event occurs first. All changes at the same instant are one change.
+/// begin() and next() do not allocate for a piece of degree at most 3.
 class SwitchMachine {
  public:
   explicit SwitchMachine(const CamSwitchSpec& spec);
@@ -72,11 +73,11 @@ class SwitchMachine {
   /// Sets the position x without passing anything.
   void place(double x, double velocity);
   void begin(const Segment& motion);
-  /// Instead of begin(): time passes without a motion.
+  /// Instead of begin(): only time passes, without a motion.
   void wait(double length);
   std::optional<SwitchEdge> next();
-  /// Shifts the origin of positions by so many periods: positions of the next piece are less by
-  /// that.
+  /// Shifts the origin of positions by this number of periods; the positions of the next piece are
+  /// less by it.
   void shift(std::int64_t periods);
   void enable(std::uint32_t mask) { enabled_ = mask; }
 

@@ -10,7 +10,8 @@
 namespace jounce::cam_detail {
 namespace {
 
-/// Above the maximum for a piece of degree 3: 2 reversals, and 2 of y between any two of them.
+/// More than the maximum for a piece of degree 3: 2 reversals of the axis, and 2 of y between any
+/// two of them.
 constexpr std::size_t room = 32;
 
 /// Equation (1): y = x - c x'.
@@ -80,7 +81,8 @@ void SwitchPath::begin(const TurningPiece& piece) {
   last_ = parts_.back().to;
 }
 
-/// Adds the intervals of one direction. Their y may itself reverse: a lead under hard braking.
+/// Adds the intervals of one direction. y itself may reverse in them, for example by a lead during
+/// hard braking.
 void SwitchPath::add(const TurningPiece& piece, double begin, double end) {
   const bool forwards = value(piece.velocity, (begin + end) / 2) >= 0;
   const Segment& y = forwards ? ahead_ : back_;

@@ -155,8 +155,9 @@ std::vector<Exchanged> read_columns(const std::string& text, const Place& place,
     ++knots;
   }
   if (count && count->value != std::to_string(knots))
-    place.fail(count->line, "number of points", count->value,
-               "the file holds " + std::to_string(knots) + ": is it complete?");
+    place.fail(
+        count->line, "number of points", count->value,
+        "the number of points in the file is " + std::to_string(knots) + ": is the file complete?");
   return {rows.finish()};
 }
 

@@ -40,8 +40,9 @@ void require_whole(const controllers_detail::Exchanged& read,
   const std::size_t knots = file.table.size();
   if (const auto note = read.notes.find("knots");
       note != read.notes.end() && note->second.value != std::to_string(knots))
-    place.fail(note->second.line, "knots", note->second.value,
-               "the file holds " + std::to_string(knots) + ": is it complete?");
+    place.fail(
+        note->second.line, "knots", note->second.value,
+        "the number of knots in the file is " + std::to_string(knots) + ": is the file complete?");
   const auto note = read.notes.find("sha256");
   if (note == read.notes.end()) return;
   const std::string actual = hex(content_hash(file.table, file.units));

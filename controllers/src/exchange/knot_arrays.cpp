@@ -140,7 +140,7 @@ class Reader {
     if (field != type_.fields.end()) {
       const auto i = static_cast<std::size_t>(field - type_.fields.begin());
       if (std::exchange(element.given[i], true))
-        code_.fail(std::string(*field), "", "is there twice: remove one");
+        code_.fail(std::string(*field), "", "is given twice: remove one");
       element.knot.values[i] = code_.number(std::string(*field));
       return;
     }

@@ -69,7 +69,9 @@ Trajectory curve(const Stretch& s) {
   return with_laws(s.ramps, [&](const auto& up, const auto& down) {
     const double h = std::abs(s.to - s.from);
     const auto move = profiles_detail::ramped(up, s.v0, down, s.v1, s.ramps.velocity, h);
-    if (!move) throw InputError("to", s.to, "is too close to `from` for a move");
+    if (!move)
+      throw InputError("to", s.to,
+                       "is too close to `from`: the move would be too short to compute");
     return made(*move, s.from, s.to);
   });
 }

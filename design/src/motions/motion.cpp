@@ -21,8 +21,8 @@ Trajectory curve_of(const MoveResult& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
     throw InputError(key, "", "is the start position: there is no move");
-  // The requested states, not the states of the curve: without a limit of the acceleration the velocity steps, and the
-  // axis is at rest before.
+  // Uses the requested states instead of those of the curve: without a limit of acceleration the
+  // velocity steps, and the axis is at rest before.
   const bool moves = move.profile.start().velocity != 0 || move.profile.end().velocity != 0;
   const Trajectory curve = move.profile.curve();
   return moves ? with(curve, Extrapolation::refuse) : curve;
@@ -37,7 +37,7 @@ Trajectory made(const SCurveSpec& s) {
   return s_curve(s).curve();
 }
 
-/// The reason why a duration is impossible, with the next possible duration.
+/// The error for an impossible duration, with the reason and the next possible duration.
 InputError refused(const PointToPointSpec& s, const MotionState& to, MoveStatus status) {
   const Durations all = durations(s.from, to, s.bounds);
   return {"duration", *s.duration,
@@ -135,7 +135,7 @@ const char* type_of(const MotionCommand& command) {
   return names[command.index()];
 }
 
-/// Names each segment by the command that is active in its middle.
+/// The name of each segment is the command that is active in its middle.
 std::vector<std::string> labels_of(const QueueSpec& queue, const QueuedMotion& motion) {
   std::vector<std::string> labels;
   const auto breaks = motion.trajectory.breaks();
@@ -156,7 +156,8 @@ std::vector<std::string> labels_of(const QueueSpec& queue, const QueuedMotion& m
 
 // ---- several axes ----------------------------------------------------------------------------
 
-/// Extends each axis to the end of the longest one. An axis that ends earlier stands, or continues at its velocity.
+/// Extends each axis to the end of the longest one. An axis that ends earlier stands still, or
+/// continues at its velocity.
 void bring_to_one_end(std::vector<Trajectory>& motions) {
   double end = 0;
   for (const Trajectory& motion : motions) end = std::max(end, motion.end());
@@ -168,7 +169,8 @@ std::string key_of(std::size_t axis) {
   return "axis[" + std::to_string(axis + 1) + "]";
 }
 
-/// The limit for both directions; none if one direction has none: the times of a spline are found for magnitudes.
+/// The limit that applies to both directions; none if one direction has none. The times of a spline
+/// are computed for magnitudes.
 std::optional<double> magnitude_of(double least, double greatest) {
   const double limit = std::min(-least, greatest);
   return std::isfinite(limit) ? std::optional(limit) : std::nullopt;
@@ -190,7 +192,7 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
   for (const AxisMove& axis : axes.axes) spec.axes.push_back(axis.bounds);
   try {
     return axes.shortest_times ? in_shortest_times(axes) : via(spec).axes;
-  } catch (const InputError& error) {  // axes[1] and points[2] name [[axis]] and [[point]]
+  } catch (const InputError& error) {  // axes[1] and points[2] are [[axis]] and [[point]]
     std::string key = error.key();
     if (key.starts_with("axes")) key.replace(0, 4, "axis");
     if (key.starts_with("points")) key.replace(0, 6, "point");
@@ -200,7 +202,8 @@ std::vector<Trajectory> through_points(const AxesSpec& axes) {
   }
 }
 
-/// The limits of the rates for an axis that moves `ratio` times as far; no limits of the position.
+/// The limits of the rates for an axis that moves `ratio` times as far; without limits of the
+/// position.
 Bounds scaled(const Bounds& b, double ratio) {
   const auto both = [&](double min, double max) {
     return ratio < 0 ? std::pair{ratio * max, ratio * min} : std::pair{ratio * min, ratio * max};
@@ -213,8 +216,8 @@ Bounds scaled(const Bounds& b, double ratio) {
   return all;
 }
 
-/// Under sync = "phase", an axis without limits follows the first axis that has some (line follow, PMC600 manual 6.3):
-/// it gets these limits, times the ratio of the distances.
+/// If sync is "phase", an axis without limits gets those of the first axis that has some, times
+/// the ratio of the distances (line follow, PMC600 manual 6.3).
 std::vector<AxisMove> with_followers(const AxesSpec& axes) {
   std::vector<AxisMove> all = axes.axes;
   const auto limited = [](const AxisMove& axis) { return !(axis.bounds == Bounds{}); };
@@ -239,7 +242,7 @@ Trajectory moving_at_ends(const Trajectory& motion) {
 Trajectory motion_of(const MoveSpec& move) {
   try {
     return std::visit([](const auto& spec) { return made(spec); }, move);
-  } catch (const InputError& error) {  // the generator names its own fields
+  } catch (const InputError& error) {  // the generator uses its own names
     throw spec_detail::renamed(error, "move." + error.key());
   }
 }

@@ -13,17 +13,18 @@
 namespace jounce::design_detail {
 namespace {
 
-/// Data that an operator may need beside the motions.
+/// Further data that an operator may need.
 struct Context {
   std::vector<Limits> limits;
-  double unit = 1;  ///< s
+  double unit = 1;  ///< s, unit of time
   std::vector<std::string> names = {};
-  std::vector<Jet> error = {};  ///< greatest error of each motion, where it was fitted
+  std::vector<Jet> error = {};  ///< greatest error of each motion that was fitted
 };
 
 using Motions = std::vector<Trajectory>;
 
-/// Throws InputError for a motion that begins or ends moving: a filter assumes that it is at rest before and after.
+/// Throws InputError for a motion that begins or ends in motion: a filter assumes rest before and
+/// after.
 void require_rest_at_ends(const Trajectory& motion) {
   const double peak = std::abs(extrema(motion, 1).peak().value);
   for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
@@ -83,7 +84,7 @@ void apply(const ChangeSpec& c, const Context&, Motions& motions) {
   motions.front() = changed(motions.front(), c);
 }
 
-/// The axis of this name; `otherwise` if there is no name.
+/// The index of the axis with this name; `otherwise` if the name is empty.
 std::size_t axis_named(const std::string& name, const char* key, const Context& context,
                        std::optional<std::size_t> otherwise) {
   if (name.empty() && otherwise) return *otherwise;
@@ -93,7 +94,7 @@ std::size_t axis_named(const std::string& name, const char* key, const Context& 
   return static_cast<std::size_t>(at - context.names.begin());
 }
 
-/// The axes of the table are the references of the document.
+/// The compensation. The axes of its table are the references of the document.
 Compensation made_of(const CompensateSpec& s) {
   try {
     return Compensation(s.table);
@@ -119,8 +120,8 @@ void apply(const CompensateSpec& s, Context& context, Motions& motions) {
     context.error[axis][k] += corrected.error[k];
 }
 
-/// The key in the document for a field of a generator: "t" and "target" are `time` and `to` of the operator; limits and
-/// axes are those of the document.
+/// The key in the document for a field of a generator: "t" and "target" are `time` and `to` of the
+/// operator; limits and axes have the keys of the document.
 std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
   const std::string then = "then[" + std::to_string(k + 1) + "]";
   if (key == "t") key = "time";

@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// Greatest magnitude of an axis's direction on a piece.
+/// Greatest magnitude of the derivative of an axis with respect to q on a piece.
 double steepest(const Path& path, std::size_t piece, std::size_t axis,
                 std::vector<Segment>& segments) {
   const PathPiece& of = path.pieces()[piece];
@@ -32,7 +32,7 @@ double steepest(const Path& path, std::size_t piece, std::size_t axis,
   return greatest;
 }
 
-/// Full speed of a piece.
+/// Full speed on a piece.
 double full_speed(const Plan& plan, std::size_t piece, std::vector<Segment>& segments) {
   const Plan::Given& given = plan.given();
   const PathPiece& of = plan.path().pieces()[piece];
@@ -51,7 +51,7 @@ std::size_t piece_at(std::span<const PathPiece> pieces, double q) {
   return behind == pieces.begin() ? 0 : static_cast<std::size_t>(behind - pieces.begin()) - 1;
 }
 
-/// Time to any place of the path at full speed.
+/// Duration at full speed from the start to any place of the path.
 class FullSpeed {
  public:
   explicit FullSpeed(const Plan& plan) : pieces_(plan.path().pieces()) {
@@ -75,12 +75,12 @@ class FullSpeed {
   std::vector<double> times_;
 };
 
-/// A place of the timing law. Between two successive ones the speed is monotone.
+/// A place of the timing law. Between two successive places the speed is monotone.
 struct LawPlace {
   double time = 0, q = 0, velocity = 0;
 };
 
-/// The ends of all phases, and the places within them where the acceleration changes its sign.
+/// The ends of all phases, and the places within phases where the acceleration changes its sign.
 std::vector<LawPlace> places_of(const TimingLaw& law) {
   std::vector<LawPlace> places;
   std::array<LawPhase, 7> phase;
@@ -107,14 +107,14 @@ LawPlace middle(const LawPlace& a, const LawPlace& b) {
   return {(a.time + b.time) / 2, (a.q + b.q) / 2, a.velocity};
 }
 
-/// A local extremum of the speed: places [first, last] of equal speed.
+/// A local extremum of the speed: places [first, last] of the same speed.
 struct Plateau {
   std::size_t first = 0, last = 0;
   bool least = false;
 };
 
-/// The local extrema along the law in turn: at rest, fastest, slowest, ..., at rest. Speeds that differ by at most
-/// `same` are equal.
+/// The local extrema along the law, alternating: rest, maximum, minimum, ..., rest. Speeds that
+/// differ by at most `same` count as equal.
 std::vector<Plateau> extrema_of(std::span<const LawPlace> places, double same) {
   std::vector<Plateau> all{{0, 0, true}};
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -123,7 +123,7 @@ std::vector<Plateau> extrema_of(std::span<const LawPlace> places, double same) {
     if (std::abs(step) <= same) {
       last.last = i;
     } else if (all.size() > 1 && (step > 0) == !last.least) {
-      last = {i, i, last.least};  // the speed goes on in the same direction
+      last = {i, i, last.least};  // the speed continues in the same direction
     } else {
       all.push_back({i, i, step < 0});
     }
@@ -131,7 +131,7 @@ std::vector<Plateau> extrema_of(std::span<const LawPlace> places, double same) {
   return all;
 }
 
-/// The corners with a place on the path, in its order.
+/// The corners that are on the path, in its order.
 class Corners {
  public:
   Corners(std::span<const CornerRecord> all, double length) : all_(all), margin_(1e-9 * length) {
@@ -153,7 +153,7 @@ class Corners {
   double margin_;
 };
 
-/// Cause and line of the slowest place.
+/// Determines cause and line of the slowest place.
 void explain(const Plan& plan, const Corners& corners, const LawPlace& a, const LawPlace& b,
              SpeedLoss& loss) {
   const auto pieces = plan.drawn().pieces();

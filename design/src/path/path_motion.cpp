@@ -18,7 +18,8 @@ std::string name_of(const PathPiece& piece) {
   return (corner ? "corner " : "line ") + std::to_string(piece.line);
 }
 
-/// The source line of each segment, by the piece of the path in its middle. Both ascend.
+/// The source line of each segment: that of the piece of the path at the middle of the segment.
+/// Both ascend.
 std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
   const auto pieces = plan.drawn().pieces();
   const auto stretches = plan.law().stretches();
@@ -40,7 +41,8 @@ std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
   return names;
 }
 
-/// A fit to 1e-9, or to a hundred times the rounding of the greatest coordinate of an arc.
+/// The precision of a fit: 1e-9, or a hundred times the rounding of the greatest coordinate of an
+/// arc.
 double fine(const Program& program) {
   double largest = 0;
   for (const Arc& arc : program.arcs()) {
@@ -50,7 +52,8 @@ double fine(const Program& program) {
   return std::max(1e-9, 2e-14 * largest);
 }
 
-/// The curve without the segments that are shorter than the rounding of its times: a table has no knots so close.
+/// The curve without the segments that are shorter than the rounding of its times, because knots of
+/// a table cannot be that close.
 Trajectory without_slivers(const Trajectory& curve) {
   const double shortest = 16 * std::numeric_limits<double>::epsilon() * curve.end();
   std::vector<Segment> segments;
@@ -59,7 +62,7 @@ Trajectory without_slivers(const Trajectory& curve) {
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }
 
-/// The error with the name and the unit of the axis whose number it has: to[3] -> to[3] (z).
+/// Adds the name and the unit of the axis to an error: to[3] -> to[3] (z).
 InputError named(const InputError& error, const GcodeMachine& machine) {
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     const std::string key = "to[" + std::to_string(i + 1) + "]";
@@ -86,10 +89,10 @@ auto in_source(const PathSpec& path, const Make& make) {
   }
 }
 
-/// Names of the segments of lines that overlap.
+/// Names of the segments of overlapping lines.
 std::vector<std::string> names_of(const Overlapped& motion, const Trajectory& curve, int first) {
   std::vector<std::string> names;
-  std::size_t next = 0;  // the corner ahead
+  std::size_t next = 0;  // the next corner
   for (std::size_t i = 0; i < curve.segments().size(); ++i) {
     const double t = (curve.breaks()[i] + curve.breaks()[i + 1]) / 2;
     while (next < motion.corners.size() &&

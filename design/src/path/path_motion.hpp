@@ -11,16 +11,17 @@
 
 namespace jounce::design_detail {
 
-/// A planned path as one motion an axis.
+/// A planned path as one motion for each axis.
 struct PathMotion {
   std::shared_ptr<const Plan> plan = {};
-  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
+  std::shared_ptr<const Overlapped> overlap = {};  ///< overlapping lines, instead of a plan
   PlanAxes axes = {};
-  std::vector<std::vector<std::string>> names =
-      {};  ///< names of the segments of each axis: "line 12", "corner 12", "dwell"
+  /// Names of the segments of each axis: "line 12", "corner 12", "dwell".
+  std::vector<std::vector<std::string>> names = {};
 };
 
-/// Throws InputError with the source and the line of the command, or with a key of the document.
+/// Makes the motion. Throws InputError with the source and the line of the command, or with a key
+/// of the document.
 PathMotion motion_of(const PathSpec& path);
 
 }  // namespace jounce::design_detail

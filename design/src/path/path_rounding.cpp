@@ -11,21 +11,21 @@
 namespace jounce::design_detail {
 namespace {
 
-/// Error of the `order`th derivative of a segment by rounding of its coefficients.
+/// Error of a segment's derivative of this order, by rounding of its coefficients.
 double rounding_of(const Segment& f, std::size_t order) {
   const double per_length = std::max(1, f.degree) / f.length;
   return 8 * std::numeric_limits<double>::epsilon() * magnitude(f) *
          std::pow(per_length, static_cast<double>(order));
 }
 
-/// Order of the derivative that a finding is about.
+/// Order of the derivative to which a finding refers.
 std::size_t order_of(const std::string& quantity) {
   for (std::size_t k = 0; k < OverTime::names.size(); ++k)
     if (quantity.ends_with(OverTime::names[k])) return k;
   return 0;
 }
 
-/// The same on both sides of a break.
+/// The same for both sides of a break.
 double rounding_at(const Trajectory& curve, double where, std::size_t order) {
   const auto breaks = curve.breaks();
   const auto at = std::lower_bound(breaks.begin(), breaks.end(), where);

@@ -6,9 +6,10 @@
 
 namespace jounce::design_detail {
 
-/// Broken findings of check() and check_continuity() hold where rounding of the curve's coefficients explains them.
-/// The axes of a path have very short segments at large coordinates: an error of eps |f| in a coefficient is an
-/// error of eps |f| d^k / L^k in the k-th derivative of a segment of length L and degree d.
+/// Marks broken findings of check() and check_continuity() as kept if rounding of the curve's
+/// coefficients explains them. The axes of a path have very short segments at large coordinates: an
+/// error of eps |f| in a coefficient is an error of eps |f| d^k / L^k in the k-th derivative of a
+/// segment of length L and degree d.
 void discount_rounding(const Trajectory& curve, Report& report);
 
 }  // namespace jounce::design_detail

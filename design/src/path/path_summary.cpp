@@ -28,8 +28,8 @@ Report path_report(const Spec& spec, const Plan& played) {
 
 namespace {
 
-/// The time at which the axes first are at q. Near a rest q hardly depends on time: where a stretch ends at q but
-/// for rounding, its end counts.
+/// The time at which the axes first are at q. Near a rest q hardly depends on time; if a stretch
+/// ends at q except for rounding, the result is its end.
 double first_time_at(const TimingLaw& law, double q) {
   const auto stretches = law.stretches();
   const double rounding = 1e-12 * (stretches.back().start + stretches.back().length);
@@ -56,7 +56,7 @@ Point end_of(const Program& program, const Program::Command& command) {
   return to;
 }
 
-/// Length of the way between two points, measured by axes from `first` up to `last`.
+/// Distance between two points in the axes from `first` to before `last`.
 double distance(const Point& a, const Point& b, std::size_t first, std::size_t last) {
   double square = 0;
   for (std::size_t i = first; i < last; ++i) square += (b[i] - a[i]) * (b[i] - a[i]);

@@ -41,8 +41,8 @@ double degrees(double angle) {
 std::string times_text(const PathSummary& s, const Along& units) {
   return fmt::format(
       "{0} {2} for {1} {3}, {4} {5} on average\n"
-      "with a stop at each corner: {6} {2}; at least {7} {2} on this path (proven; jerk not "
-      "limited)\n",
+      "with a stop at each corner: {6} {2}; proven lower bound on this path, without jerk limits: "
+      "{7} {2}\n",
       rounded(s.duration), rounded(s.length), units.time, units.length,
       rounded(s.length / s.duration), units.velocity, rounded(s.stop_duration),
       rounded(s.lower_bound));
@@ -76,7 +76,7 @@ std::string corner_text(const CornerRecord& corner, const Along& units) {
   return text;
 }
 
-/// Indices of the losses, the greatest first.
+/// Indices of the losses, in descending order of the loss.
 std::vector<std::size_t> by_loss(const std::vector<SpeedLoss>& losses) {
   std::vector<std::size_t> order(losses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -103,7 +103,7 @@ std::string places_text(const PathSummary& s, const Along& units) {
   return text;
 }
 
-/// A line for each kind of note: how many, and the first in words.
+/// One line for each kind of note: the number of notes, and the first one in words.
 std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
   for (std::size_t k = 1; k < note_names.size(); ++k) {

@@ -28,7 +28,8 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   const RotaryKnifeFigures f = figures(spec);
   const CamOfLength cams = cams_of(spec, f.sync_length);
   CutLengths all;
-  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);  // the longest does not reverse
+  // The longest cut does not yet reverse.
+  if (!spec.dwell) all.turns_back = f.longest * (1 + 1e-12);
   all.fastest = [cams, back = all.turns_back](double length, const CutLimits& limits) -> CutSpeed {
     if (length > back) return {length, 0, "reversal", 0};
     return fastest_cut(cams, length, limits);
@@ -42,7 +43,7 @@ std::optional<CutLengths> lengths_of(const RotaryKnifeSpec& spec) {
   return all;
 }
 
-/// "return acceleration" -> "acceleration"
+/// The last word of a quantity: "return acceleration" -> "acceleration".
 std::string limit_of(const ShearBound& bound) {
   return bound.quantity.substr(bound.quantity.find(' ') + 1);
 }
@@ -62,7 +63,7 @@ std::optional<double> shortest_shear(FlyingShear shear, double speed, const CutL
   return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }
 
-/// A shear is faster for longer cuts, up to the speed of the line.
+/// The cut lengths of a shear: the line is faster for longer cuts, up to the limit of its speed.
 std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
   if (!spec.sync_time && !spec.sync_length)
     throw InputError("shear.sync_time", "",

@@ -75,8 +75,9 @@ std::vector<SyncFigure> figures_of(const Kind&, const Spec&) {
 
 std::string runs_at(const RotaryKnifeSpec& knife, const RotaryKnifeFigures& f) {
   if (f.dwell > 0) return "the knife stops between the cuts";
-  return fmt::format("rho {}; the blade runs at {} times the web in the middle", rounded(f.rho),
-                     rounded(f.surface_ratio)) +
+  return fmt::format(
+             "rho = {}; halfway between two cuts, the blade moves at {} times the speed of the web",
+             rounded(f.rho), rounded(f.surface_ratio)) +
          (knife.speed_ratio == 1 ? "" : fmt::format(", {} in step", number(knife.speed_ratio)));
 }
 
@@ -92,8 +93,8 @@ void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
   if (const auto least = cuts.shortest(line, limits))
     all.push_back({"shortest cut", *least, spec.units.x,
-                   fmt::format("at {} {}: the slave's {} limit", rounded(line), speed_unit(spec),
-                               cuts.fastest(*least, limits).limit)});
+                   fmt::format("at {} {}, limited by the slave's {}", rounded(line),
+                               speed_unit(spec), cuts.fastest(*least, limits).limit)});
 }
 
 std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spec) {
@@ -101,27 +102,30 @@ std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spe
   const std::string& m = spec.units.x;
   const std::string& u = spec.units.position;
   std::vector<SyncFigure> all{
-      {"synchronous length", f.synchronous, m, "without a correction"},
+      {"synchronous length", f.synchronous, m, "a cut of this length needs no correction"},
       {"in step", f.sync_length, m, fmt::format("{} {} of the knife", rounded(f.sync_angle), u)},
       {"recovery", f.recovery_length, m, runs_at(knife, f)},
-      {"longest cut", f.longest, m, "without a stop"}};
-  if (knife.matching == KnifeMatching::horizontal) all[0].meaning = "at the same mean speeds";
+      {"longest cut", f.longest, m, "the longest without a stop of the knife"}};
+  if (knife.matching == KnifeMatching::horizontal)
+    all[0].meaning = "at this cut length, blade and web have the same mean speed";
   if (f.contact_angle > 0)
     all.push_back(
         {"contact angle", f.contact_angle, u, "from the first contact of the blade to the bottom"});
-  if (f.dwell > 0) all.push_back({"dwell", f.dwell, m, "while the knife stands"});
+  if (f.dwell > 0)
+    all.push_back({"dwell", f.dwell, m, "travel of the web while the knife stands still"});
   add_speeds(all, spec);
   return all;
 }
 
-/// "return acceleration" -> "the slave's acceleration limit, on its return"
+/// "return acceleration" -> "limited by the slave's acceleration on its return"
 std::string told(const ShearBound& bound) {
   const std::string& q = bound.quantity;
-  const std::string limit = "the slave's " + q.substr(q.find(' ') + 1) + " limit";
-  if (q == "stroke") return "the stroke";
-  if (q == "cut length" || q == "return length") return "no master distance is left for the return";
-  if (q.starts_with("sync")) return limit + ", in step";
-  return limit + (q.starts_with("ramp") ? ", as it runs up" : ", on its return");
+  const std::string limit = "limited by the slave's " + q.substr(q.find(' ') + 1);
+  if (q == "stroke") return "limited by the stroke";
+  if (q == "cut length" || q == "return length")
+    return "because no travel of the master is left for the return";
+  if (q.starts_with("sync")) return limit + " in step";
+  return limit + (q.starts_with("ramp") ? " as it runs up" : " on its return");
 }
 
 std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
@@ -131,18 +135,18 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
   const std::string& m = spec.units.x;
   const std::string speed = rounded(shear.line_speed) + " " + speed_unit(spec);
   const bool left = !shear.sync_time && !shear.sync_length;
-  const std::string none = left ? "; no sync remains there" : "";
+  const std::string none = left ? "; the sync zone vanishes there" : "";
   std::vector<SyncFigure> all{
       {"in step", plan.sync, m,
        fmt::format("{} {} at {}{}", rounded(plan.sync / shear.line_speed), spec.time_unit, speed,
                    left ? ", as long as stroke and return allow" : "")}};
   if (std::isfinite(least.value))
     all.push_back(
-        {"shortest cut", least.value, m, fmt::format("at {}: {}{}", speed, told(least), none)});
+        {"shortest cut", least.value, m, fmt::format("at {}, {}{}", speed, told(least), none)});
   if (std::isfinite(most.value))
     all.push_back({"fastest line", most.value, speed_unit(spec),
-                   fmt::format("with its own table, of {} {}: {}{}", rounded(shear.cut_length), m,
-                               told(most), none)});
+                   fmt::format("for cuts of {} {} with a new table, {}{}",
+                               rounded(shear.cut_length), m, told(most), none)});
   return all;
 }
 

@@ -37,12 +37,12 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   return f;
 }
 
-/// Adds the velocity of the slave to the advice where its tables end at a ratio.
+/// Adds the velocity of the slave to the advice for tables that end at a ratio.
 void add_speed(Report& report, const Spec& spec) {
   for (Finding& f : report.findings)
     if (f.rule == "follow/open_end" && spec.master)
       f.advice =
-          fmt::format("at the master's {} {} the slave moves at {} {} there; {}",
+          fmt::format("at the master velocity {} {}, the slave moves at {} {} there; {}",
                       rounded(spec.master->velocity), rate_unit(spec.units.x, spec.time_unit, 1),
                       rounded(f.value * spec.master->velocity),
                       rate_unit(spec.units.position, spec.time_unit, 1), f.advice);

@@ -12,7 +12,8 @@
 namespace jounce::design_detail {
 namespace {
 
-/// The key in the document for a field of the generator. The clutch of `distance` is the first change of the course.
+/// The error with the key in the document instead of the generator's field. The clutch of
+/// `distance` is the first change of the course.
 InputError in_document(const InputError& error) {
   std::string key = error.key();
   for (const auto& [ours, theirs] : {std::pair{"change[1].at", "engage_at"},
@@ -27,7 +28,7 @@ InputError in_document(const InputError& error) {
   return {"gear." + key, error.value(), error.rule()};
 }
 
-/// The change that makes an impossible GearInPos possible.
+/// The rule in the message: the change that makes an impossible engagement possible.
 std::string rule_of(const GearInPos& gear, const GearInPosSpec& spec) {
   const std::string code = " (PMC600 error " + std::to_string(static_cast<int>(gear.status)) + ")";
   const EngageWindow window = engage_window(spec);
@@ -69,8 +70,8 @@ Report check_gear(const GearCourse& course, const Units& units) {
   f.margin = -1;
   f.broken = true;
   f.unit = units.position + "/" + units.x;
-  f.advice = "engage over a distance > 0, or with from_ratio = " + number(ratio) +
-             " if the slave is in step from the start";
+  f.advice = "engage over a distance greater than 0, or give from_ratio = " + number(ratio) +
+             " if the slave already has this ratio at the start";
   return {{f}};
 }
 
@@ -79,7 +80,7 @@ Report check_gear(const GearInPosPart& part, const Units& units) {
   const double way =
       gear.ratio * part.gear.master_start_distance;  // travel of the gear in this time
   const double h = gear.slave_sync - gear.slave_start;
-  // The warnings of the cam report a reversal that could be avoided.
+  // If a reversal could be avoided, the warnings of the cam report it.
   if (!gear || h * way > 0) return {};
   const Range slope = extrema(*gear.curve, 1);
   const Extremum back = gear.ratio > 0 ? slope.min : slope.max;

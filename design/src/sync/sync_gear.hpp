@@ -6,12 +6,14 @@
 
 namespace jounce::design_detail {
 
-/// The cam of a gear that engages. Throws InputError with keys of the document, also if GearInPos is impossible.
+/// The cam of a gear that engages. Throws InputError with keys of the document, also if GearInPos
+/// is impossible.
 SyncCam made_gear(const GearCourse& spec);
 SyncCam made_gear(const GearInPosPart& spec);
 
-/// Findings that the cam alone does not show, in the units of the spec: "gear/ratio_step" for a clutch without a
-/// distance at the start of the cam; "gear/reversal" for an engagement that must reverse.
+/// Findings that the cam alone does not show, in the units of the spec: "gear/ratio_step" for a
+/// clutch without a distance at the start of the cam; "gear/reversal" for an engagement that must
+/// reverse.
 Report check_gear(const GearCourse& course, const Units& units);
 Report check_gear(const GearInPosPart& part, const Units& units);
 

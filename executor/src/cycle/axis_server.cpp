@@ -247,7 +247,9 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
 void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
                       const Request& /*start*/) {
   if (!options_.table)
-    return decline(requested, "the axis has no table of its own: send one with `jounce stream`");
+    return decline(
+        requested,
+        "the spec of the axis has no table of its own to start: send a table with `jounce stream`");
   const Request request{requested.session, requested.command, Kind::arm};
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,
@@ -284,13 +286,16 @@ void AxisServer::obey(const command::QueueEnd& what, const CommandRequested& req
                       const Request& request) {
   if (!untimed(requested)) return;
   if (!queues_.end(what.queue))
-    return decline(requested, "the queue is not dynamic, or none of its rows ends at rest");
+    return decline(requested,
+                   "the end of this queue cannot be set: the queue is not dynamic, or none of its "
+                   "rows ends at rest");
   answer_queue(request, true);
 }
 
 /// Declines a command about a queue for a later tick.
 bool AxisServer::untimed(const CommandRequested& requested) {
-  if (requested.at >= 0) decline(requested, "queue commands cannot be timed: leave out --at");
+  if (requested.at >= 0)
+    decline(requested, "a command for a queue takes effect at once: leave out --at");
   return requested.at < 0;
 }
 

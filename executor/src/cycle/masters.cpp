@@ -60,7 +60,7 @@ void MasterServer::compare(One& one, const MasterSight& now) {
   one.last = now;
   const bool other_unit = one.intake && !one.intake->other_unit().empty();
   if (other_unit && !one.told_unit && options_.notify)
-    options_.notify("master " + one.master.name + ": samples rejected: their unit is " +
+    options_.notify("master " + one.master.name + ": samples rejected, because their unit is " +
                     one.intake->other_unit() + ", not " + one.master.unit);
   one.told_unit |= other_unit;
   const bool there = now.tick >= 0 && !now.lost();

@@ -37,7 +37,7 @@ std::string lock_memory() {
 std::string ask_for_cpu(int cpu) {
   const auto refused = [cpu](int error) {
     return "CPU " + std::to_string(cpu) + " is not available" + because(error) +
-           ": the cyclic thread runs on any CPU";
+           ": the cycle runs on any CPU";
   };
   if (cpu >= CPU_SETSIZE) return refused(EINVAL);
   cpu_set_t only;

@@ -10,9 +10,9 @@
 namespace jounce {
 namespace {
 
-constexpr double resolution = 1e-13;  ///< relative, of a bisection
+constexpr double resolution = 1e-13;  ///< relative resolution of a bisection
 
-/// The place in [from, to] from which on `above` is true, given that it is at `to` and not at `from`.
+/// The place in [from, to] from which on `above` is true; it is true at `to` and false at `from`.
 template <class Above>
 double boundary(double from, double to, Above&& above) {
   while (to - from > resolution * to) {

@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// The cam while it is put together, interval by interval.
+/// The cam under construction, interval by interval.
 struct ShearBuild {
   std::vector<Segment> segments = {};
   std::vector<std::string> names = {};
@@ -23,7 +23,8 @@ struct ShearBuild {
   }
 };
 
-/// The slope is k f, or k (1 - f): equation (2) of shear_plan.cpp. Integrated from where the slave is.
+/// Appends a ramp of the slope k f or k (1 - f): equation (2) of shear_plan.cpp, integrated from
+/// the slave's present position.
 void add_ramp(ShearBuild& build, const FlyingShear& shear, double from, double length, bool up,
               double k) {
   for (Segment& speed : gearing::placed(shear.ramp, {}, from, length, shear.cut_length)) {
@@ -32,7 +33,8 @@ void add_ramp(ShearBuild& build, const FlyingShear& shear, double from, double l
   }
 }
 
-/// The slope itself, not the difference of two positions: it is k to the last digit.
+/// Appends the sync interval. It uses the slope itself, not the difference of two positions, so k
+/// is exact to the last digit.
 void add_sync(ShearBuild& build, double length, double k) {
   Segment sync;
   sync.length = length;

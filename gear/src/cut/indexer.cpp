@@ -20,16 +20,16 @@ void require_valid(const Indexer& spec) {
   require_not_negative("before", spec.before);
   if (spec.count < 1) throw InputError("count", std::to_string(spec.count), "must be at least 1");
   const double room = spec.cycle / spec.count;
-  // The rounding of cycle / count is not a dwell.
+  // A dwell within the rounding of cycle / count is omitted.
   if (spec.before + spec.motion > room * (1 + 1e-12))
     throw InputError("motion", spec.motion,
                      "must be at most " + six_digits_down(room - spec.before) +
-                         ": cycle / count = " + six_digits(room) +
+                         ", the time for one index: cycle / count = " + six_digits(room) +
                          " less before = " + number(spec.before));
   gearing::require_rest_to_rest("law", spec.law, spec.form);
 }
 
-/// The cam while it is put together; all positions on the cycle's grid, so that it closes to the bit.
+/// The cam under construction. All positions are on the grid of the cycle, so it closes to the bit.
 struct IndexerBuild {
   const Indexer& spec;
   double master = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// The knife's least velocity. A stop's own zero is met, not broken.
+/// The finding for the knife's least velocity. A knife that stops as specified keeps this limit.
 Finding reversal(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f, const Cam& cam) {
   const Ranges ranges = extrema(cam);
   const Extremum& least = ranges[1].min;
@@ -30,11 +30,11 @@ Finding reversal(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f, const
     finding.advice = "cut lengths above " + number(f.longest) +
                      " need a stop between the cuts: set dwell = true";
   else if (spec.dwell)
-    finding.margin = 1;  // it stands where it should: no reason to call that the closest limit
+    finding.margin = 1;  // the stop is intended, so it is not listed as the closest limit
   return finding;
 }
 
-/// The blade must be in step while it is in the web.
+/// The finding for the contact: the blade must be in step while it is in the web.
 Finding contact(const RotaryKnifeFigures& f) {
   const double touches = 2 * f.contact_angle;
   Finding finding;
@@ -52,7 +52,7 @@ Finding contact(const RotaryKnifeFigures& f) {
   return finding;
 }
 
-/// Deficit of the blade's velocity along the web, where it cuts.
+/// The finding for the slip: how much slower than the web the blade moves along it during the cut.
 Finding slip(const RotaryKnifeSpec& spec, const RotaryKnifeFigures& f) {
   const double unit = spec.turn / (2 * std::numbers::pi);
   const double angle = f.contact_angle > 0 ? f.contact_angle : f.sync_angle / 2;

@@ -9,39 +9,41 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
 
-// **The recovery** over b with z = u / b, from and to the slope g, and accelerations A and -A, jerk J:
+// **The recovery** over the length b, with z = u / b. It begins and ends at the slope g, with the
+// accelerations A at its start and -A at its end, and the jerk J at both:
 //
 //     (1)  y = start + g b z + (h - g b) f(z) + B(z)
 //     (2)  B = w^2 (1 - 2 z) (c0 + c1 w),   w = z (1 - z)
 //
-// f is a symmetric rise from 0 to 1 at rest: slopes and stroke are right without B, which is odd
-// about the middle and has no value and no slope at both ends. B'' is 2 c0 at 0 and -2 c0 at 1,
-// B''' is 6 (c1 - 4 c0) at both, so that
+// f is a symmetric rise from 0 to 1 at rest, so slopes and stroke are correct without B. B is odd
+// about the middle; its value and slope are zero at both ends. B'' is 2 c0 at 0 and -2 c0 at 1, and
+// B''' is 6 (c1 - 4 c0) at both ends, so
 //
 //     (3)  c0 = A b^2 / 2,   c1 = 0, or for an f without jerk at its ends  c1 = J b^3 / 6 + 4 c0
 //
-// With f = 3-4-5 this is the quintic, with 4-5-6-7 the polynomial of degree 7, through all the given
-// values; and where A = 0 it is rho z + (1 - rho) f of h, rho = g b / h.
+// With f = 3-4-5, y is the quintic through all given values; with 4-5-6-7 it is the polynomial of
+// degree 7. If A = 0, y is h (rho z + (1 - rho) f) with rho = g b / h.
 //
-// **In its middle** w = 1/4, w' = 0, the slope is least or greatest (f' peaks there, and
-// B' = (2 w - 10 w^2) c0 + (3 w^2 - 14 w^3) c1 is least):
+// **In its middle** w = 1/4 and w' = 0, and the slope is least or greatest (f' peaks there, and B'
+// = (2 w - 10 w^2) c0 + (3 w^2 - 14 w^3) c1 is least):
 //
 //     (4)  y' = g + (h / b - g) Cv - (c0 / 8 + c1 / 32) / b
 //
-// It is 0, with no acceleration, so that the knife may stand there as long as it likes, for the b of
+// This slope is 0, with acceleration 0, so that the knife may stand there for any time, for the b
+// that solves
 //
 //     (5)  J b^3 / 192 + A b^2 / 8 + g (Cv - 1) b - h Cv = 0    (c1 = 0:  A b^2 / 16, no J)
 //
-// which grows and is convex for b > 0: one root; Newton's method comes down to it from the root of
-// its linear part, which for surface matching is the answer: b = Cv / (Cv - 1) h / g.
+// The left side grows and is convex for b > 0, so it has one root. Newton's method approaches the
+// root from that of the linear part, which is the result for surface matching: b = Cv / (Cv - 1) h
+// / g.
 //
-// **asin** in the sync zone: y = asin(q) with its Taylor series about q0, from
-// (1 - q^2) y'' = q y',
+// **asin** in the sync zone: y = asin(q). From (1 - q^2) y'' = q y', its Taylor series about q0 is
 //
 //     (6)  (1 - q0^2) (k + 2) (k + 1) a[k+2] = q0 (k + 1) (2 k + 1) a[k+1] + k^2 a[k]
 //
-// where nothing cancels for q0 >= 0; and as all of asin's derivatives grow there, the series at the
-// far end of a piece bounds those on all of it (fitted.hpp: certified by the twelfth).
+// Nothing cancels for q0 >= 0. All derivatives of asin grow there, so the series at the far end of
+// a piece bounds those of the whole piece (fitted.hpp: certified by the twelfth).
 
 namespace jounce::gear_detail {
 namespace {
@@ -56,7 +58,8 @@ profiles_detail::Majorant asin_series(double q) {
   return a;
 }
 
-/// asin over [from, to], 0 <= from < to < 1, whose whole [0, 1] is `scale` m of web: for profiles_detail::fit().
+/// asin over [from, to], 0 <= from < to < 1, for profiles_detail::fit(). [0, 1] corresponds to
+/// `scale` m of web.
 struct AsinPiece {
   double from;
   double to;
@@ -77,7 +80,7 @@ struct AsinPiece {
   }
 };
 
-/// True if the rise starts without jerk, to rounding of its greatest.
+/// True if the rise starts without jerk, to rounding of its greatest jerk.
 bool starts_without_jerk(const std::vector<Segment>& rise) {
   const double most = std::abs(extrema(Cam(rise), 3).peak().value);
   return std::abs(evaluate(rise.front(), 0)[3]) <= 1e-12 * most;

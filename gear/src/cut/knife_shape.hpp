@@ -5,11 +5,11 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-// Parts of a rotary knife's cut; angles in rad.
+// Parts of the cut of a rotary knife; angles in rad.
 
 namespace jounce::gear_detail {
 
-/// Half of the sync zone, from the cut on: how far it goes, and with what it ends.
+/// The half of the sync zone after the cut: its size, and the derivatives at its end.
 struct KnifeSync {
   double angle = 0;         ///< angle of the knife
   double length = 0;        ///< length of the web, m
@@ -18,26 +18,27 @@ struct KnifeSync {
   double jerk = 0;          ///< rad/m^3; 0 for surface matching
 };
 
-/// The zone's own segments.
+/// The segments of the sync zone.
 struct KnifeZone {
   std::vector<Segment> leaving;  ///< from the cut at 0 on
-  double strays = 0;             ///< rad, certified, from asin; 0 where it is a line
+  double strays = 0;             ///< rad, certified error of the fit of asin; 0 for a line
 
-  /// The same mirrored, up to the next cut at `pitch`.
+  /// The segments mirrored: they lead to the next cut at `pitch`.
   [[nodiscard]] std::vector<Segment> entering(double pitch) const;
 };
 KnifeZone knife_zone(const KnifeSync& sync, bool horizontal, double tolerance);
 
-/// The recovery of `travel` rad that takes over from the zone and hands over to it, over any length.
+/// The recovery over `travel` rad. At both ends it has the velocity, acceleration and jerk of the
+/// sync zone. It can have any length.
 class KnifeShape {
  public:
   KnifeShape(std::vector<Segment> rise, const KnifeSync& sync, double travel);
 
-  /// Over b, from `start` rad.
+  /// The recovery over the length b (m), which begins at `start` rad.
   [[nodiscard]] std::vector<Segment> recovery(double b, double start) const;
-  /// rad/m in its middle, where it is least or greatest.
+  /// Velocity in its middle, rad/m: the least or the greatest one.
   [[nodiscard]] double middle_velocity(double b) const;
-  /// The b at which the knife just stands still in the middle.
+  /// The length b for which the knife just comes to rest in the middle.
   [[nodiscard]] double longest() const;
 
  private:
@@ -47,8 +48,10 @@ class KnifeShape {
   std::vector<Segment> rise_;
   KnifeSync sync_;
   double travel_;
-  double cv_;        ///< f'(1/2)
-  bool jerk_taken_;  ///< the rise starts without jerk, so that the zone's can be taken over
+  double cv_;  ///< f'(1/2)
+  /// True if the rise starts without jerk, so that the recovery can begin with the jerk of the
+  /// zone.
+  bool jerk_taken_;
 };
 
 }  // namespace jounce::gear_detail

@@ -14,38 +14,39 @@
 
 #include "gear/src/cut/knife_shape.hpp"
 
-// Angles in rad here, R = D / 2 the radius of the cutting circle, k the speed ratio, x the web since
-// the cut, psi the knife's angle from straight down. The cutting circle touches the anvil, on which
-// the web lies.
+// Angles are in rad here. R = D / 2 is the radius of the cutting circle, k the speed ratio, x the
+// web since the cut, psi the knife's angle from straight down. The cutting circle touches the
+// anvil, on which the web lies.
 //
 // **The cut.** The tip of the blade is at
 //
 //     (1)  R sin psi along the web,   R (1 - cos psi) above the anvil
 //
-// so it reaches the top of a web of thickness h, and leaves it, where
+// So it enters the top of a web of thickness h, and leaves it, at the angle alpha with
 //
 //     (2)  R (1 - cos alpha) = h
 //
-// and moves along the web with R cos(psi) psi'. (Delta counts its contact angle from the horizontal,
-// a = pi/2 - alpha: the ratio of the speeds at a + theta is then sin(a + theta), and the web that
-// passes until the bottom R cos a.) In step means
+// It moves along the web at R cos(psi) psi'. (Delta counts its contact angle from the horizontal, a
+// = pi/2 - alpha. The ratio of the speeds at a + theta is then sin(a + theta), and the web that
+// passes until the bottom is R cos a.) "In step" means
 //
 //     (3)  surface:     R psi' = k             psi = k x / R
 //     (4)  horizontal:  R cos(psi) psi' = k    psi = asin(k x / R)
 //
-// In (3) the tip is slower along the web than asked, by the share 1 - cos psi. The half sync angle
-// psi_s passes over the web
+// In (3) the tip is slower along the web than required, by the share 1 - cos psi. The half sync
+// angle psi_s corresponds to the web length
 //
 //     (5)  sigma = R psi_s / k,   or   sigma = R sin(psi_s) / k
 //
-// and leaves the knife with psi', psi'' and psi''' by the web of
+// At the end of the zone, the derivatives psi', psi'' and psi''' with respect to the web are
 //
 //     (6)  k / R, 0, 0,   or   k / (R c),  k^2 t / (R^2 c^2),  k^3 (1 + 2 s^2) / (R^3 c^5)
 //
-// where s, c, t are sine, cosine, tangent of psi_s. It enters the zone with the same, but -psi''.
+// where s, c, t are the sine, cosine and tangent of psi_s. At the start of the zone they are the
+// same, except for the sign of psi''.
 //
-// **The recovery** is what a symmetric rise f makes of that: knife_shape.hpp. Over b = L - 2 sigma it
-// gains h = 2 pi / N - 2 psi_s.
+// **The recovery** is a symmetric rise f between these states; see knife_shape.hpp. Over b = L - 2
+// sigma it gains h = 2 pi / N - 2 psi_s.
 
 namespace jounce {
 namespace {
@@ -56,13 +57,13 @@ using gear_detail::KnifeSync;
 using std::numbers::pi;
 constexpr double same_length = 1e-12;  ///< relative
 
-/// A spec made into numbers; angles in rad.
+/// The numbers of a spec; angles in rad.
 struct Knife {
-  double pitch = 0;  ///< between two blades
+  double pitch = 0;  ///< angle between two blades
   double contact = 0;
   KnifeSync sync = {};
   KnifeShape shape;
-  double unit = 1;  ///< u by rad
+  double unit = 1;  ///< u per rad
 };
 
 bool is_rise_at_rest(Law law) {
@@ -84,18 +85,19 @@ void require_valid(const RotaryKnifeSpec& spec) {
   if (!(spec.tolerance >= 1e-14 && spec.tolerance <= 1e-3))
     throw InputError("tolerance", spec.tolerance, "must be a share from 1e-14 to 1e-3");
   if (!is_rise_at_rest(spec.law))
-    throw InputError("law", name(spec.law), "must be a symmetric rise from rest to rest");
+    throw InputError("law", name(spec.law),
+                     "must be a symmetric law from rest to rest, such as 345");
   if (spec.form.inflection)
     throw InputError("inflection", *spec.form.inflection,
                      "must be left out: the recovery is symmetric about its middle");
 }
 
-/// (2), by half the angle, which loses no digits where the web is thin.
+/// Equation (2), by half the angle: this loses no digits if the web is thin.
 double contact_angle(const RotaryKnifeSpec& spec) {
   return 2 * std::asin(std::sqrt(spec.thickness / spec.diameter));
 }
 
-/// psi_s, as the spec gives it.
+/// psi_s as given by the spec.
 double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
   if (spec.sync_angle && spec.sync_length)
     throw InputError("sync_length", *spec.sync_length,
@@ -121,7 +123,7 @@ double half_sync_angle(const RotaryKnifeSpec& spec, double unit) {
   return contact_angle(spec);
 }
 
-/// (5) and (6).
+/// Equations (5) and (6).
 KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
   const double slope = spec.speed_ratio / (spec.diameter / 2);
   if (spec.matching == KnifeMatching::surface) return {angle, angle / slope, slope, 0, 0};
@@ -131,7 +133,8 @@ KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
           slope * slope * slope * (1 + 2 * s * s) / std::pow(c, 5)};
 }
 
-/// That psi_s leaves a recovery, and (4) an angle. Named by the key it was given by.
+/// Requires that psi_s leaves an angle for the recovery, and that (4) gives an angle. The error
+/// names the given key.
 void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
   const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
@@ -162,7 +165,7 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
           KnifeShape(normalised(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }
 
-/// The cut that is a straight line: with surface matching alone.
+/// True if the cut is a straight line; this is possible with surface matching only.
 bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
   return spec.matching == KnifeMatching::surface &&
          std::abs(spec.cut_length - synchronous) <= same_length * synchronous;
@@ -172,12 +175,12 @@ double synchronous_length(const RotaryKnifeSpec& spec) {
   return pi * spec.diameter / static_cast<double>(spec.blades) / spec.speed_ratio;
 }
 
-/// Lcrit.
+/// Lcrit: the longest cut without a stop.
 double longest_cut(const Knife& knife) {
   return 2 * knife.sync.length + knife.shape.longest();
 }
 
-/// The segments of a cut as they are put together, each with its name.
+/// The segments of a cut under construction, each with its name.
 struct Parts {
   std::vector<Segment> segments;
   std::vector<std::string> names;
@@ -188,8 +191,8 @@ struct Parts {
   }
 };
 
-/// The cam whose last break lies at the cut's length and whose last value is `end`, to the last
-/// digit: else a million cuts would drift. The correction is within the rounding of the joints.
+/// The cam whose last break is exactly at `length`, and whose last value is exactly `end`;
+/// otherwise a million cuts would drift. The correction is within the rounding of the joints.
 Cam closed(std::vector<Segment> segments, double length, double end) {
   Segment& last = segments.back();
   for (int i = 0; i < 6; ++i) {

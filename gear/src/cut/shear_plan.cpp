@@ -9,35 +9,37 @@
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
-// In step, the carriage's speed along the line is the line's. Its guide stands at the angle alpha to
-// the line, so that its speed along the guide, which is the slave's, is
+// In step, the carriage's speed along the line is that of the line, v. Its guide is at the angle
+// alpha to the line. So its speed along the guide, which is the slave's speed, is
 //
 //     (1)  k v,   k = ratio / cos(alpha)
 //
-// (across the line it then moves at ratio v tan(alpha): a blade that follows the guide cuts square.)
-// While the line goes on by xa, the carriage's speed is k v f(x / xa), f a symmetric law from 0 to 1
-// with the characteristic values r = Cv and q = Ca. As f is symmetric its mean is 1/2:
+// (Across the line it then moves at ratio v tan(alpha): a blade that follows the guide cuts
+// square.) While the line advances by xa, the carriage's speed is k v f(x / xa). f is a symmetric
+// law from 0 to 1 with the characteristic values r = Cv and q = Ca. Because f is symmetric, its
+// mean is 1/2:
 //
 //     (2)  travel k xa / 2,   peak acceleration r k v^2 / xa,   peak jerk q k v^3 / xa^2
 //     (3)  xa >= r k v^2 / amax,   xa >= sqrt(q k v^3 / jmax)
 //
-// and the same braking over xd. With xs in step the carriage is at most this far from home:
+// The same holds for braking over xd. With xs in step, the greatest distance of the carriage from
+// home is
 //
 //     (4)  S = k ((xa + xd) / 2 + xs)
 //
-// and comes back over xr by a law with Cv, Ca, Cj:
+// It returns over xr by a law with Cv, Ca, Cj:
 //
 //     (5)  xr >= Cv S v / vmax,   xr >= v sqrt(Ca S / amax),   xr >= v cbrt(Cj S / jmax)
 //     (6)  L >= xa + xs + xd + xr
 //
-// Everything on the right grows with v and with xs, so that a bound can be bisected for.
+// All right sides grow with v and with xs, so bounds are found by bisection.
 
 namespace jounce {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Input of the generator: the spec, its ratio, and its laws' peaks.
+/// Input of the generator: the spec, its ratio, and the peaks of its laws.
 struct Worked {
   const FlyingShear& spec;
   double ratio = 1;  // k of (1)
@@ -45,14 +47,14 @@ struct Worked {
   gearing::Peaks back = {};
 };
 
-/// The cycle at one line speed, before what is left of it is known.
+/// The cycle at one line speed, except for the part of it that is not yet determined.
 struct Cycle {
   double accelerate = 0;
   double sync = 0;
   double decelerate = 0;
   double stroke = 0;
   ShearBound ramp = {};  // the least length of a ramp, (3)
-  ShearBound back = {};  // the least return, (5)
+  ShearBound back = {};  // the least length of the return, (5)
 
   [[nodiscard]] double out() const { return accelerate + sync + decelerate; }
 };
@@ -88,14 +90,14 @@ bool longest_sync(const FlyingShear& spec) {
   return !spec.sync_time && !spec.sync_length;
 }
 
-/// (4) and (5) for a sync of x.
+/// Equations (4) and (5) for a sync interval of length x.
 void synchronize(const Worked& shear, double v, double x, Cycle& cycle) {
   cycle.sync = x;
   cycle.stroke = shear.ratio * ((cycle.accelerate + cycle.decelerate) / 2 + x);
   cycle.back = least_return(shear, cycle.stroke, v);
 }
 
-/// The longest sync for which the return still fits into what is left of `length`.
+/// The longest sync interval for which the return still fits into the rest of `length`.
 void synchronize_longest(const Worked& shear, double v, double length, Cycle& cycle) {
   const double ramps = (cycle.accelerate + cycle.decelerate) / 2;
   const auto fits = [&](double x) {
@@ -132,7 +134,7 @@ std::string broken_at_any_length(const Worked& shear, const Cycle& cycle, double
     return "sync velocity";
   const double ramp = std::min(cycle.accelerate, cycle.decelerate);
   if (cycle.ramp.value > ramp * more || !std::isfinite(ramp)) return cycle.ramp.quantity;
-  // A sync that uses up the stroke does so to rounding.
+  // A sync interval that uses the whole stroke does so only to rounding.
   const bool far = spec.stroke && cycle.stroke > *spec.stroke * more;
   if (longest_sync(spec) ? cycle.sync < 0 : far) return "stroke";
   if (spec.return_length && cycle.back.value > *spec.return_length * more)
@@ -169,7 +171,8 @@ void require_numbers(const FlyingShear& spec) {
   if (spec.safety < 1) throw InputError("safety", spec.safety, "must be at least 1");
   if (!(std::abs(spec.angle) < std::numbers::pi / 2))
     throw InputError("angle", spec.angle,
-                     "must be between -pi/2 and pi/2: the guide follows the line");
+                     "must be greater than -pi/2 and less than pi/2: otherwise the carriage does "
+                     "not move with the line");
 }
 
 void require_complete(const FlyingShear& spec) {
@@ -191,12 +194,12 @@ Worked worked(const FlyingShear& spec) {
   return shear;
 }
 
-/// The limit behind a quantity of ShearBound: "return jerk" -> "limits.jerk".
+/// The limit that belongs to a quantity of ShearBound: "return jerk" -> "limits.jerk".
 std::string limit_of(const std::string& quantity) {
   return "limits." + quantity.substr(quantity.find(' ') + 1);
 }
 
-/// The fastest line for the given value of `key`.
+/// Advice: the fastest possible line with the given value of `key`.
 std::string or_slower(const FlyingShear& spec, const char* key) {
   const double fastest = greatest_line_speed(spec).value;
   return fastest > 0 ? std::string("; at this ") + key + ", line_speed must be at most " +
@@ -212,7 +215,7 @@ std::string or_slower(const FlyingShear& spec, const char* key) {
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
           six_digits_up(least.value) + " at this line_speed" + or_slower(spec, "cut_length") +
           (by_limit ? ": a shorter return would break " + limit_of(quantity)
-                    : ": no master distance is left for the return"));
+                    : ": no travel of the master is left for the return"));
 }
 
 [[noreturn]] void refuse(const Worked& shear, const Cycle& cycle, const std::string& quantity) {

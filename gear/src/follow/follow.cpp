@@ -25,7 +25,7 @@ std::string prefix(const FollowSpec& spec, std::size_t table) {
   return spec.tables.size() == 1 ? "" : "table[" + std::to_string(table + 1) + "].";
 }
 
-/// "point[3].position" of a PT table, in the words of a follow table.
+/// Renames a key of a PT table, such as "point[3].position", to that of a follow table.
 InputError renamed(const InputError& error, const std::string& where) {
   std::string key = error.key();
   if (key.starts_with("point")) key.replace(0, 5, "segment");
@@ -60,7 +60,7 @@ void require_valid(const FollowSpec& spec) {
   }
 }
 
-/// Number of passes of a table in its cam.
+/// Number of passes of a table that its cam contains.
 std::int64_t shown(const FollowTable& table, const FollowPass& first) {
   if (table.loops >= 1) return table.loops;
   const bool continued = table.segments.front().type == PtType::continued;
@@ -92,7 +92,7 @@ std::vector<FollowPass> follow_passes(const FollowSpec& spec) {
       all.push_back({i, at.master, at.slave, entry, n > 0, ratios_of(spec, i, entry)});
       if (n == 0) passes = shown(table, all.back());
       entry = all.back().ratios.back().end;
-      const auto done = static_cast<double>(n + 1);  // a product does not drift
+      const auto done = static_cast<double>(n + 1);  // a product does not accumulate rounding
       at = {origin.master + done * table.segments.back().x,
             origin.slave + done * table.segments.back().position};
     }
@@ -125,7 +125,7 @@ std::string table_name(const FollowSpec& spec, std::size_t table) {
   return spec.tables.size() == 1 ? "" : "table " + std::to_string(table + 1) + " ";
 }
 
-/// Stretches of one ratio, joined.
+/// The intervals of constant ratio; adjacent intervals of equal ratio are joined.
 std::vector<SyncZone> zones_of(const Cam& cam, const std::vector<PtRate>& ratios) {
   double peak = 0;
   for (const PtRate& r : ratios) peak = std::max({peak, std::abs(r.start), std::abs(r.end)});

@@ -9,7 +9,7 @@
 namespace jounce {
 namespace {
 
-/// Appends a pass of the table, which begins where the rows so far end.
+/// Appends one pass of the table, from the end of the present rows.
 void add_pass(const FollowTable& table, std::vector<SegmentRow>& rows) {
   const RowStart from = rows.empty() ? RowStart{} : RowStart{rows.back().x_end, rows.back().p_end};
   bool first = true;
@@ -31,7 +31,7 @@ void require_room(const FollowTable& table, std::int64_t passes, std::size_t tak
                    "makes more than the " + std::to_string(most) + " rows that a bank holds");
 }
 
-/// True if the first pass of the last table begins as all later ones do.
+/// True if the first pass of the last table begins like all later ones.
 bool begins_alike(const FollowSpec& spec) {
   return spec.start_ratio == 0 || spec.tables.size() > 1 ||
          spec.tables.front().segments.front().type != PtType::continued;
@@ -40,7 +40,7 @@ bool begins_alike(const FollowSpec& spec) {
 }  // namespace
 
 FollowBanks follow_banks(const FollowSpec& spec, std::size_t most) {
-  static_cast<void>(follow(spec));  // throws for what is no follow spec
+  static_cast<void>(follow(spec));  // throws for an invalid follow spec
   FollowBanks banks;
   for (std::size_t i = 0; i + 1 < spec.tables.size(); ++i) {
     const FollowTable& table = spec.tables[i];

@@ -29,8 +29,8 @@ Travel travel_of(const FollowTable& table, std::size_t i) {
   return {table.segments[i].x - before.x, table.segments[i].position - before.position};
 }
 
-/// The median travel of all segments but one: what is usual in these tables. Nothing of fewer than
-/// three.
+/// The median travel of all segments except the given one: the usual travel in these tables.
+/// nullopt for fewer than three segments.
 std::optional<double> usual(const FollowSpec& spec, std::size_t table, std::size_t segment,
                             double Travel::*part) {
   std::vector<double> all;
@@ -50,13 +50,14 @@ bool is_odd(double travel, std::optional<double> usual) {
   return share >= often || share <= 1 / often;
 }
 
-/// Possible cause for a segment in which the slave runs backwards.
+/// Possible cause for a segment in which the slave moves backwards.
 std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
   const auto [master, slave] = travel_of(spec.tables[table], i);
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
-    return std::string("its travel of the ") + whose + ", " + rounded(is) + ", is " +
-           rounded(std::abs(is) / would_be) + " times the usual " + rounded(would_be) +
-           ": check it. With the usual travel it would end at the ratio " + rounded(end);
+    return std::string("the ") + whose + " travel of this segment, " + rounded(is) + ", is " +
+           rounded(std::abs(is) / would_be) + " times that of the other segments, " +
+           rounded(would_be) + ": check it. With " + rounded(would_be) +
+           ", the segment would end at the ratio " + rounded(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
@@ -150,7 +151,7 @@ class Inspection {
     chained_ = true;
   }
 
-  /// Judges the end of the last pass with `ratio`.
+  /// Checks the end of the last pass, which ends at `ratio`.
   void after_the_last(double ratio) {
     const FollowPass& last = passes_.back();
     const FollowTable& table = spec_.tables[last.table];
@@ -177,7 +178,8 @@ class Inspection {
     add(std::move(f));
   }
 
-  /// From the end of the pass shown to the start of the next, where that is not shown.
+  /// Checks the joint from the end of the last pass in the cam to the start of the next pass, which
+  /// the cam does not contain.
   void wrap(double where, double from, double to) {
     if (!counts(to - from)) return;
     Finding f = finding("follow/wrap_step", first_ - 1, where, std::abs(to - from));
@@ -186,7 +188,7 @@ class Inspection {
     add(std::move(f));
   }
 
-  /// The check sums.
+  /// Checks the nominal ends (check sums) of the tables.
   void ends() {
     for (std::size_t i = 0; i < spec_.tables.size(); ++i) {
       const FollowTable& table = spec_.tables[i];
@@ -214,13 +216,15 @@ class Inspection {
     f.limit = of_master ? table.end->master : table.end->slave;
     f.has_limit = true;
     f.margin = -std::abs((f.value - f.limit) / f.value);
-    f.advice = "the spec gives the end as master " + rounded(table.end->master) + ", slave " +
-               rounded(table.end->slave) + ": master " + rounded(missing.master) + " and slave " +
-               rounded(missing.slave) + " are missing" + as_segment(table, missing);
+    f.advice = "the segments end at master " + rounded(table.segments.back().x) + ", slave " +
+               rounded(table.segments.back().position) + ", but the spec gives the end as master " +
+               rounded(table.end->master) + ", slave " + rounded(table.end->slave) + ": master " +
+               rounded(missing.master) + " and slave " + rounded(missing.slave) + " are missing" +
+               as_segment(table, missing);
     return f;
   }
 
-  /// Names the segment with exactly that travel.
+  /// Advice that names the segment with exactly this travel.
   static std::string as_segment(const FollowTable& table, const Travel& missing) {
     for (std::size_t i = 0; i < table.segments.size(); ++i) {
       const Travel t = travel_of(table, i);
@@ -228,7 +232,8 @@ class Inspection {
       if (std::abs(t.master - missing.master) <= scale &&
           std::abs(t.slave - missing.slave) <=
               rounded_input * std::abs(table.segments.back().position))
-        return ", as much as segment " + std::to_string(i + 1) + " has: is one left out?";
+        return ", which equals segment " + std::to_string(i + 1) +
+               ": check whether a segment is missing";
     }
     return "";
   }
@@ -246,7 +251,8 @@ class Inspection {
     return f;
   }
 
-  /// Keeps the worst of each rule; of reversals the first, for what comes later may follow from it.
+  /// Keeps the worst finding of each rule; for reversals the first one, because later ones may
+  /// follow from it.
   void add(Finding f) {
     std::size_t i = 0;
     while (i < places_.size() && report_.findings[i].rule != f.rule) ++i;
@@ -263,10 +269,10 @@ class Inspection {
   const FollowSpec& spec_;
   std::vector<FollowPass> passes_;
   double peak_ = 0;
-  bool chained_ = false;   ///< the rest follows from a reversal that is reported already
-  std::size_t first_ = 0;  ///< the cam's segment with which the pass begins
+  bool chained_ = false;  ///< true: a reversal is already reported, and further ones follow from it
+  std::size_t first_ = 0;  ///< index of the cam's segment with which the pass begins
   Report report_;
-  std::vector<std::size_t> places_;  ///< place of each finding
+  std::vector<std::size_t> places_;  ///< index of the place of each finding
 };
 
 }  // namespace

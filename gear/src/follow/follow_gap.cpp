@@ -4,26 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-// From ratio r0 to r1 over the master's length L the slave is to travel S. One segment of linear
-// ratio does where
+// From ratio r0 to r1 over the master's length L, the slave must travel S. One segment with linear
+// ratio is enough if
 //
 //   (1)  S = (r0 + r1) L / 2.
 //
-// Two, of lengths a and b = L - a, that meet at the ratio r have S = (r0 + r) a / 2 + (r + r1) b / 2:
+// Two segments, of lengths a and b = L - a, that meet at the ratio r have S = (r0 + r) a / 2 + (r +
+// r1) b / 2:
 //
 //   (2)  r = (2 S - r0 a - r1 b) / L       for any a.
 //
-// The greater slope is least where both are k and -k, r - r0 = k a and r - r1 = k b, so that with
-// w = r1 - r0, D = S - (r0 + r1) L / 2:  a = (L + w / k) / 2  and  D = k L^2 / 4 - w^2 / (4 k), hence
+// The greater of both slopes is least if they are k and -k: r - r0 = k a and r - r1 = k b. With w =
+// r1 - r0 and D = S - (r0 + r1) L / 2, this gives a = (L + w / k) / 2 and D = k L^2 / 4 - w^2 / (4
+// k), hence
 //
 //   (3)  k = (2 D + sign(D) sqrt(4 D^2 + w^2 L^2)) / L^2,     |w / k| <= L.
 //
-// Where r has the other sign than r0, r1 and S, the slave would run backwards. Then it falls to rest
-// with the slope k in a = |r0| / k, stands, and leaves with it in b = |r1| / k:
+// If r has the opposite sign of r0, r1 and S, the slave would run backwards. Instead, it slows down
+// to rest with the slope k in a = |r0| / k, stands still, and speeds up with the slope k in b =
+// |r1| / k:
 //
 //   (4)  k = (r0^2 + r1^2) / (2 |S|),      a + b < L, for k is above that of (3).
 //
-// With a and b rounded down to whole master units the part between runs on at a ratio c:
+// With a and b rounded down to whole master units, the part between them continues at a ratio c:
 //
 //   (5)  c = (2 S - r0 a - r1 b) / (2 L - a - b).
 
@@ -33,7 +36,7 @@ namespace {
 using Gap = FollowGap;
 using Piece = FollowPiece;
 
-// Deceleration of the slave to rest, or to the ratio c, and its start from there: (4), (5).
+// The slave slows down to rest, or to the ratio c, and speeds up again: (4), (5).
 struct Rest {
   double a;
   double b;
@@ -44,7 +47,7 @@ Rest rest_of(const Gap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
   const double a = std::abs(g.r0) / k;
   const double b = std::abs(g.r1) / k;
-  // From an end at rest, one unit leads to the ratio c.
+  // From a ratio of 0 at an end, one unit of the master leads to the ratio c.
   const double p = a > 0 ? std::floor(a) : 1;
   const double q = b > 0 ? std::floor(b) : 1;
   if (!whole || p < 1 || q < 1 || p + q >= g.length) return {a, b, 0};
@@ -84,7 +87,8 @@ std::vector<Piece> pieces_of(const Gap& g, bool whole) {
   double a = (g.length + w / k) / 2;
   if (whole && g.length >= 2) a = std::clamp(std::round(a), 1.0, std::ceil(g.length) - 1);
   const double b = g.length - a;
-  if (!(a > 0 && b > 0)) return {{g.length, g.travel}};  // one slope is all of it, to rounding
+  // To rounding, a single slope covers the whole gap.
+  if (!(a > 0 && b > 0)) return {{g.length, g.travel}};
   const double r = (2 * g.travel - g.r0 * a - g.r1 * b) / g.length;  // (2)
   if (way(g) * r < 0 && way(g) * g.travel > 0) return resting(g, whole);
   const double first = (g.r0 + r) / 2 * a;

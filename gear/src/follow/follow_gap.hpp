@@ -9,7 +9,7 @@
 
 namespace jounce::gear_detail {
 
-/// Interval between two knots.
+/// The interval between two knots.
 struct FollowGap {
   double length;  // L
   double travel;  // S
@@ -19,18 +19,19 @@ struct FollowGap {
 
 FollowGap gap(const FollowKnot& a, const FollowKnot& b);
 
-/// True if a ratio is against both ends': 0 where those differ in sign, or are both 0.
+/// Returns the direction of a gap, 1 or -1: the common sign of the ratios at both ends, or that of
+/// the travel if both ratios are 0. 0 if the ratios differ in sign.
 int way(const FollowGap& gap);
 
-/// A piece of a gap: how long, how far, and whether it stands or runs evenly.
+/// A piece of a gap: its length, its travel, and whether its ratio is constant.
 struct FollowPiece {
   double length;
   double travel;
   PtType type = PtType::normal;
 };
 
-/// The pieces of linear ratio that fill a gap and do not run backwards where its ends do not;
-/// `whole`: they begin and end at whole master units where the gap is long enough.
+/// Returns pieces of linear ratio that fill a gap. They do not move backwards unless the ratio at
+/// an end does. `whole`: they begin and end at whole master units if the gap is long enough.
 std::vector<FollowPiece> pieces_of(const FollowGap& gap, bool whole);
 
 }  // namespace jounce::gear_detail

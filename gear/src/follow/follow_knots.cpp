@@ -25,7 +25,7 @@ bool near(double a, double b) {
   return std::abs(a - b) <= rounded_input * std::max(std::abs(a), std::abs(b));
 }
 
-/// A sync point or a zone, by its place.
+/// A sync point or a zone, for sorting by master position.
 struct Item {
   double master = 0;
   bool is_zone = false;
@@ -123,23 +123,24 @@ class Knots {
     all_.push_back({z.to, slave + z.ratio * (z.to - z.from), z.ratio, i});
   }
 
-  /// A zone that begins where the start is, or another zone ends.
+  /// Joins a zone to the knot at which it begins: the start of the plan, or the end of another
+  /// zone.
   void join(std::size_t i, Knot& before, double slave) const {
     const double ratio = plan_.zones[i].ratio;
     if (!near(slave, before.slave))
       throw InputError(key("zone", i, "slave"), slave,
                        "must be " + six_digits(before.slave) +
-                           ", the position of the slave there: leave it out, or change the point "
-                           "or zone before");
+                           ", the position that the slave has there: leave it out, or change the "
+                           "previous point or zone");
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
           key("zone", i, "ratio"), ratio,
           "must be " + six_digits(*before.ratio) +
-              ", the ratio of the slave there: let it reach the new ratio before this zone");
+              ", the ratio that the slave has there: let it reach the new ratio before this zone");
     before.ratio = ratio;
   }
 
-  /// Position of the slave at the begin of the zone.
+  /// Position of the slave at the beginning of the zone.
   [[nodiscard]] double begin_of(std::size_t i) const {
     const FollowZone& z = plan_.zones[i];
     std::optional<double> slave = z.slave;
@@ -164,7 +165,7 @@ class Knots {
     return before.slave + (before.ratio.value_or(z.ratio) + z.ratio) / 2 * (z.from - before.master);
   }
 
-  /// The ends.
+  /// Completes the ratios at the ends of the plan.
   void close() {
     Knot& first = all_.front();
     Knot& last = all_.back();
@@ -172,7 +173,7 @@ class Knots {
       if (!last.ratio) last.ratio = 0;
       return;
     }
-    // A start that is not given has the ratio with which the plan ends.
+    // If no ratio is given at the start, it is the ratio at the end.
     if (!plan_.start_ratio && !begins_in_step() && last.ratio) first.ratio = last.ratio;
     if (!last.ratio) last.ratio = first.ratio;
     if (!near(*first.ratio, *last.ratio))
@@ -181,7 +182,8 @@ class Knots {
                            six_digits(*first.ratio) + " and " + six_digits(*last.ratio));
   }
 
-  /// Ratios left out: between the mean ratios before and after, so that nothing overshoots.
+  /// Computes the omitted ratios. They are between the mean ratios before and after, so nothing
+  /// overshoots.
   void fill() {
     for (std::size_t i = 1; i + 1 < all_.size(); ++i) {
       if (all_[i].ratio) continue;

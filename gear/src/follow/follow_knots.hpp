@@ -8,7 +8,8 @@
 
 namespace jounce::gear_detail {
 
-/// A place where the slave's position and ratio are known; `zone` leads to it in step.
+/// A place where the slave's position and ratio are known. `zone`: number of the sync zone that
+/// ends here.
 struct FollowKnot {
   double master = 0;
   double slave = 0;
@@ -16,8 +17,8 @@ struct FollowKnot {
   std::optional<std::size_t> zone = {};
 };
 
-/// The start, the points and zones of a plan in the master's order, ends included, every ratio filled
-/// in. Throws InputError as follow_table() does.
+/// The start, and the points and zones of a plan in the order of the master, with all ratios.
+/// Throws InputError like follow_table().
 std::vector<FollowKnot> follow_knots(const FollowPlan& plan);
 
 }  // namespace jounce::gear_detail

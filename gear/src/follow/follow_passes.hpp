@@ -6,25 +6,26 @@
 
 #include "jounce/gear/follow.hpp"
 
-/// The passes that a follow spec's cam shows, for the cam and for its check.
+/// The passes that the cam of a follow spec contains; for the cam and its check.
 namespace jounce::gear_detail {
 
 struct FollowPass {
   std::size_t table = 0;
-  double master = 0;  ///< origin
+  double master = 0;  ///< origin of the pass
   double slave = 0;
-  double entry = 0;    ///< ratio with which a continued first segment begins
-  bool again = false;  ///< not the first pass of its table
+  double entry = 0;    ///< ratio at the start of the pass, if its first segment is `continued`
+  bool again = false;  ///< true: a further pass of the same table
   std::vector<PtRate> ratios;
 };
 
-/// All passes, validated. An endless table has one, or two where the second differs.
+/// All passes, validated. An endless table has one, or two if the second pass differs.
 std::vector<FollowPass> follow_passes(const FollowSpec& spec);
 
-/// True if the cam repeats: it has one endless table, which is the same in each pass.
+/// True if the cam repeats: it has a single table, which is endless, and whose passes are all the
+/// same.
 bool repeats(const FollowSpec& spec, const std::vector<FollowPass>& passes);
 
-/// For people: six digits, or all that count of a position.
+/// A number for messages, with `digits` significant digits.
 std::string rounded(double x, int digits = 6);
 inline std::string place(double x) {
   return rounded(x, 12);

@@ -40,7 +40,8 @@ FollowTable follow_table(const FollowPlan& plan) {
     PtPoint at{knots[i - 1].master, knots[i - 1].slave, PtType::normal};
     for (const Piece& piece : pieces)
       table.segments.push_back(at = {at.x + piece.length, at.position + piece.travel, piece.type});
-    // The last point is the given knot, without the rounding of the pieces; a motion ends exactly at rest.
+    // The last point is exactly the given knot, without the rounding of the pieces, so a motion
+    // ends exactly at rest.
     PtPoint& last = table.segments.back();
     last = {to.master, to.slave,
             *to.ratio == 0 && last.type == PtType::normal ? PtType::stop : last.type};
@@ -52,7 +53,8 @@ FollowTable follow_table(const FollowPlan& plan) {
 
 CamSpec cam_spec(const FollowPlan& plan) {
   const auto knots = gear_detail::follow_knots(plan);
-  // At a zone the line gives the ratio: the ratio of far positions differs by their rounding.
+  // In a zone the ratio is that of the spec. The ratio computed from far positions would differ by
+  // their rounding.
   const auto in_step = [&](std::size_t i) {
     return knots[i].zone || (i + 1 < knots.size() && knots[i + 1].zone);
   };
@@ -105,7 +107,7 @@ SyncCam smooth(const FollowPlan& plan) {
           zones_of(plan)};
 }
 
-/// The one gap as a cam of its own.
+/// A gap as a separate cam.
 Cam gap_cam(const Gap& g, Law law) {
   CamSpec spec;
   spec.start = {0, 0, g.r0, 0.0};
@@ -131,8 +133,8 @@ Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
   return against ? worst : Extremum{};
 }
 
-/// The least travel with which the gap's law does not turn back: between what is asked for, which
-/// does, and that of a straight ramp, which does not.
+/// The least travel for which the gap's law does not move backwards. It lies between the given
+/// travel, which does, and that of a straight ramp, which does not.
 double least_travel(const Gap& g, const FollowPlan& plan) {
   if (plan.form == FollowForm::table) return 0;
   double bad = g.travel;
@@ -157,7 +159,7 @@ std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, dou
          " on it does not turn back: move a point, or let form = \"table\" stand in between";
 }
 
-/// Adds a finding for each segment that should be at whole master units and is not.
+/// Adds a finding for each segment whose end should be on a whole master unit and is not.
 void add_whole(Report& report, const FollowPlan& plan) {
   const auto segments = follow_table(plan).segments;
   const auto odd = std::find_if(segments.begin(), segments.end(),

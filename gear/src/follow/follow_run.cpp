@@ -14,7 +14,8 @@ void follow_from(FollowRun& run, SegmentFifos& fifos, double master) {
   fifos.start(0, run.slave);
 }
 
-/// Travel of the slave along its tables; where one direction alone counts, the furthest so far.
+/// Travel of the slave along its tables. If only one direction counts, it is the greatest travel so
+/// far.
 double travel(FollowRun& run, double master) {
   const double gone = master - run.origin;
   if (run.dir == 0 || !std::isfinite(gone)) return gone;
@@ -38,7 +39,8 @@ Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample
   const bool back = behind > 0 || (behind == 0 && run.dir * now.master[1] < 0);
   Jet f = fifos.at(travel(run, now.master[0]));
   if (run.dir != 0 && back) return {f[0], 0, 0, 0};
-  if (run.dir < 0) f = {f[0], -f[1], f[2], -f[3]};  // by the master, which runs backwards
+  // Derivatives with respect to a master that moves backwards.
+  if (run.dir < 0) f = {f[0], -f[1], f[2], -f[3]};
   return f;
 }
 

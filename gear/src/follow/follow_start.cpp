@@ -13,7 +13,7 @@
 namespace jounce {
 namespace {
 
-/// The instants between which a motion stays on one side of a level, or on it.
+/// The instants between which the motion stays on one side of a level, or on it.
 std::vector<double> instants(const Trajectory& master, double level) {
   std::vector<double> all = crossings(master, 0, level);
   all.insert(all.end(), master.breaks().begin(), master.breaks().end());
@@ -22,7 +22,7 @@ std::vector<double> instants(const Trajectory& master, double level) {
   return all;
 }
 
-/// The motion from t on, over the same time.
+/// The part of the motion from t on, at its own times.
 Trajectory tail(const Trajectory& f, double t) {
   const auto breaks = f.breaks();
   std::vector<Segment> segments;

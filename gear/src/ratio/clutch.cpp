@@ -11,11 +11,13 @@
 
 #include "gear/src/ratio/wide.hpp"
 
-// Let q be the common denominator of both ratios, P = r q, and d the distance. Then (2) of the header is
+// Let q be the common denominator of both ratios, P = r q, and d the distance. Then (2) of the
+// header becomes
 //
 //   (3)  slave = N(u) / (2 d q),   N(u) = 2 d P0 u + (P1 - P0) u |u|,   |u| <= d
 //
-// and beyond, N grows by 2 d P1 a count. Every term is whole, so that only the division rounds.
+// Beyond, N grows by 2 d P1 for each count. Every term is a whole number, so only the division
+// rounds.
 
 namespace jounce {
 namespace {
@@ -28,7 +30,7 @@ Wide absolute(Wide a) {
   return a < 0 ? -a : a;
 }
 
-/// Both ratios over their common denominator.
+/// Both ratios with a common denominator.
 struct Shared {
   Wide common, from, to;
   Shared(const Gear& r0, const Gear& r1) {
@@ -61,8 +63,8 @@ Gear nearest(const Gear& r, Wide limit) {
                      gear_detail::narrow(last ? q1 : q0 + k * q1));
 }
 
-/// The ratio to begin with: r0 itself where counts are exact with it, else the nearest with which
-/// they are, as long as that is within 2^-20 of it.
+/// The ratio at the start: r0 if counts are exact with it. Otherwise the nearest ratio for which
+/// they are exact, provided that it differs from r0 by at most 2^-20.
 Gear begun(const Gear& r0, const Gear& r1, Wide scale) {
   if (Shared(r0, r1).fits(scale)) return r0;
   const Wide whole = 1 + std::max(absolute(r0.numerator()) / r0.denominator(),

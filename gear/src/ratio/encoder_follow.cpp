@@ -25,8 +25,8 @@ const EncoderFollowSpec& valid(const EncoderFollowSpec& spec) {
 
 }  // namespace
 
-// Each increment is in the window for `filter` cycles: with the ratio divided by that number, it
-// counts once.
+// Each increment is in the window for `filter` cycles. The ratio is divided by this number, so each
+// increment counts once.
 EncoderFollow::EncoderFollow(const EncoderFollowSpec& spec)
     : gear_(Gear::ratio(valid(spec).numerator, spec.denominator * spec.filter)),
       filter_(spec.filter) {}

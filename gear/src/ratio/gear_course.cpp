@@ -12,7 +12,8 @@
 namespace jounce {
 namespace {
 
-/// Segments one after another, each with its name; values begin where the one before ended.
+/// Segments with their names. The values of each segment begin at the end value of the previous
+/// one.
 struct Chain {
   std::vector<Segment> segments = {};
   std::vector<std::string> names = {};
@@ -25,7 +26,7 @@ struct Chain {
     x += f.length;
     y = value(segments.back(), 1);
   }
-  /// A straight line up to `end`, if it is ahead.
+  /// Appends a straight line up to `end`, if `end` lies ahead.
   void run_to(double end, double ratio, const std::string& name) {
     const double length = end - x;
     if (length > 0) add(line(length, 0, ratio * length), name);
@@ -57,7 +58,7 @@ void require_valid(const GearCourse& c) {
                      "must be greater than master_start, " + number(c.master_start));
 }
 
-/// Finite, and inside the course.
+/// Requires a finite position inside the course.
 void require_inside(const GearCourse& c, const char* list, std::size_t i, double at,
                     double distance) {
   require_finite(key(list, i, "at").c_str(), at);
@@ -75,7 +76,7 @@ const char* name_of(double ratio) {
   return ratio == 0 ? "hold" : "gear";
 }
 
-/// (1) and (2) of the header.
+/// Appends a clutch: equations (1) and (2) of gear_course.hpp.
 void add_clutch(Chain& chain, double before, const RatioChange& change,
                 const std::string& key_of_law) {
   for (const Segment& f : rise(change.law, change.distance, key_of_law)) {
@@ -120,7 +121,7 @@ Chain shift_of(const GearCourse& c, std::size_t i) {
   return chain;
 }
 
-/// The name of the segment of a chain that lies over x.
+/// The name of the segment of a chain that contains x.
 std::string name_at(const Chain& chain, double start, double x) {
   double end = start;
   for (std::size_t i = 0; i < chain.names.size(); ++i)

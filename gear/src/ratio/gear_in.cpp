@@ -10,13 +10,13 @@
 #include "jounce/profiles/moves/dynamics.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// Let P be the ramp from the slave's state to the velocity w = k x0' of a steady master, and
-// s = t - t0. Then
+// Let P be the ramp from the slave's state to the velocity w = k x0' of the gear with a steady
+// master, and s = t - t0. Then
 //
 //   (2)  c(s) = P(s) - w s
 //
-// in (1) of the header. Where there is a jerk limit P begins with the acceleration y0'' - k x0'', so
-// that the sum begins with y0''.
+// in (1) of the header. With a jerk limit, P begins with the acceleration y0'' - k x0'', so the sum
+// begins with y0''.
 
 namespace jounce {
 namespace {
@@ -36,7 +36,7 @@ Dynamics dynamics(const GearInSpec& spec) {
   return {.acceleration = spec.acceleration, .deceleration = spec.deceleration, .jerk = spec.jerk};
 }
 
-/// c of (2), from t on.
+/// The correction c of (2), which begins at t.
 Trajectory correction(const GearedIn& gear, double t) {
   const Trajectory ramp = gear.ramp.curve();
   const double T = ramp.end();

@@ -16,14 +16,14 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G),
-// which for the quintic is
+// The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G).
+// For the quintic, this law is
 //
 //   (2)  f(z) = (10 - 4 rho) z^3 - (15 - 7 rho) z^4 + (6 - 3 rho) z^5
 //
-// f' = z^2 (3 (10 - 4 rho) - 4 (15 - 7 rho) z + 5 (6 - 3 rho) z^2) stays >= 0 for 0 <= rho <= 5/2, and
-// <= rho for rho >= 5/3. Reversal is not derived from (2): every law is tested by the
-// exact extrema of its slope.
+// f' = z^2 (3 (10 - 4 rho) - 4 (15 - 7 rho) z + 5 (6 - 3 rho) z^2) stays >= 0 for 0 <= rho <= 5/2,
+// and <= rho for rho >= 5/3. The code does not use (2) to detect a reversal: for every law, it
+// tests the exact extrema of the slope.
 
 namespace jounce {
 namespace {
@@ -53,7 +53,8 @@ void require_valid(const GearInPosSpec& spec) {
     throw InputError("law", name(spec.law), "must accept a velocity at its end: try \"quintic\"");
 }
 
-/// The engagement, from rest at master_start to the ratio at master_sync, whichever lies first.
+/// The cam of the engagement between master_start (at rest) and master_sync (at the ratio), in
+/// ascending order of the master.
 Cam curve_of(const GearInPos& gear, Law law) {
   const CamKnot rest{gear.master_start, gear.slave_start, 0, 0};
   const CamKnot sync{gear.master_sync, gear.slave_sync, gear.ratio, 0};
@@ -64,7 +65,7 @@ Cam curve_of(const GearInPos& gear, Law law) {
   return with(design(cam).cam, Extrapolation::hold);
 }
 
-/// True if the slave moves against the direction of its gear anywhere.
+/// True if the slave moves anywhere against the direction of its gear.
 bool reverses(const GearInPos& gear) {
   const double way = gear.ratio > 0 ? 1 : -1;
   const Range slope = extrema(*gear.curve, 1);
@@ -72,7 +73,7 @@ bool reverses(const GearInPos& gear) {
   return back > 1e-9 * std::abs(slope.peak().value);
 }
 
-/// For a modulo master: the next turn whose start is still ahead.
+/// Number of turns of a modulo master until the start lies ahead.
 double turns_ahead(const GearInPosSpec& spec, double start) {
   if (!spec.master_position || !spec.master_period) return 0;
   const double way = (*spec.master_position - start) / *spec.master_period;
@@ -83,7 +84,8 @@ bool passed(double start, double distance, double master) {
   return distance > 0 ? master > start : master < start;
 }
 
-/// The slave further by whole turns in the direction of the gear, until it need not turn back.
+/// Moves the sync position of the slave by whole turns in the direction of the gear, until the
+/// slave does not reverse.
 void avoid_reversal(GearInPos& gear, const GearInPosSpec& spec) {
   const double direction = gear.ratio * spec.master_start_distance > 0 ? 1 : -1;
   const double sync = gear.slave_sync;
@@ -210,7 +212,7 @@ GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet
   assert(gear);
   using Phase = GearInPosState::Phase;
   const double way = gear.master_sync > gear.master_start ? 1 : -1;
-  const double u = way * (master[0] - gear.master_start);  // since the start, m
+  const double u = way * (master[0] - gear.master_start);  // distance from the start, m
   const double before = way * (state.master - gear.master_start);
   GearInPosStep now;
   now.state = {state.phase, true, master[0]};
@@ -237,7 +239,7 @@ GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet
 
 namespace {
 
-/// When the master first arrives at its sync position from the start's side.
+/// Time at which the master first reaches its sync position from the side of the start.
 std::optional<double> sync_time(const GearInPos& gear, const Trajectory& master) {
   const auto times = crossings(master, 0, gear.master_sync);
   if (times.empty()) return std::nullopt;

@@ -15,7 +15,7 @@
 //
 //   (1)  sum of p_i n_i / q_i = (sum of P_i n_i) / D
 //
-// exactly, so that one division rounds once. As the sum of |P_i| is below 2^63, the sum of P_i n_i
+// exactly, so one division rounds once. Because the sum of |P_i| is below 2^63, the sum of P_i n_i
 // is below 2^126 for any counts.
 
 namespace jounce {

@@ -11,12 +11,12 @@
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 
-// Let e_n be the errors, s_n the steps, o_n the outstanding and a_n the applied correction. Then
+// Let e_n be the errors, s_n the steps, o_n the outstanding and a_n the applied corrections. Then
 //
 //   (1)  s_n = clamp(o_n + e_n, -most, most)
 //   (2)  o_(n+1) = o_n + e_n - s_n,   a_(n+1) = a_n + s_n
 //
-// so that a + o grows by e_n and by nothing else. Where |o + e| <= most, (2) leaves exactly 0.
+// So a + o grows by exactly e_n. If |o + e| <= most, (2) leaves exactly 0 outstanding.
 
 namespace jounce {
 namespace {
@@ -26,7 +26,7 @@ void require_valid(const Registration& registration, double period) {
   require_positive("window_length", registration.window_length);
   require_positive("most", registration.most);
   gearing::require_rest_to_rest("law", registration.law, registration.form);
-  // The rounding of the sum is no way out of the period.
+  // The sum may exceed the period by rounding.
   if (registration.window_from + registration.window_length > period * (1 + 1e-12))
     throw InputError("window_length", registration.window_length,
                      "must be at most " + six_digits_down(period - registration.window_from) +
@@ -38,16 +38,16 @@ void require_repeats(const Cam& cam) {
     throw InputError("cam", "", "must wrap or advance: each product is one of its periods");
 }
 
-/// One product of the cam, moved by what the products before it advanced.
+/// One product of the cam, shifted by the advance of the previous products.
 Cam product(const Cam& cam, std::size_t n) {
   const double at = static_cast<double>(n);
   if (n == 0) return with(cam, Extrapolation::refuse);
   return with(shifted(cam, at * cam.length(), at * cam.advance()), Extrapolation::refuse);
 }
 
-/// The correction c over all products, added to the master. A product is a period of the phase
-/// x + c(x), which takes its step s less of the master; and so does the window, which thereby moves
-/// back by all that was applied and stays where it is in the phase:
+/// The correction c over all products, added to the master. A product is a period of the phase x +
+/// c(x), and takes less of the master by its step s. The window does so as well. It therefore moves
+/// back by all applied corrections, and stays at the same place in the phase:
 ///
 ///   (3)  master of product n: L - s_n, window from w and l - s_n long, phases w to w + l
 Cam phase_correction(const Cam& cam, const Registration& registration,
@@ -141,7 +141,7 @@ double greatest_correction(const Cam& cam, const Registration& registration, con
   const auto both = [&](double step) { return fits(step) && fits(-step); };
   if (!fits(0)) return 0;
   if (both(registration.most)) return registration.most;
-  // |f + s g| <= limit is convex in s: from 0 on it holds up to one bound.
+  // |f + s g| <= limit is convex in s, so it holds from 0 up to one bound.
   double lo = 0;
   double hi = registration.most;
   while (hi - lo > 1e-10 * registration.most) {

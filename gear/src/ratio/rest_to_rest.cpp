@@ -11,7 +11,7 @@
 namespace jounce::gearing {
 namespace {
 
-/// The peak of a derivative; infinite where the one before steps, by more than rounding.
+/// The peak of a derivative; infinite if the next lower derivative steps by more than rounding.
 double peak(const Cam& law, const Ranges& ranges, int order) {
   const auto most = [&](int k) {
     return std::abs(ranges[static_cast<std::size_t>(k)].peak().value);
@@ -21,7 +21,8 @@ double peak(const Cam& law, const Ranges& ranges, int order) {
   return steps ? std::numeric_limits<double>::infinity() : most(order);
 }
 
-/// Beside rests, so that a step against them counts; what steps once has no finite peak again.
+/// The law between two rests, so a step against them counts. If a derivative steps, all higher ones
+/// are infinite.
 Peaks peaks_of(Law law, const LawForm& form) {
   const Cam f(normalised(law, form), 0, Extrapolation::hold);
   const Ranges ranges = extrema(f);
@@ -75,7 +76,7 @@ std::vector<Segment> moved(Law law, const LawForm& form, double from, double len
                            double u0, double u1) {
   std::vector<Segment> pieces = placed(law, form, from, length, cycle);
   for (Segment& piece : pieces) piece = scaled(piece, u1 - u0, u0);
-  // Horner's last step adds c[0]: what comes before it is the same for any c[0].
+  // Horner's last step adds c[0]; all steps before it do not depend on c[0].
   Segment& last = pieces.back();
   last.c[0] = 0;
   last.c[0] = u1 - value(last, 1);

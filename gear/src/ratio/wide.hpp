@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-/// Integer division as gears need it: of 128 bits, rounded towards minus infinity.
+/// Division of 128-bit integers, rounded towards minus infinity.
 namespace jounce::gear_detail {
 
 __extension__ using Wide = __int128;

@@ -121,7 +121,7 @@ class Line {
     const auto [end, error] =
         std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
     if (error != std::errc() || !std::isfinite(value))
-      fail(begin, std::string(text.substr(0, 40)), "must be a number that a double can hold");
+      fail(begin, std::string(text.substr(0, 40)), "must be less than 1.8e308 in magnitude");
     return value;
   }
 

@@ -79,7 +79,8 @@ GcodeInterpreter::Target GcodeInterpreter::target(const GcodeBlock& block) const
     to.machine[i] =
         shortest_way(to.machine[i], (relative_ ? to.machine[i] : frame_.offset[i]) + step, modulo);
     turned = turned || (i < 3 && !frame_.shifts());
-    if (!std::isfinite(to.machine[i])) fail_at(block, word, "is too large for a double");
+    if (!std::isfinite(to.machine[i]))
+      fail_at(block, word, "is too far away: the position would exceed 1.8e308");
   }
   if (turned) {
     const Point machine = placed(frame_, to.part);

@@ -106,7 +106,7 @@ Form form_of(const CommandWords& words) {
     if (text_of(words, form.selector()).empty()) continue;
     if (chosen != nullptr)
       throw InputError(dashed(form.selector()), text_of(words, form.selector()),
-                       "cannot be combined with another of " + list);
+                       "cannot be combined with another target: give only one of " + list);
     chosen = &form;
   }
   if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
@@ -313,7 +313,7 @@ void require_taken(const CommandWords& words) {
           "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
-                         (taken.empty() ? ", which has no value and no option"
+                         (taken.empty() ? ", which takes no value and no option"
                                         : ", which has " + joined(taken, dashed)));
   };
   require(value_word, words.value, !words.value.empty());

@@ -126,9 +126,9 @@ void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view)
                                {" 1 us to 16 ms  " + within(*counts), Tone::faint}}));
   if (s.unwritten != 0)
     rows.push_back(line("files", {{"not written: " + unwritten_files(s.unwritten), Tone::wrong}}));
-  rows.push_back(line(
-      "packets", {{fmt::format("{} refused, {} of them not authentic", s.rejected, s.not_authentic),
-                   s.not_authentic > 0 ? Tone::waits : Tone::plain}}));
+  rows.push_back(line("packets", {{fmt::format("{} rejected, {} of them without a valid signature",
+                                               s.rejected, s.not_authentic),
+                                   s.not_authentic > 0 ? Tone::waits : Tone::plain}}));
 }
 
 }  // namespace

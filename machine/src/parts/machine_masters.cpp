@@ -46,8 +46,8 @@ std::function<double()> reader_of(const MachineMasterSpec& spec,
   if (axis == nullptr) throw InputError("axis", encoder.axis, "is not an axis of this machine");
   if (!axis->drive)
     throw InputError("axis", encoder.axis,
-                     "has no [drive], so there is no actual position: add a drive; type = \"null\" "
-                     "follows exactly");
+                     "has no [drive], so it has no actual position: add [drive], such as type = "
+                     "\"null\", a drive without following error");
   if (!axis->units.position.empty() && axis->units.position != spec.unit)
     throw InputError("unit", spec.unit,
                      "must be " + axis->units.position + ", the unit of the axis");

@@ -83,7 +83,9 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   ExecutorOptions executor;
   executor.axis = config_of(spec);
   if (spec.name.empty())
-    throw InputError("name", "", "is missing: add name = \"NAME\", for streams and commands");
+    throw InputError(
+        "name", "",
+        "is missing: add name = \"NAME\", by which streams and commands address the axis");
   if (!wire::is_executor_name(spec.name))
     throw InputError("name", spec.name, wire::executor_name_rule);
   executor.switches = spec.switches;

@@ -74,7 +74,8 @@ std::vector<std::string> missing_parts(const ExecutorSummary& summary, const std
             ": this executor stopped its axes and ended"};
   std::vector<std::string> missing;
   if (!log.empty() && summary.cycle.lost > 0)
-    missing.push_back(fmt::format("{} ticks are missing from the log", summary.cycle.lost));
+    missing.push_back(fmt::format("the log lacks {} ticks: they could not be written in time",
+                                  summary.cycle.lost));
   for (const AxisSummary& axis : summary.axes)
     if (!log.empty() && axis.log_truncated)
       missing.push_back(fmt::format("the log of {} is cut off: {}.truncated", axis.name,

@@ -242,8 +242,9 @@ class Search {
     else if (cancelled_)
       answer(OptimizeStatus::cancelled, "stopped by the caller");
     else if (outcome_.limits.ok() && all_at_bound)
-      answer(OptimizeStatus::optimal, "every objective is at its proven bound, to a relative " +
-                                          brief(problem_.options.tolerance));
+      answer(OptimizeStatus::optimal,
+             "every objective is at its proven bound, within the relative tolerance " +
+                 brief(problem_.options.tolerance));
     else if (out_of_time_)
       answer(OptimizeStatus::stalled,
              "the time limit of " + brief(*problem_.options.budget.seconds) + " s is reached");
@@ -264,7 +265,7 @@ class Search {
     const std::string gap =
         *r.bound > 0
             ? "at most " + brief(100 * *r.gap()) + " % of " + r.name + " could still be saved"
-            : "no bound above 0 is known for " + r.name +
+            : "no lower bound above 0 is known for " + r.name +
                   (space_.convex() ? "" : ": free masters make the problem non-convex") +
                   ", and none follows from the fixed knots alone";
     if (space_.convex())

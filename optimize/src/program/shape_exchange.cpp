@@ -86,7 +86,7 @@ class ShapeExchange {
       if (added == 0 && precision_ == fine) return true;
       precision_ = added == 0 || !linear ? fine : finer(p, s);
     }
-    found_.why = "peaks kept moving for " + std::to_string(max_rounds) + " rounds";
+    found_.why = "the peaks still moved after " + std::to_string(max_rounds) + " rounds";
     return false;
   }
 
@@ -170,7 +170,7 @@ class ShapeExchange {
   bool out_of_reach() {
     found_.bound.reset();
     if (contradictory(model_, found_.z)) {
-      infeasible("the values fixed at the ends and those to be kept exactly contradict each other");
+      infeasible("the values that are fixed at the ends contradict those that are kept exactly");
       return true;
     }
     ShapeTask task = plain(model_);

@@ -87,14 +87,14 @@ std::string missed(const Evaluations& evaluations) {
   };
   for (std::size_t i = 0; i < best.answer.constraints.size(); ++i)
     if (share(i) > share(worst)) worst = i;
-  return "no point of the search meets every constraint: number " + std::to_string(worst + 1) +
-         " is missed by " + brief(best.answer.constraints[worst]);
+  return "no point of the search meets every constraint: constraint " + std::to_string(worst + 1) +
+         " is violated by " + brief(best.answer.constraints[worst]);
 }
 
 std::string ending(const Evaluations& evaluations) {
   switch (evaluations.ended()) {
     case Evaluations::Ended::evaluations:
-      return plural(evaluations.count(), "evaluation") + " were made, the limit";
+      return "the limit of " + plural(evaluations.count(), "evaluation") + " is reached";
     case Evaluations::Ended::seconds:
       return "the time limit was reached after " + plural(evaluations.count(), "evaluation");
     case Evaluations::Ended::cancelled:
@@ -108,14 +108,15 @@ std::string ending(const Evaluations& evaluations) {
 std::string settled_reason(const Evaluations& evaluations, const Searched& how) {
   if (evaluations.size() == 0) return "every variable is fixed";
   if (evaluations.size() == 1)
-    return "the best over the whole range, looked at in " +
+    return "the best value in the whole range, of which " +
            std::to_string(std::clamp(evaluations.max_evaluations() / 4, 8, 256) + 1) +
-           " places, edges bisected and dips narrowed down";
+           " places were evaluated; edges are bisected, and the best places refined";
   const std::string local = "no step from the best point improves the figure by more than " +
                             brief(evaluations.options().tolerance) + " of its value; ";
-  if (!evaluations.is_global()) return local + "one local search, no proof";
+  if (!evaluations.is_global())
+    return local + "this is the result of one local search, without proof";
   return local + std::to_string(how.counts.agreeing) + " of " +
-         std::to_string(how.counts.searches) + " local searches" + " led there, no proof";
+         std::to_string(how.counts.searches) + " local searches led to this point, without proof";
 }
 
 void judge(const Evaluations& evaluations, const Searched& how, SearchOutcome& outcome) {

@@ -72,7 +72,8 @@ void require_valid(const SplineTimesSpec& spec) {
   if (spec.objective != TimeObjective::shortest)
     require_positive("duration", spec.duration);
   else if (spec.duration != 0)
-    throw InputError("duration", spec.duration, "is found by times = \"shortest\": leave it out");
+    throw InputError("duration", spec.duration,
+                     "is computed by times = \"shortest\": leave it out");
 }
 
 /// The intervals of a start. The first start has equal intervals, the outer ones a third of the others. In the

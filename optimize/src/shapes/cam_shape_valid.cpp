@@ -107,7 +107,7 @@ void require_corridors(const CamShapeProblem& problem) {
     const Corridor& c = problem.corridors[i];
     const std::string key = "corridor[" + std::to_string(i + 1) + "]";
     if (!(c.from <= c.to))
-      throw InputError(key + ".from", c.from, "must not be above " + number(c.to) + ", its end");
+      throw InputError(key + ".from", c.from, "must be at most to = " + number(c.to));
     const bool met = std::any_of(runs.begin(), runs.end(),
                                  [&](const auto& run) { return optimize_detail::meets(c, run); });
     if (!met)

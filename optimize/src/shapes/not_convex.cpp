@@ -87,7 +87,8 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
   auto search = std::make_unique<FixedKnots>(problem, parts, first_knots(problem), given);
   if (search->contradicts())
     return {NotConvexResult::End::infeasible,
-            "the ends and what is kept in step contradict each other", given, 0, 0};
+            "the values at the ends and the parts that are kept in step contradict each other",
+            given, 0, 0};
   FoundShape best;
   bool finite = true;
   if (search->has_no_freedom()) {

@@ -41,8 +41,9 @@ void set_status(const ShapeProblem& problem, const NotConvexResult& found, Shape
     return answer(Status::stalled, "the shape found breaks a limit: " +
                                        broken_sentence(out.limits.findings.front()));
   if (at_bound(problem, out))
-    return answer(Status::optimal, "no function at all is better, to a relative " +
-                                       brief(problem.options.tolerance));
+    return answer(Status::optimal,
+                  "no other motion is better by more than the relative tolerance " +
+                      brief(problem.options.tolerance));
   if (found.end == End::stalled) return answer(Status::stalled, found.why);
   answer(Status::converged, gap_text(out));
 }

@@ -330,8 +330,9 @@ class ShapeSearch {
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
     const double gap = out_.bound ? (out_.value - *out_.bound) / out_.value : 1;
     if (out_.value <= nothing_ || gap <= problem_.options.tolerance)
-      return answer(Status::optimal, "no spline over these knots is better, to a relative " +
-                                         brief(problem_.options.tolerance));
+      return answer(Status::optimal,
+                    "no spline over these knots is better by more than the relative tolerance " +
+                        brief(problem_.options.tolerance));
     answer(Status::converged,
            "at most " + brief(100 * gap) + " % could still be saved by a spline over these knots");
   }

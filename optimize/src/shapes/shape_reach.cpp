@@ -33,7 +33,7 @@ std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coo
       if (apart(model, *fixed)) return {};
       const double excess = f.at(*fixed) / constraint.scale;
       if (excess > hopeless)
-        return "what is fixed breaks " + constraint.rule + " by " + brief(100 * excess) + " %";
+        return "the fixed values break " + constraint.rule + " by " + brief(100 * excess) + " %";
     }
   return {};
 }

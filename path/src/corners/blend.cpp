@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-/// f g of two polynomials whose degrees fit.
+/// The product f g of two polynomials; the degree of the product must fit into a Segment.
 Segment product(const Segment& f, const Segment& g) {
   Segment h;
   h.length = f.length;
@@ -104,7 +104,7 @@ double greatest_curvature(std::span<const Segment> axes, std::size_t n) {
     }
   double a = std::max(0, best - 1) / static_cast<double>(samples);
   double b = std::min(samples, best + 1) / static_cast<double>(samples);
-  for (int i = 0; i < 40; ++i) {  // golden section
+  for (int i = 0; i < 40; ++i) {  // golden section search
     const double x = b - 0.6180339887498949 * (b - a);
     const double y = a + 0.6180339887498949 * (b - a);
     (curvature(x) < curvature(y) ? a : b) = curvature(x) < curvature(y) ? x : y;

@@ -19,16 +19,16 @@ namespace jounce {
 namespace {
 
 using path_detail::none;
-constexpr double tangent =
-    1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
-constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may take
+/// Relative step of the velocity; a smaller change of direction counts as none.
+constexpr double tangent = 1e-9;
+constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
 
 enum class How : std::uint8_t { through, rest, turn, blend };
 
 struct Shape {
   double trim = 0;
-  double wanted = 0;  ///< trim without corners at the other ends of its sides
-  double share = 0;   ///< share of a turn
+  double wanted = 0;  ///< trim if there were no corners at the other ends of its sides
+  double share = 0;   ///< share b of a turn
   double velocity = none;
   How how = How::through;
   JointNote note = JointNote::none;
@@ -40,7 +40,8 @@ struct Sides {
   Point bend_before{}, bend_behind{};  ///< curvatures
 };
 
-/// Two directions that meet: |w - u| and |w + u| / 2, over the path axes unless only followers turn.
+/// Two directions that meet: |w - u| and |w + u| / 2. Only the path axes count, unless only
+/// followers change their direction.
 struct Bend {
   double size = 0, cosine = 0;
   bool is_tangent = false;
@@ -96,7 +97,7 @@ class Rounding {
     return program_.settings()[piece(k).settings];
   }
 
-  /// Length of a piece that corners may take.
+  /// Length of a piece that is available for corners.
   [[nodiscard]] double whole(std::size_t k) const {
     const PathPiece& p = piece(k);
     if (p.kind != PieceKind::arc) return p.length;
@@ -128,12 +129,12 @@ class Rounding {
     return s;
   }
 
-  /// The wished velocity of a joint, and the feeds of both sides.
+  /// The requested velocity of a joint, and the feeds of both sides.
   [[nodiscard]] double cap(std::size_t k) const {
     return std::min({settings(k - 1).velocity, settings(k).velocity, rates_.path.velocity});
   }
 
-  /// The shape that the settings ask for, within `room` on each side.
+  /// The shape that the settings require, with at most `room` on each side.
   [[nodiscard]] Shape shape(std::size_t k, double room) const {
     Shape s;
     if (route_.joints[k].rests) {
@@ -154,7 +155,7 @@ class Rounding {
     return rests_at(k, bend, s) ? s : blended(k, room);
   }
 
-  /// True if the plan rests at a corner in any case; then `s` is the rest.
+  /// True if the plan rests at the corner in any case; then sets `s` to the rest.
   [[nodiscard]] bool rests_at(std::size_t k, const Bend& bend, Shape& s) const {
     const bool asked = settings(k).corner == Corner::stop || stop_[k];
     const bool turns_back = !(bend.cosine > 1e-8);
@@ -164,12 +165,13 @@ class Rounding {
     return true;
   }
 
-  /// Tangent sides: nothing is done, unless the curvature steps and the settings ask for a corner.
+  /// The shape of a tangential joint: no corner, unless the curvature steps and the settings
+  /// require a corner.
   [[nodiscard]] Shape smooth(std::size_t k, const Sides& both, double room) const {
     const double step = vec::distance(both.bend_before, both.bend_behind, n_);
     const double larger =
         std::max(vec::norm(both.bend_before, n_), vec::norm(both.bend_behind, n_));
-    // Rounding: less than this turns nothing over the shorter side.
+    // Rounding: a shorter trim changes no direction.
     const double shorter = std::min(piece(k - 1).length, piece(k).length);
     if (step <= std::max(tangent * larger, 1e-12 / shorter)) return {};
     Shape s;
@@ -233,12 +235,13 @@ class Rounding {
     return s;
   }
 
-  /// A blend: its trim by bracketing.
+  /// A blend whose trim is found by bracketing.
   [[nodiscard]] Shape blended(std::size_t k, double room) const {
     const PathSettings& asked = settings(k);
     double trim = room;
     bool fits = true;
-    const auto least = [&](double most, auto enough) {  // the least trim with enough(trim), or all
+    // The least trim for which enough(trim) holds, or `most`.
+    const auto least = [&](double most, auto enough) {
       if (!(fits = enough(most))) return most;
       double low = 0;
       double high = most;
@@ -282,8 +285,9 @@ class Rounding {
     return s;
   }
 
-  /// The trim, at most `most`, whose blend takes the least time: on it and by the ramps to its velocity,
-  /// compared with both sides at full velocity. A larger blend is passed faster, until its speed differs from that of q.
+  /// The trim, at most `most`, whose blend takes the least time. The time on the blend and on the
+  /// ramps to its velocity is compared with both sides at full velocity. A larger blend is passed
+  /// faster, until its speed |r'| differs noticeably from 1.
   [[nodiscard]] double fastest_trim(std::size_t k, double most) const {
     const Box before = box(k - 1);
     const Box behind = box(k);
@@ -316,8 +320,9 @@ class Rounding {
 
   [[nodiscard]] Point corner(std::size_t k) const { return route_.path.point(k, 0); }
 
-  /// The largest trim whose blend is at most `deviation` from the corner and from both sides. The distance grows
-  /// with the trim in every case tried; the result keeps the deviation in any case, since it is the lower end of a bracket.
+  /// The largest trim for which the blend is at most `deviation` from the corner and from both
+  /// sides. In all tests the distance grew with the trim. The result keeps the deviation in any
+  /// case, because it is the lower end of a bracket.
   [[nodiscard]] double trim_for(std::size_t k, double deviation, double room) const {
     const Point at = corner(k);
     const auto over = [&](double d) {
@@ -355,8 +360,9 @@ class Rounding {
     return std::min(blend_box(curved_, blend.segments()).velocity, feed);
   }
 
-  /// Corners at both ends of a piece share its length, in proportion to what they take; one whose other end is at
-  /// rest takes half of it at most, since the law needs a way to leave the rest.
+  /// The corners at both ends of a piece share its length, in proportion to their requests. If the
+  /// plan rests at the other end, a corner gets at most half, because the law needs a distance to
+  /// leave the rest.
   [[nodiscard]] double allowed(std::size_t k, std::size_t other, std::size_t side) const {
     const double length = piece(side).kind == PieceKind::arc ? whole(side) : piece(side).length;
     const Shape& there = shapes_[other];
@@ -375,8 +381,8 @@ class Rounding {
     if (shapes_[k].trim > room) shapes_[k].trim = room;  // rounding
   }
 
-  /// Rests at a corner whose rounding takes longer: compares both sides with and without it, each up to the
-  /// velocity that half of the shorter side allows.
+  /// Replaces a corner by a rest if the rounding would take longer. Both sides are compared with
+  /// and without it, each up to the velocity that half of the shorter side permits.
   void rest_if_faster(std::size_t k) {
     Shape& s = shapes_[k];
     if (s.how != How::turn && s.how != How::blend) return;
@@ -410,16 +416,17 @@ class Rounding {
                      run_length(k));
   }
 
-  /// The greatest velocity at a joint as far as its shape is known.
+  /// The greatest velocity at a joint, as far as its shape is known.
   [[nodiscard]] double end_velocity(std::size_t joint) const {
     return shapes_[joint].how == How::rest ? 0 : shapes_[joint].velocity;
   }
 
-  /// The length that a ramp on a curve may take: some pieces in a row, since a curve has short ones.
+  /// The length that is assumed for a ramp on a curve: several successive pieces, because the
+  /// pieces of a curve are short.
   [[nodiscard]] double run_length(std::size_t k) const { return 20 * piece(k).length; }
 
-  /// A joint of lines that is passed although their directions differ by rounding: the velocities of the axes
-  /// step by up to 1e-9, which a table turns into jerk.
+  /// True for a joint of lines that is passed although their directions differ by rounding. The
+  /// velocities of the axes step there by up to 1e-9, which a table turns into jerk.
   [[nodiscard]] bool steps_at(std::size_t k) const {
     if (k == 0 || k >= route_.path.pieces().size() || shapes_[k].how != How::through) return false;
     if (!are_lines(k)) return false;
@@ -433,7 +440,7 @@ class Rounding {
     if (!(b.acceleration < none) || !(b.acceleration > 0))
       throw InputError(
           "acceleration", "",
-          "is missing: each axis that moves, or the path, needs a limit of acceleration")
+          "is missing: add acceleration to the limits of each axis that moves, or to [path.limits]")
           .at({}, piece(k).line);
   }
 
@@ -485,7 +492,7 @@ class Rounding {
     return result;
   }
 
-  /// Places the piece that was appended last behind the one before; returns its length.
+  /// Places the last appended piece after the previous one; returns its length.
   double placed_length() {
     PathPiece& last = pieces_.back();
     last.start = end_;
@@ -538,8 +545,8 @@ class Rounding {
   std::vector<PathPiece> pieces_;  // parts of the result
   std::vector<double> numbers_;
   std::vector<Unit> units_;
-  std::uint32_t placed_ = 0;  // pieces so far
-  double end_ = 0;            // of the last piece
+  std::uint32_t placed_ = 0;  // number of placed pieces
+  double end_ = 0;            // end of the last piece
   std::vector<JointMark> joints_;
 };
 

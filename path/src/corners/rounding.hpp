@@ -11,21 +11,23 @@
 
 namespace jounce {
 
-/// Directions (one number an axis) and boxes of the lines of a route; nothing of its other pieces.
+/// Directions (one number for each axis) and boxes of the lines of a route; the entries of other
+/// pieces are empty.
 struct Lines {
   std::vector<double> directions;
   std::vector<Box> boxes;
 };
 Lines lines_of(const Route& route, const Program& program, const Rates& rates);
 
-/// A route with its corners rounded, and what the law may do on it.
+/// A route with its corners rounded, and the limits for its timing law.
 struct Rounded {
-  std::optional<Path> path;  ///< nothing: the route's own, since no corner is rounded
+  std::optional<Path> path;  ///< nullopt: no corner is rounded, so the path is that of the route
   std::vector<Unit> units;
   std::vector<JointMark> joints;
 };
 
-/// `stop`: joints at which the plan rests although their corners could be rounded.
+/// Rounds the corners. `stop`: joints at which the plan rests although their corners could be
+/// rounded.
 Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
                 const std::vector<bool>& stop);
 

@@ -6,8 +6,9 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-// By (4) the velocity of a turn is the lesser of two: that of the acceleration falls with b and that of the jerk
-// rises, whether (3) or the length is fixed. The fastest turn has both equal, or b = 1/2. With a and j per |D_i|:
+// By (4), the velocity of a turn is the lesser of two bounds. The one of the acceleration falls
+// with b, the one of the jerk rises, both for (3) fixed and for a fixed length. The fastest turn
+// has equal bounds, or b = 1/2. With a and j divided by |D_i|:
 //
 //   (6)  a^3 (1 - b) = j^2 b^2 l
 //   (7)  l = c / i(b):   (4 - k) b^2 - 6 b + 3 = 0,     k = 24 j^2 c / a^3
@@ -72,7 +73,7 @@ Turn fastest_turn(const TurnRates& rates, double offset, double length) {
   const double m = scale * length;
   const double by_length = m > 2 ? 2 / (1 + std::sqrt(1 + 4 * m)) : 0.5;  // (8)
   if (turn_offset(by_length) * length <= offset) return with(by_length);
-  // Both bind: i(b) l = offset, between the two. i falls from 1/8 to 1/12.
+  // Both limits apply: i(b) l = offset, with b between the two. i falls from 1/8 to 1/12.
   const double i = offset / length;
   const double half = 3 - 12 * i;  // 4 b^2 - (6 - 24 i) b + 3 - 24 i = 0
   const double share = (half - profiles_detail::root(half * half - 4 * (3 - 24 * i))) / 4;

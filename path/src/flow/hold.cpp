@@ -10,11 +10,11 @@
 
 #include "path/src/flow/partial_law.hpp"
 
-// A stretch of the law of stations carries its box. From v over L the lowest velocity that a ramp reaches is 0 if
-// D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2 j), d the deceleration and j the jerk,
-// and then falls to D(v, 0) > L: one root before that. If the plan goes from V to e over L and v <= V, then
-// D(v, e) <= D(V, e) <= L, so the held law is at no station faster than the plan, and it rests where the plan rests, at
-// the latest.
+// A stretch of the law of stations carries its box. From v over L, the lowest velocity that a ramp
+// reaches is 0 if D(v, 0) <= L. Otherwise D(v, v - x) grows with x up to max(2 v / 3, v - d^2 / 2
+// j), where d is the deceleration and j the jerk, and then falls to D(v, 0) > L: there is one root
+// before that. If the plan goes from V to e over L and v <= V, then D(v, e) <= D(V, e) <= L. So the
+// held law is at no station faster than the plan, and it rests at the latest where the plan rests.
 
 namespace jounce {
 
@@ -58,12 +58,12 @@ Plan halted(const Plan& plan, double t) {
         m.velocity += h * (m.acceleration + h * m.jerk / 2);
         m.acceleration += h * m.jerk;
       }
-      held.law.back().v1 = 0;  // but for rounding
+      held.law.back().v1 = 0;  // exactly, without rounding
       return made();
     }
   }
   held.add(here);
-  PartialLaw planned = held;  // to the plan's own next rest
+  PartialLaw planned = held;  // continues to the plan's own next rest
   for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
     planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
@@ -73,7 +73,7 @@ Plan halted(const Plan& plan, double t) {
     } else {
       s.v0 = s.peak = v;
       if (!is_corner(s)) {
-        // At most the plan's own end, but for rounding.
+        // At most the plan's own end velocity, except for rounding.
         const double end = s.v1 == 0 ? 0 : std::min(lowest_end(unit_of(s).box, s.length, v), s.v1);
         if (end == 0) s.length = std::min(s.length, ramp_distance(v, 0, s.deceleration, s.jerk));
         s.v1 = v = end;
@@ -94,7 +94,7 @@ Plan halted(const Plan& plan, double t) {
 
 namespace {
 
-/// From rest at `from`; a dwell there has lasted `rested` s.
+/// The rest of a plan that rests at `from`, where it has already dwelled for `rested` s.
 Plan remaining(const Plan& plan, double from, double rested) {
   const auto stretches = plan.law().stretches();
   const double end = plan.path().length();

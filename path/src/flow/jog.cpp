@@ -26,8 +26,9 @@ Plan jogged(const Point& from, const Point& direction, double velocity, double d
   settings.velocity = velocity;
   const Box box = line_box(rates_of(limits, n, n), settings, u.data());
   if (!(box.deceleration > 0 && box.deceleration < PathSettings::none))
-    throw InputError("acceleration", box.deceleration,
-                     "an axis that moves, or the path, needs a limit of acceleration");
+    throw InputError(
+        "acceleration", box.deceleration,
+        "is missing: add acceleration to the limits of each axis that moves, or to [path.limits]");
   // A line so long that the button is released before the plan brakes.
   const double length =
       box.velocity * duration + 2 * ramp_distance(box.velocity, 0, box.deceleration, box.jerk);

@@ -16,17 +16,17 @@
 #include "path/src/timing/stations.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// Leg k runs from rest to rest by s_k(t). With the next one tau before its end, an axis is at
+// Leg k moves from rest to rest by s_k(t). If the next leg begins tau before its end, an axis is at
 //
 //   (1)  r = B - u a(t) + w b(t),     a: what is left of leg k,   b: what leg k + 1 has done
 //
-// a falls and b grows. The distance from the two lines is |u x w| min(a, b), greatest where a = b: one root. The
-// distance from B is an extremum of degree 5 on each common phase. An axis's jerk is at most |u_i| j + |w_i| j' and its
-// acceleration alike, so legs with
+// a falls and b grows. The distance from the two lines is |u x w| min(a, b), which is greatest
+// where a = b: one root. The distance from B is an extremum of degree 5 on each common phase. The
+// jerk of an axis is at most |u_i| j + |w_i| j', and its acceleration likewise. So legs with
 //
 //   (2)  j <= J_i / (|u_i| + |w_i|),   a <= A_i / (|u_i| + |w_i|)
 //
-// may overlap by any time, as far as the velocities permit.
+// may overlap by any time, within their velocity limits.
 
 namespace jounce {
 namespace {
@@ -36,8 +36,8 @@ using path_detail::none;
 struct Leg {
   Point start{}, direction{};
   LawStretch law;
-  double up = 0, down = 0;  ///< s, of its first and last ramp
-  double dwell = 0;         ///< s, before it
+  double up = 0, down = 0;  ///< s, durations of its first and last ramp
+  double dwell = 0;         ///< s, dwell before it
   std::int32_t line = 0;
 };
 
@@ -60,7 +60,7 @@ std::vector<Segment> law_between(const LawStretch& law, double from, double to) 
   return out;
 }
 
-/// Both laws over the overlap, cut at the phases of both.
+/// Both laws over the overlap, divided at the phases of both.
 struct Common {
   Segment before, behind;
 };
@@ -101,13 +101,15 @@ class Overlapping {
         rates_(rates_of(limits, n_, m_)) {
     for (const PathPiece& p : route_.path.pieces())
       if (p.kind != PieceKind::line)
-        throw InputError("overlap", "", "needs lines: this command is none").at({}, p.line);
+        throw InputError("overlap", "",
+                         "is possible between lines only, and this command is not a line")
+            .at({}, p.line);
   }
 
-  /// `shared`: legs by (2).
+  /// Plans the legs. `shared`: their rates are reduced by (2).
   [[nodiscard]] Overlapped run(bool shared) const {
     const std::vector<Leg> legs = legs_of(shared);
-    std::vector<double> overlaps(legs.size() + 1, 0.0);  // before each
+    std::vector<double> overlaps(legs.size() + 1, 0.0);  // overlap before each leg
     for (std::size_t k = 1; k < legs.size(); ++k)
       if (!route_.joints[k].rests) overlaps[k] = longest(legs[k - 1], legs[k]);
     return joined(legs, overlaps);
@@ -132,7 +134,8 @@ class Overlapping {
       unit.box = line_box(rates_, settings_[pieces[k].settings], legs[k].direction.data());
       if (!(unit.box.acceleration > 0 && unit.box.acceleration < none))
         throw InputError("acceleration", unit.box.acceleration,
-                         "an axis that moves, or the path, needs a limit of acceleration")
+                         "is missing: add acceleration to the limits of each axis that moves, or "
+                         "to [path.limits]")
             .at({}, pieces[k].line);
       if (shared) {
         if (k > 0 && !route_.joints[k].rests) lower(unit.box, legs[k - 1], legs[k]);
@@ -161,7 +164,7 @@ class Overlapping {
     return *sum(first, scaled(c.behind, b.direction[i]));
   }
 
-  /// The longest overlap that keeps limits and deviation: the lower end of a bracket.
+  /// The longest overlap that keeps the limits and the deviation: the lower end of a bracket.
   [[nodiscard]] double longest(const Leg& a, const Leg& b) const {
     const double most = options_.share * std::min(a.down, b.up);
     if (!(most > 0)) return 0;
@@ -200,7 +203,7 @@ class Overlapping {
     return least;
   }
 
-  /// |u x w| a where a = b.
+  /// The greatest distance from the nearer line: |u x w| a at the instant at which a = b.
   [[nodiscard]] double one_sided(const Leg& a, const Leg& b, double overlap) const {
     const double begin = a.law.duration - overlap;
     double low = 0;

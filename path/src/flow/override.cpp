@@ -14,18 +14,20 @@
 #include "path/src/plan/drawn.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes keeps all limits. An
-// override lowers the velocities only; for factors above 1 the units are those of a plan with the greatest
-// factor. At each step of the override the rest of the law is made again, from a place with acceleration 0:
+// The plan divides the path into units, each with a box (v, a, d, j): every law within the boxes
+// keeps all limits. An override only lowers the velocities; for factors above 1, the units are
+// those of a plan with the greatest factor. At each step of the override, the rest of the law is
+// computed again, from a place with acceleration 0:
 //
-//   (1)  backward  b_k = min(c_k, F(b_k+1, L_k))                 c_k: lowered velocities, those of the units
-//   (2)  a descent, while the velocity is above that of the unit: one ramp down to it; or, if the unit is too short,
-//        to the lowest velocity that it permits
-//   (3)  forward   v_k+1 = min(b_k+1, F(v_k, L_k))                as in stations.cpp
+//   (1)  backward  b_k = min(c_k, F(b_k+1, L_k)),   c_k: the lowered velocities of the units
+//   (2)  a descent, while the velocity is above that of the unit: one ramp down to it; or, if the
+//        unit is too short, to the lowest velocity that it permits
+//   (3)  forward   v_k+1 = min(b_k+1, F(v_k, L_k)),   as in stations.cpp
 //
-// The law that the step interrupts is itself within the boxes. The descent is at no place faster (hold.cpp), so it
-// meets every corner and rest that the interrupted law meets. The place with acceleration 0 is found by ending the
-// current ramp with the greatest jerk. If (2) then fails, the ramp is completed instead, as the interrupted law does.
+// The law that the step interrupts is itself within the boxes. The descent is at no place faster
+// (hold.cpp), so it passes every corner and rest at most as fast as the interrupted law. The place
+// with acceleration 0 is found by ending the current ramp with the greatest jerk. If (2) then
+// fails, the ramp is completed instead, as in the interrupted law.
 
 namespace jounce {
 namespace {
@@ -48,7 +50,7 @@ void require_valid(std::span<const FactorRequest> steps) {
   }
 }
 
-/// A place of a law without acceleration.
+/// A place of a law at which the acceleration is zero.
 struct Place {
   std::size_t unit = 0;
   double within = 0;  ///< q from the start of the unit
@@ -65,7 +67,7 @@ class Player {
 
   Plan run() {
     Place at;
-    bool rested = false;  // the dwell before the unit is over
+    bool rested = false;  // true: the dwell before the unit is over
     while (at.unit < all_.units.size()) {
       if (at.velocity == 0) {
         if (!rested && at.within == 0)
@@ -93,7 +95,7 @@ class Player {
             base_.given()};
   }
 
-  /// Feed and limit of the velocity of each unit.
+  /// Computes the feed and the limit of velocity of each unit.
   void find_speeds() {
     const Path& path = base_.path();
     const Plan::Given& given = base_.given();
@@ -131,7 +133,7 @@ class Player {
       if (s.time <= t * (1 + 1e-15)) factor = s.factor;
     return factor;
   }
-  /// The next step behind t that changes the factor.
+  /// The time after t of the next step of the factor.
   [[nodiscard]] double next_change(double t) const {
     const double now = factor_at(t);
     for (const FactorRequest& s : steps_)
@@ -154,7 +156,7 @@ class Player {
     return std::min(all_.units[k].box.velocity, wish);
   }
 
-  /// The part of a unit from a place on.
+  /// The part of a unit after a place.
   [[nodiscard]] Unit part(std::size_t k, double within, double velocity) const {
     Unit unit = all_.units[k];
     unit.length -= within;
@@ -162,7 +164,7 @@ class Player {
     return unit;
   }
 
-  /// (1) at the start of each unit from `first` to the next rest.
+  /// Equation (1) at the start of each unit from `first` to the next rest.
   [[nodiscard]] std::vector<double> backward(std::size_t first, double factor) const {
     std::size_t last = first + 1;
     while (last < all_.units.size() && all_.units[last].entry > 0) ++last;
@@ -185,7 +187,8 @@ class Player {
                     entry_velocity(length, v, Ramp{acceleration, jerk}).value_or(v) * (1 - 2e-14));
   }
 
-  /// The law from a place to the next rest under a factor; nothing if the place is too fast for it.
+  /// The law from a place to the next rest with this factor; nullopt if the velocity at the place
+  /// is too high for it.
   [[nodiscard]] std::optional<std::vector<LawStretch>> law_from(const Place& from,
                                                                 double factor) const {
     PartialLaw law;
@@ -246,11 +249,11 @@ class Player {
       add(rest, v, end);
       v = end;
     }
-    if (v > 0) return std::nullopt;  // a rest cannot be reached
+    if (v > 0) return std::nullopt;  // no rest can be reached
     return std::move(law.law);
   }
 
-  /// One ramp over the whole length of a unit.
+  /// Appends one ramp over the whole length of a unit.
   static void add_ramp(const Unit& unit, double v0, double v1, double& q, PartialLaw& law) {
     LawStretch s;
     s.start = q;
@@ -269,7 +272,8 @@ class Player {
     law.add(s);
   }
 
-  /// Follows a law up to the next change of the override, or to its end; returns the place from which to go on.
+  /// Follows a law until the override changes or the law ends; returns the place from which to
+  /// continue.
   Place follow(const std::vector<LawStretch>& law, const Place& from) {
     const double change = next_change(from.time);
     for (const LawStretch& s : law) {
@@ -290,7 +294,8 @@ class Player {
     return at.unit < all_.units.size() && law_from(at, factor_at(at.time));
   }
 
-  /// Leaves a stretch t after its start, at a place without acceleration within it; nothing if there is none.
+  /// Leaves a stretch at t after its start, at a place within it where the acceleration is zero;
+  /// nullopt if there is none.
   std::optional<Place> leave(const LawStretch& s, double t) {
     if (is_corner(s)) return std::nullopt;
     std::array<LawPhase, 7> phase;
@@ -338,7 +343,7 @@ class Player {
   const Plan& base_;
   std::span<const FactorRequest> steps_;
   PlannedUnits all_;
-  std::vector<double> feed_, limit_;  ///< by unit
+  std::vector<double> feed_, limit_;  ///< one for each unit
   PartialLaw out_;
 };
 

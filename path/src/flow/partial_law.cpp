@@ -13,8 +13,8 @@ double lowest_end(const Box& box, double length, double v) {
   const auto way = [&](double drop) {
     return ramp_distance(v, v - drop, box.deceleration, box.jerk);
   };
-  if (way(v) <= length * (1 + 1e-13)) return 0;  // but for rounding
-  double low = 0;                                // the way grows with the drop up to here:
+  if (way(v) <= length * (1 + 1e-13)) return 0;  // except for rounding
+  double low = 0;                                // the distance grows with the drop up to here
   double high = std::max(2 * v / 3, v - box.deceleration * box.deceleration / (2 * box.jerk));
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2;
@@ -182,7 +182,7 @@ class Replanned {
     }
   }
 
-  /// The lower feed of both sides of the start of piece k, or of its corner.
+  /// The lower feed of both sides of the start of piece k, or of the corner there.
   [[nodiscard]] double feed_before(std::size_t k) const {
     double before = PathSettings::none;
     if (!is_corner_piece(k)) {
@@ -242,7 +242,8 @@ class Replanned {
     return b;
   }
 
-  /// Lines that are passed although their directions differ by rounding (decision 0090, 15).
+  /// True for a joint of lines that is passed although their directions differ by rounding
+  /// (decision 0090, 15).
   [[nodiscard]] bool steps_at(std::size_t k) const {
     if (rests_[k] || piece(k - 1).kind != PieceKind::line || piece(k).kind != PieceKind::line)
       return false;
@@ -261,9 +262,9 @@ class Replanned {
   Rates rates_;
   Rates curved_;
   std::vector<PathSettings> settings_;
-  std::vector<std::size_t> drawn_;  ///< the drawn piece of each piece
+  std::vector<std::size_t> drawn_;  ///< for each piece, the drawn piece of which it is a part
   std::vector<double> velocity_;    ///< velocity of each corner
-  std::vector<bool> rests_;         ///< at the start of each piece, and at the end
+  std::vector<bool> rests_;  ///< true if the plan rests: at the start of each piece, and at the end
   std::vector<double> dwells_;
 };
 

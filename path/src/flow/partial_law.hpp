@@ -10,15 +10,16 @@
 #include "path/src/timing/stations.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// Laws that leave their plan: by a hold, an override, a retreat.
+// Laws that deviate from their plan: after a hold, an override or a retreat.
 namespace jounce {
 
-/// A stretch of a corner: passed at one velocity.
+/// True for the stretch of a corner, which has constant velocity.
 inline bool is_corner(const LawStretch& s) {
   return !s.single_phase && s.pieces > 0 && !std::isfinite(s.deceleration);
 }
 
-/// The lowest velocity at the end of `length` that begins at v: 0, or that of one ramp over all of it.
+/// The lowest velocity that a law can have after `length`, if it begins at v: 0, or the end
+/// velocity of one ramp over the whole length.
 double lowest_end(const Box& box, double length, double v);
 
 /// Collects the stretches of a law in the order of time.
@@ -32,31 +33,32 @@ struct PartialLaw {
     s.time = time();
     law.push_back(s);
   }
-  /// A phase of constant jerk from a place within a stretch.
+  /// Appends a phase of constant jerk that begins at a place within a stretch.
   void phase(const LawStretch& whole, double at, double duration, const Motion& m);
-  /// The first t seconds of a stretch.
+  /// Appends the first t seconds of a stretch.
   void until(const LawStretch& whole, double t);
-  /// A rest at q; none if the duration is 0.
+  /// Appends a rest at q; nothing if the duration is 0.
   void rest(const Path& path, double q, double duration);
 };
 
-/// Throws InputError for a place in a corner: no law rests there.
+/// Throws InputError if q is within a corner, because no law can rest there.
 void require_no_corner(const Plan& plan, const char* key, double q);
 
-/// A stretch of a plan as a unit: its box up to its peak, its start velocity as the greatest there.
+/// A stretch of a plan as a unit. Its velocity limit is the peak of the stretch, its greatest entry
+/// velocity the start velocity.
 Unit unit_of(const LawStretch& s);
 
-/// The units of a plan from rest to rest, with the dwell before each. Every law within their boxes, at no station faster
-/// than the plan, keeps all limits.
+/// The units of a plan from rest to rest, with the dwell before each. A law keeps all limits if it
+/// stays within their boxes and is at no station faster than the plan.
 struct PlannedUnits {
   std::vector<Unit> units;
-  std::vector<double> starts;  ///< q of each, and the end
-  double last_dwell = 0;       ///< s, behind the last one
+  std::vector<double> starts;  ///< q of the start of each unit, and of the end
+  double last_dwell = 0;       ///< s, dwell after the last unit
 };
 PlannedUnits units_of(const Plan& plan);
 
-/// The plan with all of its stretches by the law of stations: itself, or planned again where it runs by the law of a
-/// window or feeds are `factor` times those of the program.
+/// The plan with a law of stations throughout. It is planned again if it has the law of a window,
+/// or if feeds are `factor` times those of the program; otherwise it is the plan itself.
 Plan by_stations(const Plan& plan, double factor);
 
 }  // namespace jounce

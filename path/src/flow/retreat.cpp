@@ -94,7 +94,7 @@ Path reversed(const Path& path) {
   return {path.axes(), std::move(pieces), std::move(numbers)};
 }
 
-/// A unit of the reversed path: the law brakes where it accelerated.
+/// A unit of the reversed path: the law brakes where it accelerated before.
 Unit turned_around(const Unit& unit, const Path& path) {
   Unit back = unit;
   if (!unit.box.constant)

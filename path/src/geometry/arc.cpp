@@ -17,7 +17,8 @@
 namespace jounce {
 namespace {
 
-constexpr double coincident = 1e-9;  // relative: coincident points, a chord of twice the radius
+// Relative tolerance for coincident points, and for a chord of twice the radius.
+constexpr double coincident = 1e-9;
 
 void require_axes(Plane plane) {
   if (plane.first >= max_axes || plane.second >= max_axes || plane.first == plane.second)
@@ -34,7 +35,7 @@ void require_finite_point(const char* key, const Point& p) {
   for (const double x : p) require_finite(key, x);
 }
 
-/// The components in a plane, the others 0.
+/// The components in a plane; all others are 0.
 Point in_plane(const Point& p, Plane plane) {
   Point q{};
   q[plane.first] = p[plane.first];
@@ -42,7 +43,7 @@ Point in_plane(const Point& p, Plane plane) {
   return q;
 }
 
-/// e1 turned by 90 degrees in a plane, in the sense of rotation.
+/// e1 rotated by 90 degrees in a plane, in the direction of rotation.
 Point turned(const Point& e1, Plane plane, double sense) {
   Point e2{};
   e2[plane.first] = -sense * e1[plane.second];
@@ -56,7 +57,7 @@ double angle_to(const Arc& arc, const Point& v) {
   return angle < 0 ? angle + profiles_detail::two_pi : angle;
 }
 
-/// The arc in a plane about `center`, both ends of which have the same distance from it.
+/// The arc in a plane around `center`, from which both ends have the same distance.
 Arc planar(const Point& from, const Point& center, const Point& to, Plane plane,
            ArcRotation rotation, int extra_turns) {
   const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
@@ -105,7 +106,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   const Point spoke = vec::difference(from, arc.center);
   arc.radius = vec::norm(spoke, axes);
   arc.e1 = vec::scaled(spoke, 1 / arc.radius);
-  const Point side = vec::perpendicular(a, arc.e1);  // the way via lies decides the sense
+  // The side of `via` determines the direction of rotation.
+  const Point side = vec::perpendicular(a, arc.e1);
   const Point other = vec::perpendicular(b, arc.e1);
   const Point& e2 = vec::dot(side, side) >= vec::dot(other, other) ? side : other;
   arc.e2 = vec::scaled(e2, 1 / vec::norm(e2));
@@ -132,10 +134,10 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   if (std::abs(r0 - r1) > tolerance)
     throw InputError("center", "",
                      "is " + six_digits(r0) + " from the start of the arc and " + six_digits(r1) +
-                         " from its end; at most " + six_digits(tolerance) +
-                         " of difference is permitted: correct the center or an end point");
+                         " from its end; these radii may differ by at most " +
+                         six_digits(tolerance) + ": correct the center or an end point");
   if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
-  // Onto the bisector of the chord: the shortest way.
+  // Moves the center onto the bisector of the chord, by the shortest distance.
   const Point along = vec::scaled(chord, 1 / c);
   const Point middle = vec::sum(from, chord, 0.5);
   const double off = vec::dot(in_plane(vec::difference(center, middle), plane), along);
@@ -159,7 +161,8 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
     throw InputError(
         "radius", radius,
         half > 0 ? "must be at least half the distance from start to end, " + six_digits_up(half)
-                 : std::string("defines no arc between equal points; give a center"));
+                 : std::string("cannot define a full circle, because start and end are equal: give "
+                               "the center instead"));
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

@@ -11,15 +11,17 @@
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 
-// Two box averages of width l / 2 of a polyline over its own length, with vertices at q_k where the direction steps by
-// D_k:
+// Two box averages of width l / 2 of a polyline over its own length. At the vertices q_k, the
+// direction of the polyline steps by D_k:
 //
-//   (1)  r' = u_0 + sum over k of D_k T((q - q_k) / l + 1/2),   T' = 4 x, then 4 (1 - x)     (a turn of share 1/2)
+//   (1)  r' = u_0 + sum over k of D_k T((q - q_k) / l + 1/2),   T' = 4 x, then 4 (1 - x)
+//        (T of a turn with the share 1/2: turn.hpp)
 //
-// The polyline goes on beyond both ends by point reflection, so that the average begins and ends at its ends. r is
-// cubic between the places q_k - l/2, q_k, q_k + l/2, and r'' is continuous. |r'| <= 1, as a mean of directions.
-// With P(q) on the polyline, |r(q) - P(q)| bounds the distance of either from the other; it is at most the largest
-// norm of the Bernstein coefficients of the difference on each piece.
+// The polyline is continued beyond both ends by point reflection, so the average begins and ends at
+// its ends. r is cubic between the places q_k - l/2, q_k, q_k + l/2, and r'' is continuous. |r'| <=
+// 1, because it is a mean of directions. With P(q) on the polyline, |r(q) - P(q)| bounds the
+// distance of either from the other. It is at most the greatest norm of the Bernstein coefficients
+// of the difference on each piece.
 
 namespace jounce {
 namespace {
@@ -27,14 +29,14 @@ namespace {
 struct Vertex {
   double at = 0;
   Point point{};
-  Point behind{};       ///< direction that begins here
+  Point behind{};       ///< direction of the leg that begins here
   Point change{};       ///< D of (1)
   std::size_t leg = 0;  ///< piece of the route that begins here
 };
 
-/// A run of lines, with its reflected ends.
+/// A run of lines, with its ends reflected.
 struct Run {
-  std::vector<Vertex> vertices;  ///< ascending, the legs between them
+  std::vector<Vertex> vertices;  ///< ascending, with the legs between them
   double length = 0;
   std::size_t n = 0, path_axes = 0;
 };
@@ -60,7 +62,8 @@ Run run_of(const Route& route, std::size_t first, std::size_t last, std::size_t 
   run.length = at;
   const std::size_t m = run.vertices.size();
   const Point end = route.path.point(last - 1, pieces[last - 1].length);
-  // Reflected: vertices -q_k before the start, 2 S - q_k behind the end; the legs run backwards.
+  // The reflection: vertices at -q_k before the start and at 2 S - q_k after the end, with the legs
+  // reversed.
   std::vector<Vertex> all;
   const Point start = run.vertices.front().point;
   for (std::size_t k = m; k-- > 0;) {
@@ -91,11 +94,12 @@ Run run_of(const Route& route, std::size_t first, std::size_t last, std::size_t 
 struct CubicPiece {
   double from = 0, to = 0;
   std::size_t leg = 0;
-  std::array<Jet, max_axes> at_start{};  ///< r and its derivatives by q
+  std::array<Jet, max_axes> at_start{};  ///< r and its derivatives with respect to q
   Point polyline{}, direction{};
 };
 
-/// Calls visit for each cubic of the average with window `l`, ascending from 0 to the run's length.
+/// Calls `visit` for each cubic of the average with window `l`, ascending from 0 to the length of
+/// the run.
 template <class Visit>
 void for_pieces(const Run& run, double l, Visit visit) {
   const auto& v = run.vertices;
@@ -119,7 +123,7 @@ void for_pieces(const Run& run, double l, Visit visit) {
     if (run.length - next <= least) next = run.length;
     piece.from = q;
     piece.to = next;
-    const std::size_t base = leaves - 1;  // the leg before the first vertex that still acts
+    const std::size_t base = leaves - 1;  // the leg before the first vertex within the window
     const Vertex& here = v[meets - 1];
     piece.leg = here.leg;
     for (std::size_t i = 0; i < run.n; ++i) {
@@ -130,7 +134,7 @@ void for_pieces(const Run& run, double l, Visit visit) {
     }
     for (std::size_t k = leaves; k < enters; ++k) {
       const Jet rise = turn_rise(0.5, std::clamp((q - v[k].at) / l + 0.5, 0.0, 1.0));
-      const bool second = k < meets;  // also where x is 1/2 but for rounding
+      const bool second = k < meets;  // true also if x is 1/2 except for rounding
       const Jet weight{l * rise[0], rise[1], rise[2] / l, (second ? -4 : 4) / (l * l)};
       for (std::size_t i = 0; i < run.n; ++i)
         for (std::size_t m = 0; m < weight.size(); ++m)
@@ -165,7 +169,8 @@ double distance_of(const Run& run, double l) {
   return most;
 }
 
-/// A window whose average is at most `deviation` from the polyline, and near it; the bound grows between l and l^2.
+/// A window whose average is at most `deviation` from the polyline, and close to it. The bound
+/// grows with a power of l between 1 and 2.
 double window_of(const Run& run, double deviation) {
   double largest = 0;
   for (std::size_t k = 1; k < run.vertices.size(); ++k)
@@ -190,7 +195,7 @@ double window_of(const Run& run, double deviation) {
   return best;
 }
 
-/// True if the joint before piece k lies within a run.
+/// True if the joint before piece k is within a run.
 bool averages(const Route& route, const Program& program, std::size_t k) {
   const auto pieces = route.path.pieces();
   if (pieces[k].kind != PieceKind::line || pieces[k - 1].kind != PieceKind::line ||

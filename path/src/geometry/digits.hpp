@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// A value for people, with six digits. number() has all.
+/// A number for messages, with six digits. number() writes all digits.
 inline std::string six_digits(double value) {
   char text[32];
   static_cast<void>(std::snprintf(text, sizeof text, "%.6g", value));

@@ -39,7 +39,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-/// A direction: without the offset.
+/// Rotates a direction; without the offset.
 Point turned(const Frame& frame, const Point& v) {
   Point out = v;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -49,7 +49,8 @@ Point turned(const Frame& frame, const Point& v) {
   return out;
 }
 
-/// A sum of polynomials and sines of one length; three sines of one frequency are one.
+/// A linear combination of polynomials and sines of one length. Sines of one frequency are combined
+/// into one.
 Segment combination(const std::array<double, 3>& row, std::span<const Segment> axes,
                     double offset) {
   Segment out = scaled(axes[0], row[0], offset);
@@ -69,7 +70,7 @@ Frame turned_frame(const Point& offset, double degrees) {
 }
 
 Frame euler_frame(const Point& offset, const std::array<double, 3>& zyz) {
-  // A turn about Y is one from Z towards X.
+  // A rotation about Y turns from Z towards X.
   return {offset, product(product(turn(zyz[0], 0, 1), turn(zyz[1], 2, 0)), turn(zyz[2], 0, 1))};
 }
 

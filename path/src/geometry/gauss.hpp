@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// Adds the weighted values of f at the ten Gauss nodes of [middle - half, middle + half]: half times their sum is the
-/// integral.
+/// Adds the weighted values of f at the ten Gauss nodes of [middle - half, middle + half] to `sum`.
+/// The integral is `half` times this sum.
 template <class F>
 void add_gauss(double& sum, const F& f, double middle, double half) {
   constexpr double x[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,

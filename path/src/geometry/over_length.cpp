@@ -16,12 +16,14 @@
 #include "path/src/geometry/vector.hpp"
 #include "path/src/maps/series_map.hpp"
 
-// A polynomial curve r(t) over its arc length, x in [0, 1] over a part of length h: with the speed w = |r'|,
+// A polynomial curve r(t) over its arc length. x in [0, 1] is the position in a part of length h.
+// With the speed w = |r'|,
 //
 //   (1)  dt/dx = h / w(t)
 //
-// gives the coefficients of t(x) one after the other. With intervals for t, over the whole part, they enclose the eighth
-// coefficient of r(t(x)), which bounds the distance of its polynomial of degree 7.
+// gives the coefficients of t(x) one after another. If t is an interval that contains the whole
+// part, they enclose the eighth coefficient of r(t(x)), which bounds the distance of its polynomial
+// of degree 7.
 
 namespace jounce {
 namespace {
@@ -36,7 +38,8 @@ Series<T, n> at_series(std::span<const double> c, const Series<T, n>& t) {
   return sum;
 }
 
-/// The axes of a part by x, (1): about t for numbers, everywhere for an interval.
+/// The axes of a part as functions of x, (1): expansions about t for numbers, enclosures of the
+/// whole part for an interval.
 template <class T, std::size_t n>
 std::array<Series<T, n>, max_axes> by_length(std::span<const Segment> axes, std::size_t measured,
                                              const T& at, double h) {
@@ -80,7 +83,7 @@ class OverArcLength {
   }
 
  private:
-  /// Arc length of a part: Gauss, ten nodes.
+  /// Arc length of a part, by Gauss quadrature with ten nodes.
   [[nodiscard]] double length_of(std::span<const Segment> axes, double from, double to) const {
     const auto speed = [&](double s) {
       double square = 0;
@@ -100,7 +103,7 @@ class OverArcLength {
     const auto bound = by_length<Interval, 9>(axes, measured_, Interval(0, 1), h);
     for (std::size_t i = 0; i < axes.size(); ++i)
       square += profiles_detail::square(bound[i][8].magnitude() * septic_error);
-    // An error of the length is one along the curve.
+    // An error of the length shifts the point along the curve.
     const double error = std::sqrt(square) + std::abs(h - coarse);
     if (!(error <= tolerance_)) {
       if (depth > 40)
@@ -136,7 +139,7 @@ class OverArcLength {
   double farthest_ = 0;
 };
 
-/// The polar form of one span of a B-spline: the value for `arguments`, of which there are `degree`.
+/// The polar form of one span of a B-spline at `degree` arguments.
 double blossom(std::span<const double> control, std::span<const double> knots, std::size_t span,
                std::span<const double> arguments) {
   const std::size_t p = arguments.size();

@@ -11,7 +11,7 @@
 //   blend    degree, degree + 1 coefficients an axis by s, deviation, distance from the sides
 //   curve    degree, degree + 1 coefficients an axis by s
 //
-// A step and a direction keep their digits however far from 0 the start is.
+// A step and a direction keep their digits at any distance of the start from 0.
 namespace jounce {
 
 class ArcNumbers {

@@ -18,7 +18,7 @@ void require_axes(std::size_t axes, std::size_t path_axes) {
                      "must be at most the number of axes, " + std::to_string(axes));
 }
 
-/// A rate: positive, may be infinite.
+/// Requires a rate to be positive; it may be infinite.
 void require_rate(const char* key, double value) {
   if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
 }

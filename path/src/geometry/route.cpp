@@ -12,7 +12,7 @@
 namespace jounce {
 namespace {
 
-/// Length over the path axes; where these do not move, over all axes.
+/// Length in the path axes; if these do not move, in all axes.
 double measured(const double* from, const double* to, std::size_t axes, std::size_t path_axes) {
   const auto norm = [&](std::size_t n) {
     double s = 0;
@@ -24,7 +24,7 @@ double measured(const double* from, const double* to, std::size_t axes, std::siz
 }
 
 void append_arc(const Arc& arc, const Point& from, std::size_t axes, std::vector<double>& numbers) {
-  // Both ends exactly: rounding of the formula goes into the center and the drift.
+  // Both ends are exact; rounding of the formula goes into the center and the drift.
   const Point begin = point_at(arc, 0);
   const Point end = point_at(arc, arc.sweep);
   const auto append = [&](auto component) {
@@ -38,7 +38,8 @@ void append_arc(const Arc& arc, const Point& from, std::size_t axes, std::vector
   numbers.push_back(arc.sweep);
 }
 
-/// True if a line goes on where the last piece, a line under the same settings, points: both are one line.
+/// True if a line continues the last piece in the same direction, and that is a line with the same
+/// settings: both become one line.
 bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
                const std::vector<double>& numbers, std::size_t axes) {
   if (pieces.empty() || pieces.back().kind != PieceKind::line ||
@@ -153,7 +154,7 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   piece.length = u1 - u0;
   const double s0 = u0 / whole.length;
   const double s1 = u1 / whole.length;
-  // A share of the step: the difference of two places within the whole has fewer digits.
+  // The share of the step: a difference of two places within the whole would have fewer digits.
   const double share = piece.length / whole.length;
   if (whole.kind == PieceKind::line) {
     for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[i] + data[n + i] * s0);

@@ -12,7 +12,7 @@ Segment septic(double length, const Jet& a, const Jet& b) {
   f.c[1] = a[1] * h;
   f.c[2] = a[2] * h * h / 2;
   f.c[3] = a[3] * h * h * h / 6;
-  // What the cubic lacks at the other end.
+  // The differences of the cubic from the required values at the other end.
   const double d0 = b[0] - a[0] - (f.c[1] + f.c[2] + f.c[3]);
   const double d1 = b[1] * h - (f.c[1] + 2 * f.c[2] + 3 * f.c[3]);
   const double d2 = b[2] * h * h - (2 * f.c[2] + 6 * f.c[3]);

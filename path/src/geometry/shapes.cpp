@@ -16,16 +16,17 @@
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/vector.hpp"
 
-// An ellipse over arc length s: with the speed w(t) = sqrt(a^2 sin^2 t + b^2 cos^2 t) by its angle t,
+// An ellipse over its arc length s. With the speed w(t) = sqrt(a^2 sin^2 t + b^2 cos^2 t) with
+// respect to its angle t,
 //
 //   (1)  dt/ds = 1 / w(t)
 //
-// whose Taylor coefficients follow one from the other; x = a cos t(s), y = b sin t(s) then have six coefficients
-// at both ends of a piece, which the Hermite polynomial of degree 11 takes. The polynomial is the path. With X = x
-// / a, Y = y / b,
+// The Taylor coefficients of t(s) follow one from another. Then x = a cos t(s), y = b sin t(s) have
+// six coefficients at both ends of a piece, which define the Hermite polynomial of degree 11. This
+// polynomial is the path. With X = x / a, Y = y / b,
 //
-//   (2)  its distance from the ellipse is at most a |sqrt(X^2 + Y^2) - 1| <= a g / (1 + sqrt(1 - g)),
-//        g >= |X^2 + Y^2 - 1|
+//   (2)  its distance from the ellipse is at most
+//        a |sqrt(X^2 + Y^2) - 1| <= a g / (1 + sqrt(1 - g)),   g >= |X^2 + Y^2 - 1|
 
 namespace jounce {
 namespace {
@@ -55,7 +56,7 @@ EndSeries product(const EndSeries& f, const EndSeries& g) {
   return h;
 }
 
-/// f^(-1/2), by  h f' + 2 f h' = 0.
+/// f^(-1/2), by h f' + 2 f h' = 0.
 EndSeries inverse_root(const EndSeries& f) {
   EndSeries h{1 / std::sqrt(f[0])};
   for (std::size_t n = 1; n < h.size(); ++n) {
@@ -70,27 +71,29 @@ EndSeries inverse_root(const EndSeries& f) {
 }
 
 struct Halves {
-  double a, b;  ///< major and minor half axis
+  double a, b;  ///< major and minor semi-axis
 
   [[nodiscard]] double speed(double t) const {
     return std::hypot(a * std::sin(t), b * std::cos(t));
   }
 
-  /// cos and sin of the angle as series by the arc length, times `sense` and in units of `h`.
+  /// Cosine and sine of the angle as series in the arc length, times `sense`, with `h` as the unit
+  /// of length.
   [[nodiscard]] std::pair<EndSeries, EndSeries> series(double t, double sense, double h) const {
     const auto [c, s] = cosine_and_sine(t);
     EndSeries squared{};
     const EndSeries cc = product(c, c);
     const EndSeries ss = product(s, s);
     for (std::size_t k = 0; k < squared.size(); ++k) squared[k] = a * a * ss[k] + b * b * cc[k];
-    const EndSeries rate = inverse_root(squared);  // 1 / w by the angle
+    const EndSeries rate = inverse_root(squared);  // 1 / w as a function of the angle
     EndSeries d{};
     for (std::size_t k = 0; k + 1 < d.size(); ++k)  // (1)
       d[k + 1] = sense * h * profiles_detail::substituted(rate, d)[k] / static_cast<double>(k + 1);
     return {profiles_detail::substituted(c, d), profiles_detail::substituted(s, d)};
   }
 
-  /// Arc length between two angles a thirty-second of a turn apart: Gauss, ten nodes on each of two halves.
+  /// Arc length between two angles that are at most 1/32 of a turn apart: Gauss quadrature with ten
+  /// nodes on each half.
   [[nodiscard]] double length(double t0, double t1) const {
     double sum = 0;
     for (const double share : {0.25, 0.75})
@@ -163,7 +166,8 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   const double angle = degrees * (std::numbers::pi / 180);
   const double cs = std::cos(angle);
   const double sn = std::sin(angle);
-  const auto local = [&](const Point& p) {  // along the major axis, across
+  // Coordinates along the major axis, and perpendicular to it.
+  const auto local = [&](const Point& p) {
     const double x = p[plane.first] - center[plane.first];
     const double y = p[plane.second] - center[plane.second];
     return std::pair(cs * x + sn * y, cs * y - sn * x);

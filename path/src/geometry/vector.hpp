@@ -6,7 +6,7 @@
 
 #include "jounce/path/point.hpp"
 
-// Vectors of a group: all nine components, those without an axis are 0.
+// Vectors of a group, always with nine components; components without an axis are 0.
 namespace jounce::vec {
 
 inline Point sum(const Point& a, const Point& b, double factor = 1) {  // a + factor b
@@ -41,7 +41,7 @@ inline double distance(const Point& a, const Point& b, std::size_t n = max_axes)
   return norm(difference(a, b), n);
 }
 
-/// a without its component along the unit vector e.
+/// The part of a that is perpendicular to the unit vector e.
 inline Point perpendicular(const Point& a, const Point& e) {
   return sum(a, e, -dot(a, e));
 }

@@ -16,24 +16,26 @@
 #include "path/src/geometry/septic.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// The joints f over a part of the path, s in [0, 1], are replaced by the polynomial p of degree 7 with the values and
-// three derivatives of f at both ends:
+// The joints f over a part of the path, s in [0, 1], are replaced by the polynomial p of degree 7
+// with the values and three derivatives of f at both ends:
 //
 //   (1)  |f - p| = |f^(8)(z)| / 8! (s (1 - s))^4 <= max |f^(8)| / 8! / 256
 //
-// The map encloses f^(8) over the whole part. p is what is played: velocities, accelerations and jerks of the joints
-// are those of p, so their limits hold exactly, and (1) bounds how far the tool leaves its path.
+// The map encloses f^(8) over the whole part. p is the motion that is played: velocities,
+// accelerations and jerks of the joints are those of p, so their limits hold exactly, and (1)
+// bounds the distance of the tool from its path.
 
 namespace jounce {
 namespace {
 
 using path_detail::none;
-constexpr int deepest = 44;     ///< halvings
-constexpr int deepest_box = 6;  ///< halvings for boxes that vary less
-constexpr double even = 0.85;   ///< share of its ends' velocities that a part may allow, at least
-constexpr double widest =
-    0.25;  ///< rad of an arc, whose polynomial of degree 11 is then exact to rounding
-constexpr int samples = 8;  ///< samples of a map without bounds, for each part
+constexpr int deepest = 44;     ///< greatest number of halvings
+constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
+/// A part must permit at least this share of the velocity at its ends.
+constexpr double even = 0.85;
+/// rad of an arc; over this angle, a polynomial of degree 11 is exact to rounding.
+constexpr double widest = 0.25;
+constexpr int samples = 8;  ///< number of samples in each part, for a map without bounds
 constexpr double joint_rounding = 8e-15;
 
 using Axes = std::array<Segment, max_axes>;
@@ -153,7 +155,7 @@ class Fitting {
         .at({}, path_.pieces()[tool_units_[unit_].piece].line);
   }
 
-  /// The map is defined at `good` and not at `bad`.
+  /// Reports that the map is defined at `good` and not at `bad`.
   [[noreturn]] void fail_between(const Part& part, double good, double bad) const {
     Jets point{};
     Jets joint{};
@@ -165,7 +167,8 @@ class Fitting {
     fail(part, bad, beyond);
   }
 
-  /// Joins the angles of a part with those before, and of its end with those of its start.
+  /// Removes jumps of angles by whole turns: between this part and the previous one, and between
+  /// its start and its end.
   void join(Jets& begin, Jets& end) const {
     for (std::size_t j = 0; j < map_.joints(); ++j) {
       const double turn = map_.turn(j);
@@ -175,7 +178,7 @@ class Fitting {
     }
   }
 
-  /// Bound of the distance of the fitted joints from the map; infinite where the part is too long.
+  /// Bound of the distance of the fitted joints from the map; infinite if the part is too long.
   double error_of(const Part& part, const Axes& fitted) {
     std::array<JointBounds, max_axes> bounds{};
     double error = 0;
@@ -252,7 +255,7 @@ class Fitting {
     }
   }
 
-  /// The bounds of the part leave about the velocity that its ends allow.
+  /// True if the bounds over the part permit about the same velocity as its ends.
   [[nodiscard]] bool is_even(const Part& part, const Derivatives& bounds, const Jets& begin,
                              const Jets& end) const {
     const double feed = std::min(settings(unit_).velocity, rates_.path.velocity);

@@ -5,9 +5,10 @@
 
 namespace jounce {
 
-/// The pieces of `path` divided until a polynomial of degree 7 for each joint is within the tolerance of the map, with
-/// the joints behind the axes of the tool, and boxes that keep the limits of both. `path` is that of `tool`, rounded or
-/// not. Throws InputError with the line where the tool is out of reach or the map is singular.
+/// Divides the pieces of `path` until a polynomial of degree 7 for each joint is within the
+/// tolerance of the map. The joints follow the axes of the tool, and the boxes keep the limits of
+/// both. `path` is that of `tool`, rounded or not. Throws InputError with the source line if the
+/// tool is out of reach or the map is singular.
 Jointed fitted_joints(Path path, Rounded tool, const JointSpace& joints, const Rates& rates,
                       const Program& program);
 

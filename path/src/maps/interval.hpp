@@ -7,9 +7,9 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-// Intervals that contain every value of an expression: each operation widens its result by more than its rounding
-// error, so no rounding mode is set. Division by an interval that contains 0, and a root of one that is not positive,
-// give the whole line.
+// Intervals that contain every value of an expression. Each operation widens its result by more
+// than its rounding error, so no rounding mode is set. Division by an interval that contains 0, and
+// the root of one that is not positive, give the whole line.
 namespace jounce::maps {
 
 struct Interval {
@@ -25,7 +25,7 @@ struct Interval {
   [[nodiscard]] double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
-/// [a, b] widened by two units in the last place, and whole where a bound is not a number.
+/// [a, b] widened by two units in the last place; the whole line if a bound is not a number.
 inline Interval outward(double a, double b, double share = 4.5e-16) {
   if (std::isnan(a) || std::isnan(b)) return Interval::whole();
   constexpr double tiny = 1e-300;
@@ -61,7 +61,7 @@ inline Interval square(const Interval& a) {
   const bool zero = a.low <= 0 && a.high >= 0;
   return {zero ? 0.0 : std::max(0.0, p.low), p.high};
 }
-/// sin(m + d) = sin m cos d + cos m sin d over |d| <= r.
+/// Uses sin(m + d) = sin m cos d + cos m sin d for |d| <= r.
 inline Interval sine(const Interval& a) {
   const double m = (a.low + a.high) / 2;
   const double r = (a.high - a.low) / 2 * (1 + 1e-15) + 1e-15 * std::abs(m);
@@ -75,7 +75,7 @@ inline Interval sine(const Interval& a) {
 inline Interval cosine(const Interval& a) {
   return sine(a + outward(profiles_detail::two_pi / 4, profiles_detail::two_pi / 4));
 }
-/// The value of an angle is not needed for bounds of its derivatives.
+/// The whole line: bounds of derivatives do not need the value of the angle.
 inline Interval angle_of(const Interval& c, const Interval& s) {
   static_cast<void>(c);
   static_cast<void>(s);

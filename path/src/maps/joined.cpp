@@ -38,7 +38,8 @@ void require_fitting_joints(const Program& program, const JointSpace& joints) {
                          std::to_string(program.axes()) + " axes of the program");
 }
 
-/// Appends n numbers of a piece, and those of the joints: with the offset of the map for positions.
+/// Appends n numbers of a piece and those of the joints; for positions, the offset of the map is
+/// added.
 void append_joined(const double* values, std::size_t stride, std::size_t n, const LinearMap& map,
                    bool position, std::vector<double>& out) {
   for (std::size_t i = 0; i < n; ++i) out.push_back(values[i * stride]);
@@ -49,7 +50,7 @@ void append_joined(const double* values, std::size_t stride, std::size_t n, cons
   }
 }
 
-/// The numbers of a line, an arc or a curve; all are linear in the axes.
+/// Appends the numbers of a line, an arc or a curve, all of which are linear in the axes.
 void append_piece(const Path& path, std::size_t piece, const LinearMap& map,
                   std::vector<double>& out) {
   const std::size_t n = path.axes();
@@ -116,7 +117,8 @@ Rates Joined::corner_rates(const Route& route) const {
   const AxisMap& map = *joints_->map;
   Rates rates = tool_;
   constexpr std::size_t places = 64;
-  constexpr double inside = 0.382;  // of a piece: not its middle, which may be the base of a robot
+  // Position within a piece; not its middle, which may be the base of a robot.
+  constexpr double inside = 0.382;
   const std::size_t count = route.path.pieces().size();
   const std::size_t step = std::max<std::size_t>(1, count / places);
   std::array<Jet, max_axes> joint{};

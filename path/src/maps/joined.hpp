@@ -10,18 +10,19 @@
 
 namespace jounce {
 
-/// A rounded path with the joints behind the axes of the tool.
+/// A rounded path with the joints as further axes, after those of the tool.
 struct Jointed {
   Rounded rounded;
-  std::optional<Path>
-      drawn;  ///< path of the tool with its corners, where the pieces of `rounded` are others
+  /// Path of the tool with its corners, if the pieces of `rounded` are different.
+  std::optional<Path> drawn;
   std::optional<MapFit> fit;
 };
 
 /// The joints of a plan, before and behind the rounding of its corners.
 ///
-/// Joints that are linear in the axes go along with the route, as further axes: exact on every piece. All others are
-/// fitted to the rounded path by polynomials, which then are the path: their limits are those of exact extrema.
+/// Joints that are linear in the axes are further axes of the route: exact on every piece. All
+/// other joints are fitted to the rounded path by polynomials, which then are the path, so their
+/// limits hold by exact extrema.
 class Joined {
  public:
   /// Throws InputError for joints that do not fit the program or their map.
@@ -32,12 +33,14 @@ class Joined {
   [[nodiscard]] const GroupLimits& limits() const { return limits_; }
   [[nodiscard]] const Rates& rates() const { return rates_; }
 
-  /// The route with its linear joints.
+  /// The route with its linear joints as further axes.
   [[nodiscard]] Route with_linear(Route route) const;
-  /// Rates that shape the corners: of the tool, and where joints are fitted later, as much as these allow it in the
-  /// middle of some places of the route. An estimate: the limits are kept by with_fitted().
+  /// Rates that determine the shape of the corners: those of the tool, reduced to what joints that
+  /// are fitted later permit at some places of the route. This is only an estimate: with_fitted()
+  /// makes sure that the limits hold.
   [[nodiscard]] Rates corner_rates(const Route& route) const;
-  /// The path of a rounded `route` with its fitted joints. Throws InputError with the line where it is out of reach or singular.
+  /// The path of a rounded `route` with its fitted joints. Throws InputError with the source line
+  /// if the tool is out of reach or the map is singular.
   [[nodiscard]] Jointed with_fitted(Rounded rounded, const Route& route) const;
 
  private:

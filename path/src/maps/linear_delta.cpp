@@ -7,25 +7,26 @@
 
 #include "path/src/maps/series_map.hpp"
 
-// With the rail's direction d, |d| = 1, and w from the rail's start to the tool, less the platform's radius,
+// Let d be the rail's direction, |d| = 1, and w the vector from the rail's start to the tool, less
+// the platform's radius:
 //
 //   (1)  |w - joint d| = arm:   joint = w d + sqrt(arm^2 - |w|^2 + (w d)^2)
 //
-// The larger root has the carriage above the tool.
+// In the larger root, the carriage is above the tool.
 
 namespace jounce {
 namespace {
 
 struct LinearDelta {
   std::size_t axes = 3, joints = 3;
-  double radius = 0;  ///< outer less inner
+  double radius = 0;  ///< outer minus inner radius
   double arm = 0, distance = 0;
   double sn = 0, cs = 1;                            ///< sine and cosine of the rail's angle
   std::array<std::array<double, 2>, 3> outwards{};  ///< direction of each rail
 
   [[nodiscard]] double turn(std::size_t) const { return 0; }
 
-  /// w d, and the square of the root in (1).
+  /// w d, and the radicand of (1).
   template <class S>
   void terms(const S* p, std::size_t i, S& along, S& left) const {
     const auto [ex, ey] = outwards[i];
@@ -35,7 +36,7 @@ struct LinearDelta {
     const S out = ex * wx + ey * wy;
     const S side = ex * wy - ey * wx;
     along = cs * wz - sn * out;
-    const S across = sn * wz + cs * out;  // perpendicular to d in the rail's plane
+    const S across = sn * wz + cs * out;  // component perpendicular to d, in the plane of the rail
     left = S(arm * arm) - across * across - side * side;
   }
 

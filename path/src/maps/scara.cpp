@@ -9,7 +9,7 @@
 
 #include "path/src/maps/series_map.hpp"
 
-// Two arms a, b to the wrist (x, y), with D = cos(A1), S = sin(A1):
+// Two arms a, b reach the wrist (x, y). With D = cos(A1), S = sin(A1):
 //
 //   (1)  D = (x^2 + y^2 - a^2 - b^2) / (2 a b),     S = +- sqrt(1 - D^2)
 //   (2)  A0 is the angle of (x + i y) conj(a + b D + i b S)
@@ -25,7 +25,7 @@ struct Scara {
   std::size_t axes = 2, joints = 2;
   double a = 1, b = 1, c = 0, side = 1;
   bool with_z = false;
-  std::array<double, 4> offset{};  ///< by joint
+  std::array<double, 4> offset{};  ///< one for each joint
 
   [[nodiscard]] std::size_t arms() const { return c > 0 ? 3 : 2; }
   [[nodiscard]] double turn(std::size_t joint) const { return joint < arms() ? 360 : 0; }

@@ -6,8 +6,9 @@
 
 #include "path/src/maps/interval.hpp"
 
-// Taylor arithmetic: the coefficients f^(k) / k! of an expression, from those of its parts. With intervals that hold
-// for a whole part of a path they are enclosures of the coefficients everywhere on it.
+// Taylor arithmetic: computes the coefficients f^(k) / k! of an expression from those of its parts.
+// With intervals for a whole part of a path, the results enclose the coefficients everywhere on
+// this part.
 namespace jounce::maps {
 
 template <class T, std::size_t n>
@@ -74,7 +75,7 @@ Series<T, n> root(const Series<T, n>& f) {
   return h;
 }
 
-/// The angle of (c, s) in rad: by  (c^2 + s^2) angle' = c s' - s c'.
+/// The angle of (c, s) in rad, by (c^2 + s^2) angle' = c s' - s c'.
 template <class T, std::size_t n>
 Series<T, n> angle(const Series<T, n>& c, const Series<T, n>& s) {
   const auto slope = [](const Series<T, n>& f) {

@@ -13,7 +13,7 @@
 
 namespace jounce::maps {
 
-/// Coefficients of a segment, by s, everywhere on [0, 1].
+/// Coefficients of a segment with respect to s, enclosed over the whole of [0, 1].
 inline Series<Interval, 9> enclosure(const Segment& f) {
   Series<Interval, 9> out;
   const auto degree = static_cast<std::size_t>(f.degree);

@@ -17,22 +17,23 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// With v = q', a = q'' and the curvature k of a circle or helix, whose direction has length 1, the acceleration has the
-// components a along the path and k v^2 across it. On a phase of the law v is quadratic in time, so that
-// a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at constant v, where its acceleration is at most
-// v^2 |D| / ((1 - b) l), across the path in the middle. On other pieces |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
+// Let v = q', a = q'', and k the curvature of a circle or helix, whose direction has length 1. The
+// acceleration has the components a along the path and k v^2 across it. On a phase of the law, v is
+// quadratic in time, so a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at
+// constant v, and its acceleration is at most v^2 |D| / ((1 - b) l), in the middle, across the
+// path. On other pieces, with |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
 //
 //   (1)  speed <= R v,   normal <= |s| v^2,   total^2 <= sum of (f_i |a| + s_i v^2)^2
 
 namespace jounce {
 namespace {
 
-/// What the law meets on a piece.
+/// Bounds of the derivatives of a piece, for the quantities along the path.
 struct PieceShape {
   double speed = 1;
   double curvature = 0;  ///< factor of v^2 in the normal acceleration
   bool exact = true;
-  Derivatives bounds;  ///< where not exact
+  Derivatives bounds;  ///< if the values are not exact
 };
 
 PieceShape shape_of(const Plan& plan, std::size_t piece) {
@@ -71,7 +72,7 @@ PieceShape shape_of(const Plan& plan, std::size_t piece) {
   return shape;
 }
 
-/// The worst use of a limit.
+/// The greatest use of a limit.
 struct Use {
   const char* quantity;
   double value = 0, limit = PathSettings::none, where = 0;
@@ -128,7 +129,7 @@ class Along {
  private:
   enum { velocity, acceleration, deceleration, jerk, normal_acceleration, total_acceleration };
 
-  /// Time in which a phase covers a distance; its duration if it covers less.
+  /// Time in which a phase covers a distance; its whole duration if it covers less.
   static double time_over(const LawPhase& p, double distance) {
     const auto covered = [&](double t) {
       return t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6));
@@ -141,7 +142,7 @@ class Along {
     return low;
   }
 
-  /// One phase of the law on one piece, from t on.
+  /// Takes one phase of the law on one piece into account, from t on.
   void consider(std::size_t piece, const LawPhase& p, double t) {
     if (!(p.duration > 0)) return;
     if (piece != shaped_) shape_ = shape_of(plan_, shaped_ = piece);
@@ -154,7 +155,7 @@ class Along {
       own.velocity = std::min(own.velocity, plan_.given().settings[drawn[k - 1].settings].velocity);
     own.velocity *= feed_factor_;
     const double h = p.duration;
-    // The fastest place: an end, or where a changes its sign.
+    // The fastest place of the phase: an end, or the place where the acceleration changes its sign.
     const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
     double fastest = v_at(0) >= v_at(h) ? 0 : h;
     const double turns = p.jerk == 0 ? 0 : -p.acceleration / p.jerk;
@@ -180,7 +181,7 @@ class Along {
     }
   }
 
-  /// The greatest total acceleration on a phase, and its time after the start.
+  /// The greatest total acceleration on a phase, and its time after the start of the phase.
   [[nodiscard]] std::pair<double, double> total(const LawPhase& p, double a, double v,
                                                 double fastest) const {
     if (!shape_.exact) {  // (1)

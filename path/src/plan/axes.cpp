@@ -10,20 +10,21 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
-// A stretch of the law within one piece of the path is composed in coordinates of its own, from 0 to the length of the
-// piece: nothing is lost far from the start of the path. At constant velocity the segment of the path is the motion,
-// over another length; on a line the law is, times the direction.
+// A stretch of the law within one piece of the path is composed in its own coordinates, from 0 to
+// the length of the piece, so no digits are lost far from the start of the path. At constant
+// velocity, the segment of the path is the motion, over another length. On a line, the law times
+// the direction is the motion.
 
 namespace jounce {
 namespace {
 
-/// The law on one piece: its phases, cut where the piece ends.
+/// The law on one piece: its phases, the last one cut at the end of the piece.
 struct Cut {
   std::size_t piece = 0;
-  std::vector<Segment> law;  ///< position from 0 to the length of the piece
+  std::vector<Segment> law;  ///< position on the piece, from 0 to its length
 };
 
-/// The place s in [0, 1] at which an ascending segment takes a value.
+/// The s in [0, 1] at which an ascending segment has the value y.
 double place_of(const Segment& f, double y) {
   double low = 0;
   double high = 1;
@@ -60,7 +61,7 @@ void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>
   }
 }
 
-/// Drops what cutting left by rounding: phases over no way, at one velocity.
+/// Removes the phases that cutting left by rounding: without distance and of constant velocity.
 void drop_slivers(Cut& cut, double length) {
   std::erase_if(cut.law, [&](const Segment& f) {
     const double v0 = evaluate(f, 0)[1];
@@ -70,14 +71,15 @@ void drop_slivers(Cut& cut, double length) {
   });
 }
 
-/// One velocity over the whole of a piece.
+/// True if the velocity is constant over the whole piece.
 bool is_constant(const std::vector<Segment>& law, double length) {
   return law.size() == 1 && law.front().degree <= 1 &&
          std::abs(law.front().c[0]) <= 1e-13 * length &&
          std::abs(value(law.front(), 1) - length) <= 1e-13 * length;
 }
 
-/// Half of what the plan leaves of each limit on a piece that is not a line; the other half is for rounding.
+/// Half of the difference between each limit and its peak in the plan, on a piece that is not a
+/// line; the other half is for rounding.
 Jet allowed_error(const Limits& limits, double tolerance) {
   const auto share = [](const std::optional<double>& limit) {
     return limit ? fit_share / 2 * *limit : PathSettings::none;
@@ -85,7 +87,7 @@ Jet allowed_error(const Limits& limits, double tolerance) {
   return {tolerance, share(limits.velocity), share(limits.acceleration), share(limits.jerk)};
 }
 
-/// The composition with an error within `allowed`, or within rounding where that is coarser.
+/// The composition, with an error within `allowed`, or within rounding if that is greater.
 Fitted<OverTime> composed_within(const Curve<OverLength>& outer, const Segment& phase,
                                  const Jet& allowed, double rounding) {
   double tolerance = std::max(allowed[0], rounding);
@@ -98,7 +100,7 @@ Fitted<OverTime> composed_within(const Curve<OverLength>& outer, const Segment& 
   }
 }
 
-/// One axis over one cut, appended to `out`; widens `error`.
+/// Appends one axis over one cut to `out`, and increases `error` if necessary.
 void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allowed,
              std::vector<Segment>& pieces, std::vector<Segment>& out, Jet& error) {
   if (cut.law.empty()) return;
@@ -120,12 +122,13 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
     }
     return;
   }
-  // The law may pass the ends of the piece by the rounding of places; there the formula goes on.
+  // By rounding, the law may exceed the ends of the piece a little; the formula continues there.
   constexpr double over = 1.0 / 64;
   const double begin = -over * pieces.front().length;
   pieces.front() = part(pieces.front(), -over, 1);
   pieces.back() = part(pieces.back(), 0, 1 + over);
-  // Each phase relative to its own start: what is fitted to a short one is small, and so is its rounding.
+  // Each phase is relative to its own start: the values of a short phase are then small, and so is
+  // their rounding.
   std::vector<Segment> relative(pieces.size());
   const Curve<OverLength> whole(pieces, begin, Extrapolation::hold);
   for (const Segment& phase : cut.law) {

@@ -9,36 +9,37 @@
 #include "path/src/timing/box.hpp"
 #include "path/src/timing/not_limited.hpp"
 
-// A bound of the time on a given path without a limit of jerk. B = q'^2, dB/dq = 2 q''. The path is cut into
-// cells. On a cell r' of an axis lies in [p, P] and r'' in [c, C] (exact ranges), so that with p > 0 (or mirrored)
+// A lower bound of the duration on a given path without a limit of jerk. Let B = q'^2, so dB/dq = 2
+// q''. The path is divided into cells. On a cell, r' of an axis is in [p, P] and r'' in [c, C]
+// (exact ranges). With p > 0 (or mirrored),
 //
-//   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p     where that is positive,   dB/dq <= 2 (f + s B)
+//   (1)  q'' = (r_tt - r'' B) / r' <= (A - c B) / p   if that is positive, so dB/dq <= 2 (f + s B)
 //   (2)  B(h) <= B(0) e^(2 s h) + f (e^(2 s h) - 1) / s      by comparison of solutions
 //   (3)  on a circle with a bound of the whole acceleration:  B = A R sin(2 q / R + const)
-//   (4)  at a point: for axes i and k with r'_i, r'_k > 0,
-//        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i       since one q'' must satisfy both
+//   (4)  at a point, because one q'' must satisfy both axes i and k with r'_i, r'_k > 0:
+//        B (r''_k / r'_k - r''_i / r'_i) <= A_k / r'_k + A_i / r'_i
 //
-// A forward and a backward pass of (2), (3) under (4) and the velocities give upper bounds of B at the ends of the
-// cells, and the greatest slope within them; the integral of dq / sqrt(B) under these is a lower bound of the
-// time.
+// A forward and a backward pass of (2) and (3), under (4) and the velocity limits, give upper
+// bounds of B at the ends of the cells, and the greatest slope within them. The integral of dq /
+// sqrt(B) with these is a lower bound of the duration.
 
 namespace jounce {
 namespace {
 
 using path_detail::none;
 
-/// dB/dq <= 2 (f + s B) over a cell, for each axis that bounds it.
+/// dB/dq <= 2 (f + s B) over a cell, for each axis that limits it.
 struct Growth {
   double f, s;
 };
 
 struct Cell {
   double length = 0;
-  double most = none;  ///< bound of B over the cell: velocities along the path
+  double most = none;  ///< bound of B over the cell, from velocities along the path
   std::array<Growth, max_axes + 1> up{}, down{};
   std::size_t ups = 0, downs = 0;
-  double total = none;   ///< bound of the whole acceleration
-  double curvature = 0;  ///< constant, of a circle with unit speed; 0: none
+  double total = none;   ///< bound of the total acceleration
+  double curvature = 0;  ///< constant curvature of a circle with unit speed; 0: none
 };
 
 double grown(const Cell& cell, std::span<const Growth> growth, double B) {
@@ -46,7 +47,7 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
   for (const auto& [f, s] : growth) {
     const double x = 2 * s * cell.length;
     const double factor = std::abs(x) < 1e-12 ? 2 * cell.length : std::expm1(x) / s;
-    // A slope below 0 is bounded by 0: (1) holds with p only where it is positive.
+    // A negative slope is replaced by 0, because (1) holds with p only if the slope is positive.
     most = std::min(most, f + s * B > 0 ? B * std::exp(x) + f * factor : B);
   }
   if (cell.total < none && cell.curvature > 0) {
@@ -57,7 +58,7 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
   return most;
 }
 
-/// The greatest dB/dq over a cell where B is from `from` to `cell.most`.
+/// The greatest dB/dq over a cell in which B runs from `from` to `cell.most`.
 double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
   double most = none;
   for (const auto& [f, s] : growth)
@@ -69,7 +70,7 @@ double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
   return most;
 }
 
-/// Time over x, with B linear from b0 to b1.
+/// Time over the distance x, if B is linear from b0 to b1.
 double linear_time(double x, double b0, double b1) {
   return x > 0 ? 2 * x / (std::sqrt(b0) + std::sqrt(b1)) : 0;
 }
@@ -136,7 +137,7 @@ class Bound {
     for (std::size_t i = 0; i < path.axes(); ++i) path.segments(k, i, axes[i]);
     double feed = std::min(settings.velocity, rates_.path.velocity);
     if (piece.kind == PieceKind::turn || piece.kind == PieceKind::blend) {
-      // A corner belongs to both commands; the law there is bound by both feeds.
+      // A corner belongs to both commands, so both feeds limit the law there.
       if (k > 0)
         feed = std::min(feed, plan_.given().settings[path.pieces()[k - 1].settings].velocity);
     }
@@ -174,7 +175,7 @@ class Bound {
     if (std::abs(speed - 1) < 1e-9) cell.curvature = std::sqrt(bend) * (1 - 1e-9);
   }
 
-  /// (1) of one axis over [u0, u1] of a piece.
+  /// Adds (1) of one axis over [u0, u1] of a piece.
   void add_axis(std::size_t i, const std::vector<Segment>& segments, double u0, double u1,
                 Cell& cell) const {
     double p = none, P = -none, c = none, C = -none;
@@ -209,7 +210,7 @@ class Bound {
     cell.down[cell.downs++] = {A / least, C / least};
   }
 
-  /// (4), and the velocities of the axes.
+  /// The limit by (4) and by the velocities of the axes.
   [[nodiscard]] double cap_at(std::size_t k, double u) const {
     std::array<Jet, max_axes> jet{};
     const std::size_t n = rates_.axes;

@@ -13,7 +13,7 @@ void Plan::at(double t, std::span<Motion> out) const {
   PlanCursor(*this).at(t, out);
 }
 
-/// The interval of the law at t: mostly the next one.
+/// Finds the interval of the law at t, which is usually the next one.
 void PlanCursor::seek(double t) {
   const TimingLaw& law = plan_->law();
   const auto intervals = law.stretches();
@@ -28,7 +28,8 @@ void PlanCursor::seek(double t) {
   piece_ = intervals[interval_].piece;
 }
 
-/// True if no piece of the interval behind this one, or before it, begins nearer to q.
+/// True if q is in this piece. The first and the last piece of the interval also include all q
+/// before and after them.
 bool PlanCursor::is_in_piece(double q, std::size_t piece) const {
   const LawStretch& interval = plan_->law().stretches()[interval_];
   const auto pieces = plan_->path().pieces();

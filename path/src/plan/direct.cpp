@@ -20,7 +20,8 @@ Bounds bounds_of(const Limits& limits) {
   return bounds;
 }
 
-/// Appends the common motion of all axes to the segments of each; an axis that is there waits.
+/// Appends the common motion of all axes to the segments of each axis; an axis without a distance
+/// waits.
 void append_moves(std::span<const AxisMove> moves, Sync sync,
                   std::vector<std::vector<Segment>>& axes) {
   std::array<Profile, max_axes> profiles{};
@@ -35,7 +36,7 @@ void append_moves(std::span<const AxisMove> moves, Sync sync,
       axes[i].insert(axes[i].end(), moving.segments().begin(), moving.segments().end());
       time = moving.end();
     }
-    // The rest of the common duration; less than its rounding is none.
+    // Fills the rest of the common duration, unless it is within rounding.
     const double to = moves[i].to.position;
     if (result.duration - time > 1e-14 * result.duration)
       axes[i].push_back(line(result.duration - time, to, to));

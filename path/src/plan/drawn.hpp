@@ -8,7 +8,8 @@
 
 namespace jounce {
 
-/// For each piece of plan.path() the piece of plan.drawn() that it is a part of: itself, unless joints are fitted.
+/// For each piece of plan.path(), the piece of plan.drawn() of which it is a part. They are the
+/// same unless joints are fitted.
 std::vector<std::size_t> drawn_pieces(const Plan& plan);
 
 }  // namespace jounce

@@ -14,7 +14,7 @@
 namespace jounce {
 namespace {
 
-/// Position limits at the ends of all commands.
+/// Checks the position limits at the ends of all commands.
 void require_inside(const Program& program, const GroupLimits& limits) {
   const auto check = [&](std::size_t axis, double x, int line) {
     const Limits& l = limits.axes[axis];
@@ -38,7 +38,8 @@ void require_inside(const Program& program, const GroupLimits& limits) {
             c.line);
 }
 
-/// Marks the joints between the plan's rests where stopping everywhere is faster; false if there are none.
+/// Marks the joints between two rests of the plan if a stop at each of them is faster; returns
+/// false if there are none.
 bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop) {
   bool any = false;
   std::size_t s = 0;
@@ -82,7 +83,7 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   const double stop_duration = stopping.rests.back().time;
   Jointed result;
   Laws law;
-  Route* from = nullptr;  // of the result
+  Route* from = nullptr;  // route of the result
   if (!options.stop_at_corners) {
     Route& route = averaged ? *averaged : sharp;
     const Lines other = averaged ? lines_of(route, program, shaping) : Lines{};

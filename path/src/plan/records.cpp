@@ -17,7 +17,7 @@
 namespace jounce {
 namespace {
 
-constexpr double smallest_turn = 1e-9;  ///< rad; a smaller one is rounding
+constexpr double smallest_turn = 1e-9;  ///< rad; a smaller angle is rounding
 
 bool is_corner(const PathPiece& piece) {
   return piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
@@ -51,7 +51,7 @@ class Records {
   }
 
  private:
-  /// Direction of a piece at u, which may be beyond its ends: the formula goes on.
+  /// Direction of a piece at u, which may be outside [0, 1]: the formula continues.
   [[nodiscard]] Point direction(std::size_t piece, double u) const {
     std::array<Jet, max_axes> jets{};
     path_.jets(piece, u, std::span(jets).first(n_));
@@ -60,8 +60,9 @@ class Records {
     return w;
   }
 
-  /// Angle of the joint at a corner, or where a piece begins. A blend replaces its trim of both neighbors, which go on to
-  /// the joint; where a corner takes all of a neighbor, the direction at that end of the blend counts.
+  /// Angle at a corner, or at the start of a piece. A blend replaces a part of both neighbors (the
+  /// trim), so they are extended to the joint. If a corner replaces a whole neighbor, the direction
+  /// at that end of the blend counts.
   [[nodiscard]] double angle(std::size_t k) const {
     const auto pieces = path_.pieces();
     const double trim = pieces[k].length / 2;
@@ -115,7 +116,7 @@ class Records {
                                          [](double q, const LawStretch& s) { return q < s.start; });
     const LawStretch& s = *(behind - 1);
     if (s.v0 == s.peak && s.v1 == s.peak) return s.peak;
-    double low = 0;  // within a longer ramp: by halving time
+    double low = 0;  // within a longer ramp: by bisection of the time
     double high = s.duration;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
@@ -129,7 +130,7 @@ class Records {
   std::size_t n_, m_;
 };
 
-/// A requested value in words: "a deviation of 0.05 mm".
+/// A requested value as text: "a deviation of 0.05 mm".
 std::string request(const CornerRecord& c, std::string_view unit) {
   const std::string value = " of " + six_digits(c.value);
   switch (c.asked) {

@@ -14,33 +14,35 @@
 //
 //   r' = m k cos + h,   r'' = -m k^2 sin,   r''' = -m k^3 cos,
 //
-// so with M = m k, a = |q''| and j = |q'''| its acceleration and its jerk are within their limits if
+// With M = m k, a = |q''| and j = |q'''|, its acceleration and its jerk are within their limits if
 //
 //   (1)  M sqrt(a^2 + (k v^2)^2) + |h| a                              <= A
 //   (2)  M sqrt((j + k^2 v^3)^2 + (3 k v a)^2) + |h| j                <= J
 //
-// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). A law of stations comes to its
-// greatest velocity V without acceleration, so that everywhere
+// (Cauchy and Schwarz; r''' and r' have opposite signs, so j + k^2 v^3 is the worse case). A law of
+// stations reaches its greatest velocity V without acceleration, so everywhere
 //
 //   (3)  v + a^2 / 2j <= V
 //
-// and it has less acceleration where it is faster. With y = a^2 / 2j of the greatest acceleration, at most V / 2, and A
-// and J less what the drift h needs,
+// and it has less acceleration where it is faster. Let y = a^2 / 2j for the greatest acceleration;
+// it is at most V / 2. Let A and J be reduced by what the drift h needs. Then it is sufficient that
 //
-//   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2         since (1) is convex in v where (3) binds
-//   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2          for v in [0, V]
+//   (4)  k V^2 <= A / M,   a^2 + (k (V - y)^2)^2 <= (A / M)^2
+//        (because (1) is convex in v if (3) is an equality)
+//   (5)  (j + k^2 v^3)^2 + 18 k^2 j v^2 (V - v) <= (J / M)^2   for v in [0, V]
 //
-// are enough; of a ramp over dv, y is at most dv / 2. (5) is greatest at V or at the smaller root of  k^2 v^4 - 8 j v + 6 j V,  which is beyond 3 V / 4, and its
-// greatest value is convex in j. Of some velocities and jerks that pair is taken with which the motion over the arc
-// between the velocities of its ends, and what its neighbors lose by them, take the least time.
+// For a ramp over dv, y is at most dv / 2. (5) is greatest at V, or at the smaller root of k^2 v^4
+// - 8 j v + 6 j V, which is beyond 3 V / 4; its greatest value is convex in j. Of several
+// velocities and jerks, the code takes the pair with the least duration of the motion over the arc
+// between the velocities of its ends, including the time that its neighbors lose.
 //
-// One box for the whole ramp has the acceleration that its fastest place leaves. Stairs have more: the ramp is divided at
-// some velocities, and each step has a box of its own.
+// One box for the whole ramp has the acceleration that is possible at its fastest place. Several
+// boxes permit more: the ramp is divided at some velocities, and each part has its own box.
 
 namespace jounce {
 namespace {
 
-/// The limits of an arc as limits of its law.
+/// The limits of an arc, as limits of the law on it.
 class ArcRates {
  public:
   ArcRates(const Rates& rates, const ArcNumbers& arc, double length) : k_(arc.sweep() / length) {
@@ -73,7 +75,8 @@ class ArcRates {
                           std::cbrt(jerk_ / (k_ * k_))});
   }
 
-  /// The jerk of the curvature at V: of its size are the jerks with which (4) leaves an acceleration at every velocity.
+  /// The jerk that corresponds to the curvature at V. With jerks of this size, (4) leaves an
+  /// acceleration at every velocity.
   [[nodiscard]] double natural_jerk(double V) const { return k_ * k_ * V * V * V; }
   /// The greatest constant velocity.
   [[nodiscard]] double velocity() const { return velocity_; }
@@ -81,7 +84,7 @@ class ArcRates {
   [[nodiscard]] double most_acceleration() const { return most_acceleration_; }
   [[nodiscard]] double most_jerk() const { return most_jerk_; }
 
-  /// The greatest j of (5); not positive if there is none.
+  /// The greatest jerk j by (5); not positive if there is none.
   [[nodiscard]] double jerk(double V) const {
     if (jerk_ == PathSettings::none) return most_jerk_;
     const double normal = natural_jerk(V);
@@ -97,7 +100,8 @@ class ArcRates {
     return j;
   }
 
-  /// The greatest a of (4) that a ramp over dv to V may reach; not positive if there is none.
+  /// The greatest acceleration a by (4) that a ramp over dv up to V may reach; not positive if
+  /// there is none.
   [[nodiscard]] double acceleration(double V, double dv, double j) const {
     if (acceleration_ == PathSettings::none) return most_acceleration_;
     const double square = acceleration_ * acceleration_;
@@ -120,7 +124,7 @@ class ArcRates {
   }
 
  private:
-  /// Where (5) is greatest.
+  /// The velocity at which the left side of (5) is greatest.
   [[nodiscard]] double place_of_most_jerk(double V, double j) const {
     double v = 0.75 * V;
     for (int step = 0; step < 20; ++step) {  // Newton, from below: convex
@@ -144,7 +148,8 @@ class ArcRates {
   double most_acceleration_ = PathSettings::none, most_jerk_ = PathSettings::none;
 };
 
-/// An arc on which the law goes `length` between two velocities at most: 0 is a rest.
+/// A part of an arc on which the law covers `length` between two greatest velocities; a velocity of
+/// 0 is a rest.
 struct ArcWay {
   double length, entry, exit;
 };
@@ -191,7 +196,7 @@ class ArcSearch {
     return best_;
   }
 
-  /// Stairs, where they are faster than the box.
+  /// Several zones (stairs), if they are faster than the single box.
   [[nodiscard]] ArcZones zones() {
     const Box whole = box();
     ArcZones best;
@@ -218,7 +223,7 @@ class ArcSearch {
     double time = 0, length = 0;
   };
 
-  /// Takes stairs up to v if they are faster than what was found before.
+  /// Keeps stairs up to the velocity v if they are faster than the best so far.
   bool climb(double v, const Steps& steps, ArcZones& best) {
     const Stairs up = stairs(way_.entry, v, steps);
     const Stairs down = stairs(way_.exit, v, steps);
@@ -239,7 +244,8 @@ class ArcSearch {
 
   [[nodiscard]] double most_jerk(double v) const { return std::min(limits_.jerk(v), path_.jerk); }
 
-  /// Jerks that are tried at v, the greatest first: shares of it, and multiples of the natural one below.
+  /// Jerks to be tried at the velocity v, the greatest first: shares of it, and below it multiples
+  /// of the natural jerk.
   [[nodiscard]] std::array<double, 10> jerks(double v) const {
     const double most = most_jerk(v);
     std::array<double, 10> all{1, 0.85, 0.7, 0.5, 0.35, 0.2, 0.1, 0.05, 0.03, 0.02};
@@ -251,14 +257,14 @@ class ArcSearch {
     return all;
   }
 
-  /// Time lost on a neighbor, where the motion is only at v here.
+  /// Time lost on a neighbor, because the velocity here is only v.
   [[nodiscard]] double lost(double v) const {
     if (!(v > 0)) return 0;
     return ramp_time(beyond_ - v, slow_a_, slow_j_) -
            ramp_distance(v, beyond_, slow_a_, slow_j_) / beyond_;
   }
 
-  /// Time with the accelerations and jerks of a slow motion.
+  /// Duration with the accelerations and jerks of a slow motion.
   [[nodiscard]] double least_time() const {
     double time = way_.length / fastest_;
     for (const double v : {std::min(way_.entry, fastest_), std::min(way_.exit, fastest_)})
@@ -267,7 +273,7 @@ class ArcSearch {
     return time;
   }
 
-  /// The box for ramps over dv to v with a jerk; no acceleration if there is none.
+  /// The box for ramps over dv up to v with this jerk; its acceleration is 0 if there is none.
   [[nodiscard]] Box with(double v, double dv, double j) const {
     const double a = j > 0 ? limits_.acceleration(v, dv, j) : 0;
     return {v, std::min(a, path_.acceleration), std::min(a, path_.deceleration), j};
@@ -299,7 +305,7 @@ class ArcSearch {
     best_ = box;
   }
 
-  /// The steps from one velocity up to v; none if there is no way.
+  /// The steps from one velocity up to v; empty if there is no solution.
   [[nodiscard]] Stairs stairs(double from, double v, const Steps& steps) const {
     Stairs result;
     double low = from;

@@ -108,7 +108,8 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
         bounds.third[i] = std::max(bounds.third[i], peak.rate);
         continue;
       }
-      // The hull of the Bernstein coefficients of the first derivative; the others are linear and constant.
+      // Uses the range of the Bernstein coefficients of the first derivative; the higher
+      // derivatives are linear and constant.
       const double h = f.length;
       for (const double b : {f.c[1], f.c[1] + f.c[2], f.c[1] + 2 * f.c[2] + 3 * f.c[3]})
         bounds.first[i] = std::max(bounds.first[i], std::abs(b) / h);
@@ -142,7 +143,7 @@ double velocity_with(const Rates& rates, const Derivatives& bounds, double accel
     if (r2 > 0) v = std::min(v, std::sqrt(a / r2));
     const double j = rates.jerk[i] - r1 * jerk;
     if (j < 0) return -1;
-    // r3 v^3 + 3 r2 a v = j: convex, Newton from above.
+    // r3 v^3 + 3 r2 a v = j is convex, so Newton's method converges from above.
     const double slope = 3 * r2 * acceleration;
     const auto used = [&](double x) { return (r3 * x * x + slope) * x; };
     if (used(v) <= j || (r3 == 0 && slope == 0)) continue;
@@ -183,7 +184,7 @@ Box curve_box(const Rates& rates, const PathSettings& settings, const Derivative
       const double a = gentle * most;
       const double d = std::min(a, path.deceleration);
       const double j = calm * jerk;
-      // No velocity takes less time.
+      // No velocity gives a shorter time than this.
       const double least = std::max(length / path.velocity, 2 * std::sqrt(length / a)) + a / j;
       if (least >= shortest) continue;
       const double v = std::min(path.velocity, velocity_with(rates, bounds, a, j));

@@ -8,10 +8,10 @@
 #include "jounce/path/path.hpp"
 #include "jounce/path/program.hpp"
 
-// Limits as numbers, and what they leave of the law on a piece of a path.
+// Limits as numbers, and the resulting limits of the law on each piece of a path.
 namespace jounce {
 
-/// Magnitudes by axis, infinite where there is none; and those of the path.
+/// Limits of the axes and of the path: magnitudes, infinite if there is no limit.
 struct Rates {
   std::size_t axes = 0;
   std::size_t path_axes = 0;
@@ -19,17 +19,18 @@ struct Rates {
   PathLimits path;
 };
 
-/// Throws InputError for limits that do not fit the program.
+/// Converts the limits. Throws InputError if they do not fit the program.
 Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axes);
 
-/// The limits of axes, normal and total acceleration for a piece that is not a line: less by the share that `to_axes`
-/// needs for the error of its fits and for rounding.
+/// The limits for a piece that is not a line. Limits of axes and of the normal and total
+/// acceleration are reduced by the share `fit_share`, which to_axes() needs for the error of its
+/// fits and for rounding.
 constexpr double fit_share = 1e-6;
 Rates reserved(const Rates& rates);
 
-/// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <= velocity keeps all
-/// limits on the piece. Every ramp that ends at most at the velocity without acceleration is such a law. On a corner the
-/// law is at constant velocity.
+/// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <=
+/// velocity keeps all limits on the piece. Every ramp that ends at this velocity or below, with
+/// zero acceleration, is such a law. On a corner, the law has constant velocity.
 struct Box {
   double velocity = PathSettings::none;
   double acceleration = PathSettings::none;
@@ -38,18 +39,20 @@ struct Box {
   bool constant = false;
 };
 
-/// A line with this direction.
+/// The box of a line with this direction.
 Box line_box(const Rates& rates, const PathSettings& settings, const double* direction);
 
-/// The box of path limits and settings alone.
+/// The box from the limits of the path and the settings alone.
 Box path_box(const Rates& rates, const PathSettings& settings);
 
-/// An arc or a helix; `length` is how far the law goes on it, `entry` and `exit` are the greatest velocities at its ends,
-/// 0 for a rest. A compromise of velocity and acceleration, see arc_box.cpp.
+/// The box of an arc or a helix. `length`: distance that the law covers on it. `entry` and `exit`:
+/// greatest velocities at its ends; 0 is a rest. The box is a compromise between velocity and
+/// acceleration; see arc_box.cpp.
 Box arc_box(const Rates& rates, const PathSettings& settings, const double* numbers, double length,
             double entry, double exit);
 
-/// Boxes for successive parts of an arc: slow ones with much acceleration at its ends, a fast one in the middle.
+/// Boxes for successive parts of an arc: low velocity and high acceleration at its ends, high
+/// velocity in the middle.
 struct ArcZones {
   struct Zone {
     double length = 0;
@@ -63,26 +66,28 @@ struct ArcZones {
   [[nodiscard]] const Zone& last() const { return zone[count - 1]; }
 };
 
-/// The parts of an arc of `whole` length of which the law goes over `length`: one, or stairs where they are faster.
+/// The parts of an arc of the length `whole`, of which the law covers `length`: a single part, or
+/// several (stairs) if they are faster.
 ArcZones arc_zones(const Rates& rates, const PathSettings& settings, const double* numbers,
                    double whole, double length, double entry, double exit);
 
-/// Bounds of the derivatives of each axis by q over a piece: |r'|, |r''|, |r'''|.
+/// Bounds of |r'|, |r''| and |r'''| of each axis over a piece (derivatives with respect to q).
 struct Derivatives {
   std::array<double, max_axes> first{}, second{}, third{};
   double speed = 1;  ///< |r'| over the path axes, at least 1
 };
 Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes);
 
-/// The greatest velocity with any |q''| <= acceleration and |q'''| <= jerk on a piece; negative if there is none.
+/// The greatest velocity that keeps the limits on a piece for all |q''| <= acceleration and |q'''|
+/// <= jerk; negative if there is none.
 double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
                      double jerk);
 
-/// A piece of a polynomial path, on which the law may do anything within the box.
+/// The box of a piece of a polynomial path; the law may be any law within the box.
 Box curve_box(const Rates& rates, const PathSettings& settings, const Derivatives& bounds,
               double length);
 
-/// Polynomial piece at constant velocity.
+/// The box of a polynomial piece that is passed at constant velocity.
 Box blend_box(const Rates& rates, std::span<const Segment> axes);
 
 }  // namespace jounce

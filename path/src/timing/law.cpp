@@ -26,7 +26,8 @@ struct Builder {
     now.acceleration += t * jerk;
   }
 
-  /// A ramp to a velocity, which begins and ends without acceleration, except where the jerk is not limited.
+  /// Appends a ramp to a velocity. It begins and ends without acceleration, except if the jerk is
+  /// not limited.
   void ramp(double to, double limit, double jerk) {
     const double dv = std::abs(to - now.velocity);
     const double sign = to < now.velocity ? -1 : 1;
@@ -62,10 +63,11 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   const double down = ramp_distance(stretch.peak, stretch.v1, stretch.deceleration, stretch.jerk);
   builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
   const double cruise = stretch.length - builder.now.position - down;
-  // A rest within rounding is no cruise.
+  // A remainder within rounding is not a cruise.
   if (cruise > 1e-14 * stretch.length) builder.add(cruise / stretch.peak, 0);
   builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
-  // The phases cover the length but for rounding: distances and durations are multiplied, velocities stay.
+  // The phases cover the length except for rounding. Distances and durations are multiplied to
+  // correct this; velocities stay.
   const double factor = stretch.length / builder.now.position;
   for (LawPhase& phase : out.first(builder.count)) {
     phase.duration *= factor;

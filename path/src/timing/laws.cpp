@@ -11,14 +11,15 @@ namespace jounce {
 namespace {
 
 using path_detail::none;
-constexpr double reserve = 1 + 1e-9;  ///< for the rounding of times in an average
+constexpr double reserve = 1 + 1e-9;  ///< for rounding of the times in an average
 
 double end_time(const std::vector<LawStretch>& law) {
   return law.empty() ? none : law.back().time + law.back().duration;
 }
 
-/// The law of a window over the pieces of a run, whose accelerations and jerks are shares of what is left on its
-/// straightest piece; of several shares the fastest. Empty if the axes have no jerk limit.
+/// The law of a window over the pieces of a run. Its accelerations and jerks are shares of the rest
+/// of the limits on the straightest piece; the fastest of several shares is used. Empty if the axes
+/// have no jerk limit.
 class WindowLaw {
  public:
   WindowLaw(const Path& path, std::span<const Unit> units, const Rates& rates,
@@ -116,7 +117,7 @@ class WindowLaw {
       time += h;
       law.push_back(s);
     }
-    law.back().v1 = 0;  // but for rounding
+    law.back().v1 = 0;  // exactly, without rounding
     return law;
   }
 
@@ -129,14 +130,15 @@ class WindowLaw {
   double length_ = 0;
 };
 
-/// A window pays where ramps cross many pieces of different boxes: on curves.
+/// True if a window may be faster: on curves, where ramps extend over many pieces with different
+/// boxes.
 bool is_curved(const Path& path, std::span<const Unit> units) {
   return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
     return path.pieces()[unit.piece].kind == PieceKind::curve;
   });
 }
 
-/// The faster law of a run.
+/// The faster of both laws for a run.
 std::vector<LawStretch> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
                                 const Program& program) {
   run.front().entry = none;
@@ -146,7 +148,7 @@ std::vector<LawStretch> fastest(const Path& path, std::vector<Unit> run, const R
   return end_time(window) < end_time(law) ? window : law;
 }
 
-/// Collects the laws of runs and the rests between them.
+/// Collects the laws of the runs, and the rests between them.
 struct Collected {
   Laws laws;
   double time = 0;
@@ -178,7 +180,7 @@ struct Collected {
     moved(duration, last);
   }
 
-  /// The place of a rest is that of the path, the time the sum.
+  /// Moves the end: q is that of the path, and the time is the sum of the durations.
   void moved(double duration, const PathPiece& last) {
     time += duration;
     start = last.start + last.length;

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// A rest of a law: where, and when it begins.
+/// A rest of a law: the joint, and the time at which it begins.
 struct Rest {
   std::uint32_t joint = 0;
   double time = 0;
@@ -16,7 +16,8 @@ struct Laws {
   std::vector<Rest> rests;  ///< the start, each stop, and the end
 };
 
-/// From rest to rest the faster one of stations and window; dwells between. `times_only`: the rests alone.
+/// The fastest law: between two rests it is the faster one of stations and window; dwells are
+/// added. `times_only`: computes only the rests.
 Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, const Route& route,
                  bool times_only = false);
 

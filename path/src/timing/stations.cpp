@@ -9,18 +9,20 @@
 
 #include "path/src/timing/stretch.hpp"
 
-// A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that one ramp reaches
-// from v over L. With caps c_k at the stations,
+// A station is a place where the acceleration is zero. Let F(v, L) be the greatest velocity that
+// one ramp reaches from v over L. With caps c_k at the stations,
 //
 //   (1)  backward  v_k = min(c_k, F(v_k+1, L_k)),     forward  v_k+1 = min(v_k+1, F(v_k, L_k)).
 //
-// Every stretch is then long enough for its ramp. The forward pass lowers v_k+1 only to F(v_k) >= v_k, where the
-// ramp takes all of L_k. Where it does not lower it and v_k+1 >= v_k, the ramp is shorter, since its distance
-// grows with the larger end. Where v_k+1 < v_k, v_k+1 still has its backward value and v_k is at most its own. A
-// stretch at constant velocity has F(v) = v, for which the same holds.
+// Every stretch is then long enough for its ramp. Proof: the forward pass lowers v_k+1 only to
+// F(v_k) >= v_k, where the ramp takes all of L_k. If it does not lower v_k+1 and v_k+1 >= v_k, the
+// ramp is shorter, because its distance grows with the larger end. If v_k+1 < v_k, v_k+1 still has
+// its backward value and v_k is at most its own. A stretch at constant velocity has F(v) = v, for
+// which the same holds.
 //
-// F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, not the fastest one; stations are
-// therefore left out where the boxes of both sides agree, and where one ramp over both sides is faster.
+// F is not monotone in v: it falls until F = 3 v. So the result is a feasible law, but not always
+// the fastest. Stations are therefore omitted if the boxes on both sides are equal, and if one ramp
+// over both sides is faster.
 
 namespace jounce {
 namespace {
@@ -34,7 +36,7 @@ double reached(double length, double v, const Ramp& ramp) {
   return std::max(v, entry_velocity(length, v, ramp).value_or(v) * (1 - 2e-14));
 }
 
-/// The ramps from v0 to a peak and from there to v1.
+/// The ramps from v0 to a peak, and from there to v1.
 struct Ramps {
   double time = 0, length = 0;
 };
@@ -44,7 +46,8 @@ Ramps ramps_of(const Box& box, double v0, double peak, double v1) {
   return {up + down, 0.5 * ((v0 + peak) * up + (peak + v1) * down)};
 }
 
-/// The greatest velocity of a law from v0 to v1 over L that does not reach the velocity of the box.
+/// The greatest velocity of a law from v0 to v1 over L that does not reach the velocity limit of
+/// the box.
 double peak_of(const Box& box, double length, double v0, double v1) {
   const double least = std::max(v0, v1);
   const bool alike = box.acceleration == box.deceleration;
@@ -90,10 +93,11 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
   }
   if (box.velocity == PathSettings::none || ramps.length > s.length)
     s.peak = peak_of(box, s.length, v0, v1);
-  // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
+  // Very small ramps save almost no time, and their phases are too short for a fit on an arc.
   if (s.peak - least <= 1e-10 * s.peak) s.peak = least;
-  // A ramp over a few units in the last place of the velocity is longer or shorter by a large share: the peak is
-  // rounded down until the ramps fit, and the cruise takes up the rest.
+  // For a ramp over a few units in the last place of the velocity, rounding changes the length by a
+  // large share. The peak is rounded down until the ramps fit; the cruise takes the rest of the
+  // length.
   ramps = ramps_of(box, v0, s.peak, v1);
   for (double back = 2e-16; ramps.length > s.length && s.peak > least; back *= 2) {
     s.peak = std::max(least, s.peak * (1 - back));
@@ -106,14 +110,14 @@ LawStretch stretch_of(const Unit& unit, double v0, double v1) {
 
 namespace {
 
-/// The velocity that a ramp from v reaches over a unit, at most `cap`: mostly that.
+/// The velocity that a ramp from v reaches over a unit, at most `cap`, which is the usual result.
 double reached_within(const Unit& unit, double v, double cap, double acceleration) {
   if (!(cap > v) || unit.box.constant) return std::min(v, cap);
   if (ramp_distance(v, cap, acceleration, unit.box.jerk) <= unit.length * (1 - 1e-14)) return cap;
   return std::min(cap, reached(unit.length, v, {acceleration, unit.box.jerk}));
 }
 
-/// v of (1) at each unit's start and at the end.
+/// v of (1) at the start of each unit, and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
   std::vector<double> v(n + 1);
@@ -142,8 +146,8 @@ bool alike(const Box& a, const Box& b) {
          alike(a.jerk, b.jerk);
 }
 
-/// The box of a unit that a ramp leaves: directions of tangent sides differ by up to 1e-9, and with them the
-/// accelerations of the axes at the joint.
+/// The box of a unit for a ramp that crosses its joint, slightly reduced: the directions at a
+/// tangential joint may differ by up to 1e-9, and so may the accelerations of the axes there.
 Box across_joint(const Unit& unit) {
   Box box = unit.box;
   if (unit.pieces > 1) return box;
@@ -160,7 +164,7 @@ Unit joined(const Unit& a, const Unit& b) {
   return unit;
 }
 
-/// Units whose boxes agree, and between which nothing bounds the velocity, become one.
+/// Joins units with the same box if nothing limits the velocity between them.
 void join_alike(std::vector<Unit>& units) {
   std::size_t last = 0;
   for (std::size_t k = 1; k < units.size(); ++k) {
@@ -173,8 +177,8 @@ void join_alike(std::vector<Unit>& units) {
   units.resize(last + 1);
 }
 
-/// The same for units whose boxes differ, where one ramp over both is faster; false if there are none. v: velocities at
-/// their ends.
+/// Joins units with different boxes if one ramp over both is faster; returns false if there are
+/// none. v: velocities at the ends of the units.
 bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
   std::size_t count = 0;  // units[i] begins at v[i]
   for (std::size_t k = 0; k < units.size(); ++k) {

@@ -10,21 +10,21 @@
 
 namespace jounce {
 
-/// One stretch of a path under one box, for a law of stations.
+/// One stretch of a path with one box, for a law of stations.
 struct Unit {
   double length = 0;
   Box box;
   double entry = PathSettings::none;  ///< greatest velocity at its start; 0: a rest
-  double dwell = 0;                   ///< s of rest at its start
+  double dwell = 0;                   ///< s, dwell at its start
   std::uint32_t piece = 0, pieces = 1;
-  std::uint32_t joint = 0;  ///< joint of the route, the last one at or before its start
+  std::uint32_t joint = 0;  ///< the last joint of the route at or before its start
 };
 
-/// The fastest stretch over a unit between two velocities that the unit is long enough for.
+/// The fastest stretch over a unit from v0 to v1. The unit must be long enough for it.
 LawStretch stretch_of(const Unit& unit, double v0, double v1);
 
-/// The law with stations at the units' joints, from rest to rest: times and places from 0 (docs/path/README.md,
-/// "Stations").
+/// The law with stations at the joints of the units, from rest to rest. Times and places count from
+/// 0 (docs/path/README.md, "Stations").
 std::vector<LawStretch> stations(std::vector<Unit> units);
 
 }  // namespace jounce

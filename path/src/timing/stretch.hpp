@@ -5,15 +5,15 @@
 
 namespace jounce {
 
-/// Duration and distance of a ramp between two velocities, without acceleration at both ends:
-/// T = 2 sqrt(dv / J) where A is not reached, dv / A + A / J otherwise; D = (v0 + v1) / 2 T.
+/// Duration T and distance D of a ramp between two velocities, with zero acceleration at both ends.
+/// T = 2 sqrt(dv / J) if A is not reached, otherwise dv / A + A / J; D = (v0 + v1) / 2 T.
 double ramp_time(double dv, double acceleration, double jerk);
 double ramp_distance(double v0, double v1, double acceleration, double jerk);
 
-/// Position and its derivatives t after the start of some phases in a row.
+/// Position and its derivatives at t after the start of successive phases.
 Motion motion_of(std::span<const LawPhase> phases, double t);
 
-/// Position within a stretch, and its derivatives, t after its start.
+/// Position within a stretch and its derivatives, at t after its start.
 Motion motion_in(const LawStretch& stretch, double t);
 
 /// A phase as a segment.

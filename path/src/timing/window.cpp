@@ -7,17 +7,18 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-// s(t) is the average of a law s0 of second order over a window w. With accelerations of at most A0,
+// s(t) is the average of a law s0 of second order over a window w. With accelerations up to A0,
 //
 //   (1)  |s(t) - s0(t)| <= A0 w^2 / 24
 //
-// A cap V over an interval of the path is held over d = V w / 2 + A0 w^2 / 24 more at both ends. Inside that zone
-// s0 moves at most V w / 2 in half a window, so that no instant of a window around t with s(t) in the interval
-// exceeds V. Accelerations average to at most A0. A local maximum of the velocity lasts at least w (by lowering
-// it), a local minimum lasts 2 d / V >= w, so no window contains accelerations of both signs, and |jerk| <= A0 /
-// w.
+// A cap V over an interval of the path is extended by d = V w / 2 + A0 w^2 / 24 at both ends.
+// Inside this zone, s0 moves by at most V w / 2 in half a window. So no instant of a window around
+// a t with s(t) in the interval exceeds V. Accelerations average to at most A0. A local maximum of
+// the velocity lasts at least w (because it is lowered), and a local minimum lasts 2 d / V >= w. So
+// no window contains accelerations of both signs, and |jerk| <= A0 / w.
 //
-// Lowering: F(q) is the greatest p such that q lies in an interval of length >= p w over which v >= p.
+// Lowering: F(q) is the greatest p such that q lies in an interval of length >= p w
+// over which v >= p.
 
 namespace jounce {
 namespace {
@@ -31,7 +32,8 @@ struct Interval {
   double from, to, velocity;
 };
 
-/// The lower envelope of the caps, each wider by (1) on both sides: velocities between ascending places.
+/// The lower envelope of the caps, each extended by (1) on both sides: intervals of constant
+/// velocity with ascending places.
 std::vector<Interval> envelope(std::span<const CappedLength> caps, double acceleration,
                                double window) {
   std::vector<Interval> wide;
@@ -47,7 +49,8 @@ std::vector<Interval> envelope(std::span<const CappedLength> caps, double accele
   const auto begins = [](const Interval& a, const Interval& b) { return a.from < b.from; };
   if (!std::is_sorted(wide.begin(), wide.end(), begins))
     std::sort(wide.begin(), wide.end(), begins);
-  // The slowest of those that have begun is on top; one that has ended stays until it gets there.
+  // The slowest of the intervals that have begun is on top. Those that have ended stay in the heap
+  // until they are on top.
   const auto faster = [](const Interval* a, const Interval* b) {
     return a->velocity > b->velocity;
   };
@@ -69,7 +72,7 @@ std::vector<Interval> envelope(std::span<const CappedLength> caps, double accele
       continue;
     }
     const Interval& slowest = *heap.front();
-    // Until it ends or a slower one begins.
+    // Up to its end, or to the start of a slower one.
     while (i < wide.size() && wide[i].from < slowest.to && wide[i].velocity >= slowest.velocity) {
       heap.push_back(&wide[i++]);
       std::push_heap(heap.begin(), heap.end(), faster);
@@ -96,7 +99,7 @@ std::vector<Knot> fastest(std::span<const Interval> caps, double acceleration) {
     v[i + 1] = std::min(v[i + 1], reach(v[i], caps[i].to - caps[i].from));
   for (std::size_t i = n; i-- > 1;)
     v[i] = std::min(v[i], reach(v[i + 1], caps[i].to - caps[i].from));
-  // A maximum has two knots, maybe at one place, so that lowering it has two ends to move.
+  // A maximum has two knots, possibly at the same place: lowering it moves both.
   std::vector<Knot> knots;
   knots.reserve(4 * n + 1);
   knots.push_back({caps.front().from, 0});
@@ -119,8 +122,8 @@ std::vector<Knot> fastest(std::span<const Interval> caps, double acceleration) {
   return knots;
 }
 
-/// F: lowers each local maximum that is too short. `out` is the profile up to the knot that was read last; a maximum is
-/// looked at when the profile falls behind it.
+/// The function F: lowers each local maximum that is too short. `out` is the profile up to the last
+/// knot that was read. A maximum is examined when the profile falls after it.
 class Lowering {
  public:
   Lowering(std::vector<Knot> knots, double acceleration, double window)
@@ -147,7 +150,7 @@ class Lowering {
   }
 
  private:
-  /// The profile rises to the plateau that ends at i.
+  /// True if the profile rises to the plateau that ends at knot i.
   [[nodiscard]] bool rises_to(std::size_t i) const {
     std::size_t first = i;
     while (previous_[first] < in_.size() && in_[previous_[first]].v == in_[i].v)
@@ -155,7 +158,8 @@ class Lowering {
     return previous_[first] < in_.size() && in_[previous_[first]].v < in_[i].v;
   }
 
-  /// Lowers the maximum whose plateau ends at i, if it is too short; returns where to go on.
+  /// Lowers the maximum whose plateau ends at knot i if it is too short; returns the knot from
+  /// which to continue.
   std::size_t lower(std::size_t i) {
     const std::size_t n = in_.size();
     std::size_t left = i;
@@ -183,7 +187,8 @@ class Lowering {
       if (next == l.v) left = previous_[left];
       if (next == r.v) right = next_[right];
       if (q >= level) break;
-      // Flat stretches at this level belong to the plateau; where the profile rises beyond, it is no maximum.
+      // Flat stretches at this level belong to the plateau. If the profile rises after them, it is
+      // not a maximum.
       if (next == l.v) {
         while (previous_[left] < n && in_[previous_[left]].v == p) left = previous_[left];
         from = in_[left].q;
@@ -199,7 +204,7 @@ class Lowering {
     return cut(left, right, from, to, p);
   }
 
-  /// Replaces what lies above p between the flanks by a plateau from `from` to `to`.
+  /// Replaces the part of the profile between both flanks by a plateau from `from` to `to`.
   std::size_t cut(std::size_t left, std::size_t right, double from, double to, double p) {
     const bool keeps_left = in_[left].v == p && in_[left].q == from;
     const bool keeps_right = in_[right].v == p && in_[right].q == to;
@@ -219,7 +224,7 @@ class Lowering {
 
 std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acceleration,
                                  double window) {
-  // A billionth longer, so that rounding never lets a window see both signs of acceleration.
+  // Longer by 1e-9, so that rounding never puts both signs of the acceleration into one window.
   const double longer = window * (1 + 1e-9);
   const std::vector<Interval> held = envelope(caps, acceleration, longer);
   const std::vector<Knot> knots = Lowering(fastest(held, acceleration), acceleration, longer).run();
@@ -228,7 +233,8 @@ std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acce
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const auto& [q0, v0] = knots[i];
     const auto& [q1, v1] = knots[i + 1];
-    // A slope lasts as long as its velocities need: lengths far from 0 have few digits.
+    // The duration of a slope is computed from its velocities, because lengths far from 0 have few
+    // digits.
     const double duration = v0 != v1  ? std::abs(v1 - v0) / acceleration
                             : q1 > q0 ? (q1 - q0) / v0
                                       : 0;
@@ -240,8 +246,8 @@ std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acce
 std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, double length) {
   struct Change {
     double time;
-    double acceleration;  ///< from here on
-    double velocity;      ///< here
+    double acceleration;  ///< acceleration after this change
+    double velocity;      ///< velocity at this change
   };
   std::vector<Change> changes;
   double time = 0;
@@ -253,7 +259,7 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, dou
   std::vector<LawPhase> out;
   LawPhase now{};
   std::size_t i = 0;  // next change of the leading edge
-  std::size_t k = 0;  // and of the trailing edge
+  std::size_t k = 0;  // next change of the trailing edge
   double ahead = 0;
   double behind = 0;
   double t = 0;
@@ -265,7 +271,8 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, dou
     if (const double h = next - t; h > 1e-13 * window) {
       now.duration = h;
       now.jerk = (ahead - behind) / window;
-      // A whole window within one phase: its acceleration; at rest or in a cruise its velocity, too.
+      // The whole window is within one phase, so the average has its acceleration; at rest or in a
+      // cruise also its velocity.
       if (ahead == behind && i > 0 && changes[i - 1].time <= t - window * (1 - 1e-9)) {
         now.acceleration = ahead;
         now.jerk = 0;

@@ -93,7 +93,7 @@ class Drawing {
   }
 
   Figure shares() {
-    figure_.x_label = "cases that are not above [%]";
+    figure_.x_label = "share of cases at or below [%]";
     const std::size_t combinations = spec_.cases() / spec_.samples;
     for (const std::size_t c : shown_columns()) {
       Panel panel = panel_of(c);

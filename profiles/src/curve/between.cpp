@@ -18,8 +18,8 @@ void append_rest(double value, double length, Segments& out) {
   if (length > 0) out.push_back(line(length, value, value));
 }
 
-/// The pieces of f over [from, to], which lies within f's interval. A part that is shorter than the
-/// rounding of the axis is no piece.
+/// Appends the pieces of f over [from, to], which is within the interval of f. Parts shorter than
+/// the rounding of the axis are omitted.
 template <class Over>
 void append_inside(const Curve<Over>& f, double from, double to, Segments& out) {
   const auto breaks = f.breaks();

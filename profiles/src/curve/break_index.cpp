@@ -14,7 +14,8 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   const std::size_t intervals = breaks.size() - 1;
   const std::size_t cells = per_interval * intervals;
   const double scale = static_cast<double>(cells) / (breaks.back() - breaks.front());
-  // Few breaks need no index. Lengths whose reciprocal over- or underflows have none.
+  // For few breaks an index does not pay. If the reciprocal of the length over- or underflows,
+  // there is no index.
   if (intervals <= few || !std::isnormal(scale)) return;
   start_ = breaks.front();
   cells_per_unit_ = scale;
@@ -22,7 +23,8 @@ BreakIndex::BreakIndex(std::span<const double> breaks) {
   profiles_detail::reserve_large(before_, cells + 2);
   before_.resize(cells + 2);
   // Breaks ascend, and so do their cells: up to that of break i, i - 1 interior ones lie before.
-  // Two cells are always written, as many as each of equal intervals has. Surplus cells are overwritten.
+  // Two cells are always written, as many as each of equal intervals has. Surplus cells are
+  // overwritten.
   std::uint32_t* next = before_.data();
   for (std::uint32_t i = 1; i < intervals; ++i) {
     std::uint32_t* const end = before_.data() + cell(breaks[i]) + 1;

@@ -5,7 +5,8 @@
 
 namespace jounce::profiles_detail {
 
-/// The coefficients over s in [0, 1] that jounce::line, cubic and quintic give a segment.
+/// The coefficients with respect to s in [0, 1] of the segments that jounce::line, cubic and
+/// quintic make.
 inline std::array<double, 2> line_coefficients(double p0, double p1) {
   return {p0, p1 - p0};
 }
@@ -18,7 +19,8 @@ inline std::array<double, 4> cubic_coefficients(double length, double p0, double
   return {p0, m0, 3 * h - 2 * m0 - m1, -2 * h + m0 + m1};
 }
 
-/// The general 5th degree (VDI 2143), written in the end values of the segment.
+/// The general polynomial of degree 5 (VDI 2143), as a function of the values at the ends of the
+/// segment.
 inline std::array<double, 6> quintic_coefficients(double length, double p0, double v0, double a0,
                                                   double p1, double v1, double a1) {
   const double h = p1 - p0;

@@ -13,29 +13,32 @@
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/error.hpp"
 
-// A piece of the inner, y(s) for s in [0, 1], lies within one segment of the outer, F(r) with
-// r = (y - b) / L, b its break and L its length. Written about the piece's own start, r = r0 + d(s)
-// with d(0) = 0, no terms cancel, for any number of segments before b:
+// A piece of the inner curve, y(s) for s in [0, 1], lies within one segment of the outer curve,
+// F(r) with r = (y - b) / L. b is the break at which this segment begins, L its length. Relative to
+// the start of the piece, r = r0 + d(s) with d(0) = 0. In this form no terms cancel, however many
+// segments precede b:
 //
 //   (1)  r0 = (y(0) - b) / L,   d(s) = (y(s) - y(0)) / L
 //   (2)  F(r0 + d) = sum over k of F_k d^k,   F_k the Taylor coefficients of F at r0
 //   (3)  A sin(w (r0 + d1 s) + p) = A sin(w d1 s + (p + w r0))   where d = d1 s
 //
-// (2) is evaluated by Horner's rule over polynomials. Far from the axis' origin (1) has few digits in a short
-// segment, and so has the place where y passes a break. So r0 is 0 or 1 where the piece begins at
-// a break, and continues the previous piece within a segment. A piece that ends at a break, r1,
-// ends there exactly: d and the piece's length are both multiplied by
+// (2) is evaluated by Horner's rule over polynomials. Far from the axis' origin (1) has few digits
+// in a short segment, and so has the place where y passes a break. So r0 is set to 0 or 1 if the
+// piece begins at a break; within a segment, it continues the previous piece. A piece that ends at
+// a break, r1, ends there exactly: both d and the piece's length are multiplied by
 //
 //   (4)  (r1 - r0) / d(1)
 //
-// which moves the place by rounding and leaves the slope as it is.
+// This moves the place by rounding and does not change the slope.
 //
-// Where (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2) with
-// series for F and d gives its coefficients at both ends and the majorant of the twelfth derivative.
+// If (2) and (3) do not fit and a tolerance is given, F(r0 + d) is fitted (detail/hermite.hpp). (2)
+// with series for F and d gives its coefficients at both ends and the majorant of the twelfth
+// derivative.
 //
-// In a short piece the differences of both ends are mostly rounding, which the coefficients of the fit multiply.
-// Where the sixth coefficient M_6 of the majorant is below that rounding, the series at the start up to s^5 is the
-// better fit. By Taylor's theorem its kth derivative by s strays at most by
+// In a short piece, the differences of both ends are mostly rounding, which the coefficients of the
+// fit multiply. If the sixth coefficient M_6 of the majorant is below that rounding, the series at
+// the start up to s^5 is the better fit. By Taylor's theorem, the error of its k-th derivative with
+// respect to s is at most
 //
 //   (5)  6! / (6 - k)! M_6
 
@@ -52,7 +55,7 @@ bool is_constant(const Segment& f) {
   return f.degree == 0 && f.sines == 0;
 }
 
-/// p(s) = p(s) * d(s) + c, both without sines; the degrees are known to fit.
+/// p(s) = p(s) * d(s) + c, both without sines; the degree of the result must fit.
 void multiply_add(Segment& p, const Segment& d, double c) {
   std::array<double, Segment::max_degree + 1> product{};
   for (std::size_t i = 0; i <= static_cast<std::size_t>(p.degree); ++i)
@@ -64,7 +67,7 @@ void multiply_add(Segment& p, const Segment& d, double c) {
   while (p.degree > 0 && p.c[static_cast<std::size_t>(p.degree)] == 0) --p.degree;
 }
 
-/// F(r0 + u) as a polynomial and sines of u: a part of the outer that may have any r0.
+/// F(r0 + u) as a polynomial and sines of u: a part of the outer segment, for any r0.
 Segment about(const Segment& f, double r0) {
   Segment g = f;
   for (int i = 0; i < g.degree; ++i)
@@ -75,20 +78,21 @@ Segment about(const Segment& f, double r0) {
   return g;
 }
 
-/// A piece of the inner within one segment of the outer that begins at `start`.
+/// A piece of the inner curve that is within one segment of the outer curve. That segment begins at
+/// `start`.
 struct Piece {
   Segment outer;
   double start = 0;
   Segment inner;
   double r0 = 0;
-  std::optional<double> r1 = {};  ///< set where the piece ends at a break
+  std::optional<double> r1 = {};  ///< set if the piece ends at a break
 
   [[nodiscard]] double end() const {
     return r1 ? *r1 : r0 + (value(inner, 1) - value(inner, 0)) / outer.length;
   }
 };
 
-/// (2) and (3), or nothing where it does not fit.
+/// The piece by (2) and (3); nullopt if it does not fit a segment.
 std::optional<Segment> substituted(const Piece& p) {
   const Segment f = about(p.outer, p.r0);
   const double y0 = value(p.inner, 0);
@@ -116,7 +120,8 @@ std::optional<Segment> substituted(const Piece& p) {
   return g;
 }
 
-/// The outer's segments by any position on its axis: outside its interval by its policy.
+/// The segments of the outer curve for any position on its axis; outside its interval by its
+/// policy.
 template <class Outer>
 class Places {
  public:
@@ -141,7 +146,7 @@ class Places {
     return {gone == 0 ? f_.segments()[i] : scaled(f_.segments()[i], 1, gone), breaks[i] + turn};
   }
 
-  /// Every break from lo to hi, rounding included, ascending.
+  /// Appends every break from lo to hi, with a tolerance for rounding, in ascending order.
   void breaks_within(double lo, double hi, std::vector<double>& out) const {
     out.clear();
     const double rounding = 4e-16 * std::max(std::abs(lo), std::abs(hi));
@@ -167,8 +172,9 @@ class Places {
   const Curve<Outer>& f_;
 };
 
-/// The pieces add up to the inner's length but for rounding: one of the longest takes up the difference. A sum
-/// that lies half-way between two doubles needs half of that, or another piece.
+/// Adds the difference between the inner curve's length and the sum of the pieces, which is
+/// rounding, to one of the longest pieces. If a sum lies half-way between two doubles, half of the
+/// difference is necessary, or another piece.
 template <class Inner>
 Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
   Curve<Inner> g(pieces, inner.start(), inner.outside());
@@ -192,10 +198,10 @@ Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
 
 struct Cut {
   double s = 0;
-  std::optional<double> level = {};  ///< the outer's break that is passed there
+  std::optional<double> level = {};  ///< the break of the outer curve that is passed there
 };
 
-/// The places where the inner segment passes a break of the outer, 0 and 1 included.
+/// The places where the inner segment passes a break of the outer curve, including 0 and 1.
 template <class Outer>
 void cuts(const Places<Outer>& places, const Segment& inner, std::vector<Cut>& out) {
   out.assign(1, Cut{});
@@ -209,7 +215,7 @@ void cuts(const Places<Outer>& places, const Segment& inner, std::vector<Cut>& o
   }
   out.push_back({1});
   std::stable_sort(out.begin(), out.end(), [](const Cut& a, const Cut& b) { return a.s < b.s; });
-  constexpr double apart = 1e-13;  // less is the rounding of `crossings`
+  constexpr double apart = 1e-13;  // smaller distances are rounding of `crossings`
   std::size_t kept = 0;
   for (std::size_t i = 1; i < out.size(); ++i) {
     if (out[i].s - out[kept].s >= apart) {
@@ -235,7 +241,7 @@ void require_inside(const Curve<Outer>& outer, const Curve<Inner>& inner) {
                            number(outer.end()));
 }
 
-/// The segment of the outer in which a piece of the inner lies, and the place in it.
+/// The segment of the outer curve that contains a piece of the inner curve, and the position in it.
 template <class Outer>
 Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double> first,
              std::optional<double> last, const std::optional<Piece>& before) {
@@ -260,7 +266,7 @@ Piece placed(const Places<Outer>& places, const Segment& y, std::optional<double
                        "; the product of the degrees may be 11, sines need the other to be linear");
 }
 
-/// A piece to be fitted.
+/// A piece that needs a fit.
 struct Fit {
   Piece p;
 
@@ -288,9 +294,9 @@ struct Fit {
   }
 };
 
-/// The series of a short piece, with its error (5); nullopt if the fit is better.
+/// The series of a short piece, with its error (5); nullopt if a fit is better.
 std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error) {
-  constexpr double rounding = 1e-13;  // in a fit, relative
+  constexpr double rounding = 1e-13;  // relative rounding in a fit
   const profiles_detail::Majorant bound = piece.majorant();
   if (!(bound[6] <= std::min(tolerance, rounding * bound[1]))) return std::nullopt;
   const profiles_detail::EndSeries series = piece.end(0);
@@ -306,7 +312,8 @@ std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error)
   return f;
 }
 
-/// The composition, piece by piece; `otherwise` appends a replacement for a piece that does not fit.
+/// The composition, piece by piece. `otherwise` appends a replacement for a piece that does not fit
+/// a segment.
 template <class Outer, class Inner, class Otherwise>
 Curve<Inner> assembled(const Curve<Outer>& outer, const Curve<Inner>& inner, Otherwise otherwise) {
   require_inside(outer, inner);

@@ -31,7 +31,8 @@ void require_valid(const Segment& f, std::size_t index) {
         "value and derivatives must be finite: too short, too far or too steep for a double");
 }
 
-/// Running sum of the lengths, compensated (Neumaier), so that 1e6 segments end where they should.
+/// Running sum of the lengths, compensated (Neumaier), so that also 1e6 segments end at the exact
+/// place.
 std::vector<double> running_sum(double start, const std::vector<Segment>& segments) {
   std::vector<double> breaks{start};
   breaks.reserve(segments.size() + 1);
@@ -46,7 +47,7 @@ std::vector<double> running_sum(double start, const std::vector<Segment>& segmen
   return breaks;
 }
 
-/// The segment that begins at `start`, at x on the axis.
+/// Values at x of the segment that begins at `start`.
 [[gnu::always_inline]] inline Jet inside(const Segment& f, double start, double x) {
   return profiles_detail::evaluate(f, std::clamp((x - start) / f.length, 0.0, 1.0));
 }
@@ -103,7 +104,7 @@ double Curve<Over>::advance() const {
 template <class Over>
 void Curve<Over>::sample(std::span<const double> x, std::span<Point> out) const {
   assert(x.size() == out.size());
-  std::size_t k = 0;  // the segment of the query before
+  std::size_t k = 0;  // segment of the previous query
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool near = x[i] >= breaks_[k] && x[i] < breaks_[k + 1];
     if (!near && !(x[i] >= start() && x[i] < end())) {

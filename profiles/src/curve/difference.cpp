@@ -9,25 +9,25 @@
 #include "jounce/profiles/detail/common_pieces.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Bounds of the rounding error. Each number of a segment has a relative error of a few epsilon, so the
-// error of its value is
+// Bounds of the rounding error. Each number of a segment has a relative error of a few epsilon. So
+// the error of the segment's value is
 //
 //   (1)  r_0 = 16 eps M,   M the sum of the magnitudes of its terms,
 //
-// and each derivative by u multiplies that by at most n / L for a polynomial of degree n over a length
-// L, and by w / L for a sine that turns through the angle w:
+// Each derivative with respect to u multiplies this by at most n / L for a polynomial of degree n
+// over a length L, and by w / L for a sine that turns through the angle w:
 //
 //   (2)  r_k = r_0 (max(1, n, w) / L)^k.
 //
-// M includes the value itself: a table's jerk is computed from differences of its positions, with the rounding
-// of the positions.
+// M includes the value itself: the jerk of a table is computed from differences of its positions,
+// so it has the rounding of the positions.
 //
-// Sines that do not fit. Over a piece on which it turns through h <= 1/16, the Taylor polynomial of
-// degree 11 of A sin(h s + phase) leaves in the k-th derivative at most
+// Sines that do not fit. If a sine A sin(h s + phase) turns through h <= 1/16 over a piece, the
+// error of the k-th derivative of its Taylor polynomial of degree 11 is at most
 //
 //   (3)  A (h / L)^k h^(12-k) / (12-k)!  <=  4e-17 A (h / L)^k   for k <= 3,
 //
-// less than (2) by two orders.
+// which is less than (2) by two orders of magnitude.
 namespace jounce {
 namespace {
 
@@ -40,7 +40,7 @@ double widest(const Segment& f) {
   return angle;
 }
 
-/// (1), (2).
+/// Rounding of a segment by (1), (2).
 Jet rounding_of(const Segment& f) {
   const double growth = std::max({1.0, static_cast<double>(f.degree), widest(f)}) / f.length;
   Jet r{16 * std::numeric_limits<double>::epsilon() * magnitude(f)};
@@ -54,7 +54,8 @@ Jet added(const Jet& a, const Jet& b) {
   return c;
 }
 
-/// f, whose sines turn through at most widest_angle, with each replaced by its Taylor polynomial.
+/// f with each sine replaced by its Taylor polynomial; the sines must extend over at most
+/// widest_angle.
 Segment expanded(const Segment& f) {
   Segment g = f;
   g.sines = 0;
@@ -72,7 +73,7 @@ Segment expanded(const Segment& f) {
   return g;
 }
 
-/// after - before, which have one length, as one segment or as many as (3) needs.
+/// after - before, both of one length, as a single segment or as the number that (3) requires.
 std::vector<Segment> subtracted(const Segment& after, const Segment& before) {
   const Segment minus = scaled(before, -1);
   if (const auto one = sum(after, minus)) return {*one};
@@ -84,7 +85,7 @@ std::vector<Segment> subtracted(const Segment& after, const Segment& before) {
   return all;
 }
 
-/// The largest difference, among those beyond rounding if there are any.
+/// The greatest difference; if some differences are beyond rounding, the greatest of them.
 template <class Over>
 Change largest_change(const Difference<Over>& d, const std::vector<Ranges>& ranges, std::size_t k) {
   Change change;
@@ -170,7 +171,7 @@ std::vector<Knot> knots_of(const Curve<Over>& f, std::span<const double> places)
   return all;
 }
 
-/// The larger rounding of the segments at either side of x.
+/// The greater rounding of the two segments next to x.
 template <class Over>
 Jet rounding_at(const Curve<Over>& f, double x) {
   const auto breaks = f.breaks();
@@ -184,7 +185,7 @@ Jet rounding_at(const Curve<Over>& f, double x) {
   return r;
 }
 
-/// The changes of the knots: pairs first, then the rest of either curve.
+/// The changes of the knots: first the pairs, then the knots without a pair.
 template <class Over>
 class Matching {
  public:
@@ -197,7 +198,7 @@ class Matching {
   }
 
   std::vector<KnotChange> run() {
-    std::size_t i = 0;  // first knot of a without a pair; k: the same of b
+    std::size_t i = 0;  // i: first knot of a without a pair; k: the same for b
     std::size_t k = 0;
     for (std::size_t m = 0, n = 0; m < a_.size() && n < b_.size();) {
       if (profiles_detail::same_place(a_[m].where, b_[n].where, scale_)) {
@@ -214,7 +215,7 @@ class Matching {
   }
 
  private:
-  /// The knots of `all` in [first, last): the one nearest to x, the first of equals.
+  /// Among the knots of `all` in [first, last), the one nearest to x; the first one of equals.
   static std::size_t nearest(const std::vector<Knot>& all, std::size_t first, std::size_t last,
                              double x) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
@@ -227,12 +228,12 @@ class Matching {
     return static_cast<std::size_t>((up ? above : below) - all.begin());
   }
 
-  /// Between two knots that stayed: a's knots [i, m), b's [k, n).
+  /// Handles the interval between two knots that stayed: knots [i, m) of a, and [k, n) of b.
   void gap(std::size_t i, std::size_t m, std::size_t k, std::size_t n) {
     while (i < m || k < n) {
       const std::size_t mate = i < m && k < n ? nearest(b_, k, n, a_[i].where) : n;
       const bool moved = mate < n && nearest(a_, i, m, b_[mate].where) == i;
-      // b's knots before the mate, or before a's next, were added.
+      // All knots of b before the partner, or before the next one of a, have been added.
       if (k < n && (moved ? k < mate : i == m || b_[k].where < a_[i].where)) {
         changes_.push_back({.after = b_[k++]});
       } else if (moved) {

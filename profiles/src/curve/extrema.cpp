@@ -13,14 +13,16 @@
 namespace jounce {
 namespace {
 
-/// `noise`: the least improvement of a new candidate, so that rounding does not move the place.
+/// Extends the range by a candidate. `noise`: the least improvement, so that rounding does not move
+/// the position.
 void widen(Range& range, const Extremum& candidate, double noise = 0) {
   if (candidate.value < range.min.value - noise) range.min = candidate;
   if (candidate.value > range.max.value + noise) range.max = candidate;
 }
 
-/// True if f keeps its sign but for less than `flat` on average: the integral over s of a Bernstein
-/// polynomial of degree n is at most that of its coefficients of one sign, their sum / (n + 1).
+/// True if f has the same sign everywhere, except for less than `flat` on average. The integral
+/// over s of a Bernstein polynomial of degree n is at most the sum of its coefficients of that
+/// sign, divided by n + 1.
 bool keeps_sign(const Segment& f, double flat) {
   if (f.sines > 0) return false;
   bool keeps = false;
@@ -34,7 +36,7 @@ bool keeps_sign(const Segment& f, double flat) {
   return keeps;
 }
 
-/// Range of g, whose derivative by u is dg, on the segment that begins at `start` on the axis.
+/// Range of g on the segment that begins at `start`; dg is its derivative with respect to u.
 Range range_on(const Segment& g, const Segment& dg, double start, double end) {
   const Extremum first{value(g, 0), start, Side::right};
   Range range{first, first};
@@ -124,7 +126,7 @@ Jump largest_jump(const Curve<Over>& f, int order) {
   for (std::size_t i = 1; i < pieces.size(); ++i) consider(pieces[i - 1], pieces[i], f.breaks()[i]);
   if (f.outside() == Extrapolation::wrap || (f.outside() == Extrapolation::advance && order > 0))
     consider(pieces.back(), pieces.front(), f.end());
-  if (f.outside() == Extrapolation::hold && order > 0) {  // at rest before and after
+  if (f.outside() == Extrapolation::hold && order > 0) {  // at rest before and after the interval
     const double first = evaluate(pieces.front(), 0)[k];
     const double last = -evaluate(pieces.back(), 1)[k];
     if (std::abs(first) > std::abs(largest.step)) largest = {first, f.start()};

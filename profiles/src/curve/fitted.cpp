@@ -7,23 +7,25 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// p is the polynomial of degree 11 that has h's Taylor coefficients of order 0 to 5 at s = 0 and 1.
-// Written about 0, with T the first six terms there and u = s - 1,
+// p is the polynomial of degree 11 with the Taylor coefficients of h of order 0 to 5 at s = 0 and
+// at s = 1. Let T be the first six terms of h at 0, and u = s - 1. Then
 //
 //   (1)  p = T + s^6 q,   T(1 + u) + (1 + u)^6 q = h(1 + u) + O(u^6)
 //   (2)  q = (h - T)(1 + u)^-6 up to u^5,   (1 + u)^-6 = sum over n of (-1)^n C(n + 5, 5) u^n
 //
-// The error e = h - p vanishes six times at each end (Hermite's remainder, M >= |h^(12)| / 12!):
+// The error e = h - p vanishes six times at each end. With M >= |h^(12)| / 12!, Hermite's remainder
+// gives
 //
 //   (3)  |e| <= M s^6 (1 - s)^6 <= M / 4^6
 //
-// By Rolle e^(k) vanishes 6 - k times at each end and k times between them, and its own derivative
-// of order 12 - k is h^(12), so that with |s - s_i| <= 1 for the places between
+// By Rolle's theorem, e^(k) vanishes 6 - k times at each end and k times between them, and its
+// derivative of order 12 - k is h^(12). With |s - s_i| <= 1 for the places s_i between the ends,
 //
 //   (4)  |e^(k)| <= M 12! / (12 - k)! / 4^(6 - k)
 //
-// M is a majorant: coefficients of polynomials and sines by their magnitudes, nothing cancels, so
-// that rounding cannot spoil it by more than its own share, which the factor `slack` covers.
+// M is a majorant: it is computed from the magnitudes of the coefficients of polynomials and sines,
+// so nothing cancels. Its rounding error is relative to it, and the factor `slack` covers this
+// error.
 
 namespace jounce {
 namespace profiles_detail {
@@ -113,7 +115,7 @@ void require_fitting(std::size_t pieces) {
 
 namespace {
 
-/// A segment that becomes one without sines.
+/// A segment that is replaced by one without sines.
 struct Whole {
   Segment f;
 

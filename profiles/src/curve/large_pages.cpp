@@ -17,7 +17,7 @@ void prefer_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size
   if (bytes < before + large) return;
   const int error = errno;
   madvise(static_cast<char*>(block) + before, (bytes - before) / large * large, MADV_HUGEPAGE);
-  errno = error;  // a kernel without large pages is no error of the caller
+  errno = error;  // a kernel without large pages is not an error of the caller
 #endif
 }
 

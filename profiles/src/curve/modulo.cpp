@@ -8,15 +8,15 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// fmod is exact in IEEE arithmetic, and so are the differences of remainders that it is used on but
-// for one rounding. With r = x mod M, the way forward from x to a target u is
+// fmod is exact in IEEE arithmetic. The differences of remainders below are exact, except for one
+// rounding. With r = x mod M, the way forward from x to a target u is
 //
 //   (1)  d = (u mod M - x mod M) mod M, in [0, M),   and backwards d - M (0 where d is)
 
 namespace jounce {
 namespace {
 
-/// (1).
+/// The distance by (1).
 double forward(double from, double to, double period) {
   return rolled(rolled(to, period).position - rolled(from, period).position, period).position;
 }
@@ -26,21 +26,21 @@ double backward(double from, double to, double period) {
   return d > 0 ? d - period : 0;
 }
 
-/// At most half a turn; half a turn is positive.
+/// The distance of at most half a turn; half a turn is positive.
 double shortest(double from, double to, double period) {
   const double d = forward(from, to, period);
   return d <= period - d ? d : d - period;
 }
 
-/// Distances from the present position, which is given reduced. `stop` is how far the axis goes if
-/// it stops now: a target in one direction is sought from there on.
+/// Distances from the present position, which is already reduced. `stop` is the distance if the
+/// axis stops now. If the direction is given, the target is searched for from there on.
 struct Ways {
   double period, from, to, stop;
 
   [[nodiscard]] double at(double sign) const {
     const double d = forward(from, to, period);
-    const double rounding =
-        1e-12 * period;  // so near counts as arrived: no turn for the last digit
+    // A smaller distance counts as arrived, because rounding must not cause a turn.
+    const double rounding = 1e-12 * period;
     const double turns = (stop - d) / period;
     const double nearest = d + std::nearbyint(turns) * period;
     if (nearest != 0 && std::abs(nearest - stop) <= rounding) return stop;
@@ -53,7 +53,8 @@ struct Timed {
   double duration;
 };
 
-/// Faster, to rounding; then shorter; then positive.
+/// True if a is the better way: the faster one (beyond rounding), then the shorter one, then the
+/// positive one.
 bool better(const Timed& a, const Timed& b) {
   if (std::abs(a.duration - b.duration) > 1e-12 * b.duration) return a.duration < b.duration;
   const double longer = std::abs(a.distance) - std::abs(b.distance);
@@ -92,8 +93,9 @@ Turned rolled(double x, double period) {
     r += period;
     turns -= 1;
   }
-  if (r >= period) return {0, turns + 1};  // a hair below a whole turn: no double is nearer
-  return {r == 0 ? 0 : r, turns};          // not -0
+  // Less than a whole turn by so little that no double is nearer.
+  if (r >= period) return {0, turns + 1};
+  return {r == 0 ? 0 : r, turns};  // not -0
 }
 
 double unrolled(const Turned& spot, double period) {

@@ -6,16 +6,18 @@
 
 #include "profiles/src/solver/span.hpp"
 
-// Ramps and motions between velocities: detail/span.hpp, (1) to (5).
+// Ramps and motions between velocities: solver/span.hpp, (1) to (5).
 //
 // The entry velocity of a single ramp over D to v, by (1) and (2) of e = entry - v:
 //
 //   (6)  A reached, z = e/A:         A z^2 + (2v + A tau) z = 2 (D - v tau)
 //   (7)  otherwise, x = sqrt(e/J):   J x^3 + 2v x = D
 //
-// (7) is convex. Either term alone bounds its root, by at most 47 % too high. The fastest stop from
-// v, a brings the acceleration to -+p, holds it there if p = A, and brings it back to 0. v + a |a|/(2J) is the
-// velocity at which a is 0 if it goes there at once. Where that is > 0 (else mirrored), and while p <= A,
+// (7) is convex. Each of its two terms alone bounds its root, by at most 47 % too high.
+//
+// The fastest stop from (v, a) brings the acceleration to -+p, holds it there if p = A, and returns
+// it to 0. v + a |a|/(2J) is the velocity at which the acceleration reaches 0 if it returns to 0 at
+// once. If this velocity is > 0 (otherwise everything is mirrored), and while p <= A,
 //
 //   (8)  p = sqrt(J v + a^2/2)       from  (a^2 - p^2)/(2J) - p^2/(2J) = -v
 
@@ -26,7 +28,7 @@ bool valid(const Ramp& ramp) {
   return profiles_detail::is_magnitude(ramp.acceleration) && profiles_detail::is_limit(ramp.jerk);
 }
 
-/// A state that moves along under constant jerk.
+/// A state that advances with constant jerk.
 struct Walk {
   double velocity, acceleration;
   Extent done = {};
@@ -46,13 +48,13 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
   walk.acceleration = -p;
   const double let_go = p * p / (2 * jerk);
   if (p == limit) walk.go(std::max(walk.velocity - let_go, 0.0) / p, 0);
-  walk.velocity = let_go;  // without the rounding of the phases before
+  walk.velocity = let_go;  // exact, without the rounding of the previous phases
   walk.go(p / jerk, jerk);
   return walk.done;
 }
 
-/// The fastest motion. If the distance is too short for the direct ramp only by rounding of the velocities
-/// that entry_velocity() returns, it is that ramp.
+/// The fastest motion. If the distance is too short for the direct ramp only by rounding of a
+/// velocity that entry_velocity() has returned, it is this ramp.
 constexpr double rounding = 1e-15;
 std::optional<profiles_detail::Way<double>> way(double distance, const SpanEnds& ends,
                                                 const Ramp& ramp) {

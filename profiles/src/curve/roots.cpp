@@ -15,12 +15,12 @@
 namespace jounce {
 namespace {
 
-/// The widest angle over which a sine is its Taylor polynomial of degree 11 to within rounding:
-/// the remainder is at most angle^12 / 12! = 1.3e-16.
+/// The greatest angle over which the Taylor polynomial of degree 11 replaces a sine to within
+/// rounding: the remainder is at most angle^12 / 12! = 1.3e-16.
 constexpr double widest_piece_angle = 0.25;
 
-/// f with each sine, which spans at most widest_piece_angle, replaced by that polynomial. Without this, a
-/// sine and a polynomial that nearly cancel (the error of a table) have no tight enclosure.
+/// f with each sine, over at most widest_piece_angle, replaced by this polynomial. Otherwise a sine
+/// and a polynomial that almost cancel (the error of a table) have no tight enclosure.
 Segment as_polynomial(const Segment& f) {
   Segment g = f;
   g.sines = 0;
@@ -39,7 +39,7 @@ Segment as_polynomial(const Segment& f) {
   return g;
 }
 
-/// f is monotone over [a, b]: at most one sign change, found by Newton's method inside a bracket.
+/// Finds the sign change of f, which is monotone over [a, b], by Newton's method inside a bracket.
 void bracket(const Segment& f, double a, double b, std::vector<double>& out) {
   const double fa = value(f, a);
   const double fb = value(f, b);
@@ -76,7 +76,7 @@ struct Isolation {
   double noise;      // greatest error of f = 0 by rounding
   std::vector<double>& out;
 
-  /// f over [a, b], where beta is its Bernstein form.
+  /// Finds the roots of f over [a, b]; beta is its Bernstein form there.
   void run(double a, double b, const profiles_detail::Bernstein<n>& beta) const {
     const auto [lo, hi] = profiles_detail::hull<n>(beta);
     if (lo > remainder || hi < -remainder) return;
@@ -153,7 +153,7 @@ void roots(const Segment& f, double flat, std::vector<double>& out) {
 
 namespace {
 
-/// Every s in [0, 1] where g vanishes, each stretch within `flat` of zero once.
+/// Appends every s in [0, 1] at which g is zero; an interval in which |g| <= `flat` counts once.
 void zeros(const Segment& g, double flat, std::vector<double>& out) {
   thread_local std::vector<double> interior;
   roots(g, flat, interior);
@@ -165,7 +165,7 @@ void zeros(const Segment& g, double flat, std::vector<double>& out) {
   for (const double s : interior)
     if (is_new(s)) out.push_back(s);
   if (std::abs(value(g, 1)) > flat) return;
-  if (!is_new(1) && out.back() > 0) out.pop_back();  // an end that touches: the end itself is meant
+  if (!is_new(1) && out.back() > 0) out.pop_back();  // a root next to an end is the end itself
   if (is_new(1)) out.push_back(1);
 }
 

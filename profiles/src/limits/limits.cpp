@@ -59,14 +59,15 @@ double margin_of(const Bound& bound, double value) {
   return (bound.upper ? bound.limit - value : value - bound.limit) / bound.scale;
 }
 
-/// A limit that is met exactly is not exceeded: a smaller excess is rounding of the evaluation.
+/// True if the value exceeds the bound. A value exactly at the limit does not; a smaller excess is
+/// rounding of the evaluation.
 bool is_broken(const Bound& bound, double value) {
   const double room = bound.upper ? bound.limit - value : value - bound.limit;
   return room < -profiles_detail::forgiven *
                     std::max({std::abs(bound.limit), std::abs(value), bound.scale});
 }
 
-/// The advice for a step of order k at a place.
+/// The advice for a step of the derivative of order k at a place.
 const char* advice_at(const profiles_detail::Ends& extent, double where, std::size_t k) {
   if (where == extent.end && extent.repeats)
     return k == 0
@@ -78,7 +79,7 @@ const char* advice_at(const profiles_detail::Ends& extent, double where, std::si
   return "make both sides of the joint agree";
 }
 
-/// A peak on a break belongs to both segments beside it: the first is named.
+/// A peak at a break belongs to both adjacent segments; the finding names the first.
 bool is_told(const std::optional<Finding>& before, const Extremum& worst, double start) {
   return before && worst.where == start && before->where == start &&
          std::abs(worst.value - before->value) <= 1e-12 * std::abs(worst.value);
@@ -168,7 +169,8 @@ std::optional<double> LimitCheck::closest(std::size_t bound) const {
 }
 
 Report LimitCheck::report() && {
-  // For each rule the smallest margin: none where the rule is broken, and only one for +-limit.
+  // Keeps the smallest margin for each rule, unless the rule is broken; +limit and -limit are one
+  // rule.
   for (const auto& candidate : closest_) {
     if (!candidate) continue;
     const auto same =

@@ -9,7 +9,7 @@
 namespace jounce {
 namespace {
 
-/// By the number of the family.
+/// In the order of the enum RuleFamily.
 constexpr std::array<std::string_view, 30> families{
     "",         "limit",     "unlimited", "objective", "continuity", "table",
     "joint",    "kept",      "polydyne",  "warning",   "bound",      "identity",
@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 30> families{
     "follow",   "follower",  "gear",      "knife",     "shear",      "inverse",
     "pt",       "tolerance", "witness",   "played",    "fixed",      "constraint"};
 
-/// The family that the word before the slash names; none for any other word, and for a text without a slash.
+/// The family with the name before the slash; `none` for any other name, and for a text without a
+/// slash.
 RuleFamily family_of(std::string_view text) {
   const auto slash = text.find('/');
   if (slash == std::string_view::npos) return RuleFamily::none;

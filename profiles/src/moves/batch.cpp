@@ -8,9 +8,10 @@
 
 #include "profiles/src/moves/batch_kernel.hpp"
 
-// The formulas are those of a single move (detail/span.hpp), on vectors of moves: each formula takes a whole
-// block. The same source is compiled for each width, and the program queries the processor
-// once for the width to use. A move that has not converged after the usual steps, which is rare, is solved alone.
+// The formulas are those of a single move (solver/span.hpp), applied to vectors of moves: each
+// formula takes a whole block. The same source is compiled for each vector width, and the program
+// queries the processor once for the width to use. The rare moves that do not converge in the usual
+// number of steps are solved separately.
 
 namespace jounce {
 namespace {
@@ -27,8 +28,8 @@ const profiles_detail::Kernels& best_kernels() {
   return profiles_detail::kernels_anywhere;
 }
 
-/// Values [first, first + n) of a column that has one value a move, one for all, or none (zero); the
-/// last one fills the block.
+/// Copies the values [first, first + n) of a column that has one value for each move, one for all
+/// moves, or none (zero). The last value fills the rest of the block.
 void fill(std::span<const double> column, std::size_t first, std::size_t n, double* lanes) {
   if (column.size() <= 1) {
     std::fill_n(lanes, Block::size, column.empty() ? 0.0 : column[0]);

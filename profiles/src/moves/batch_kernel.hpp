@@ -7,7 +7,7 @@
 
 namespace jounce::profiles_detail {
 
-/// A block of moves in columns, and their results.
+/// A block of moves in columns, with the results.
 struct Block {
   static constexpr std::size_t size = 64;
 
@@ -17,11 +17,12 @@ struct Block {
   alignas(64) double settled[size];  ///< > 0 where the result is final
 };
 
-/// The kernels of each width are the templates below, compiled with that width's flags in a separate
-/// file. That file has no other code, since a linker could share it with code for older machines.
+/// The kernels for one width of vectors: the templates below, compiled in a separate file with the
+/// flags for this width. That file contains no other code, because a linker could use it for older
+/// machines, too.
 struct Kernels {
-  void (*ways)(Block&) noexcept;   ///< between any velocities
-  void (*rests)(Block&) noexcept;  ///< from rest to rest: entry and exit are not looked at
+  void (*ways)(Block&) noexcept;   ///< for any velocities at the ends
+  void (*rests)(Block&) noexcept;  ///< from rest to rest; ignores entry and exit
 };
 extern const Kernels kernels_anywhere, kernels_avx2, kernels_avx512;
 
@@ -33,7 +34,7 @@ JOUNCE_INLINE Mask<Real> answered(const Rates<Real>& r, Real distance, Real velo
          is_way(distance) & is_moderate(ends) & (duration < __builtin_inf());
 }
 
-/// Every case is computed for every move, and the right one is selected.
+/// Computes every case for every move, and selects the right one.
 template <class Real>
 JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   const Rates<Real> rates(load<Real>(b.acceleration + i), load<Real>(b.jerk + i));
@@ -71,7 +72,7 @@ JOUNCE_INLINE void solve_ways(Block& b, std::size_t i) {
   store(b.settled + i, (arrived & good) ? every<Real>(1) : every<Real>(0));
 }
 
-/// From rest to rest, over a distance that is not zero.
+/// A move from rest to rest, over a distance that is not zero.
 template <class Real>
 JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
   const Rates<Real> r(load<Real>(b.acceleration + i), load<Real>(b.jerk + i));

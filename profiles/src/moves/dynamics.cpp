@@ -14,12 +14,13 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
-// A velocity ramp from (v0, a0) to (v1, 0). If a0 only falls to zero at jerk_end, the velocity changes by
+// A velocity ramp from (v0, a0) to (v1, 0). If a0 only falls to zero at jerk_end, the velocity
+// changes by
 //
 //   (1)  f = a0 |a0| / (2 je)
 //
-// so s = sign(v1 - v0 - f) is the sign of the ramp's acceleration. With all quantities multiplied by s,
-// the rest of the change is
+// so s = sign(v1 - v0 - f) is the sign of the ramp's acceleration. With all quantities multiplied
+// by s, the rest of the change is
 //
 //   (2)  dv = v1 - v0            if a0 > 0, and the acceleration rises on from a0
 //        dv = v1 - v0 + a0^2/2je if a0 <= 0, after it has fallen to zero first, a0 = 0 then
@@ -28,14 +29,14 @@
 //
 //   (3)  dv = (A^2 - a0^2)/2jb + A^2/2je + A hold,   A <= the limit.
 //
-// Where speeding up and slowing down have separate limits, an acceleration that leads past v1 falls to zero
-// first, by (1) under the limits of the sense in which it acts. From there on the ramp is one of (3), or
-// two with a stop between. An acceleration that slows the axis down and would reverse it falls until the axis
-// stops, after
+// If speeding up and slowing down have separate limits, an acceleration that leads past v1 first
+// falls to zero, by (1), under the limits of the direction in which it acts. The rest is one ramp
+// (3), or two ramps with a stop between them. An acceleration that slows the axis down and would
+// reverse it falls until the axis stops, after
 //
 //   (4)  t = 2 |v0| / (|a0| + |a1|),   a1^2 = a0^2 - 2 je |v0|
 //
-// and the rest of it, a1, speeds up.
+// and its rest, a1, speeds the axis up.
 
 namespace jounce {
 namespace {
@@ -52,9 +53,10 @@ Dynamics completed(Dynamics d) {
   return d;
 }
 
-// ---- velocity ramps ------------------------------------------------------------------------------
+// ---- velocity ramps
+// ------------------------------------------------------------------------------
 
-/// Phases from a state on, and the state they have led to; order 2 or 3.
+/// Phases that are appended to a state, and the state at their end; order 2 or 3.
 class Growing {
  public:
   Growing(const MotionState& from, int order) : profile_(from, order), now_(from) {}
@@ -70,7 +72,7 @@ class Growing {
     now_.acceleration = a + t * jerk;
   }
   [[nodiscard]] const MotionState& now() const { return now_; }
-  /// Sets the end velocity, which is known more exactly than the sum of the phases.
+  /// Sets the end velocity, which is known more exactly than as the sum of the phases.
   void reached(double velocity, double acceleration = 0) {
     now_ = {now_.position, velocity, acceleration};
   }
@@ -84,7 +86,7 @@ class Growing {
   MotionState now_;
 };
 
-/// Names of keys with the ramp's prefix: they are composed, and allocated, only for an error.
+/// Keys with the prefix of the ramp; they are made, with an allocation, only for an error.
 struct RampKeys {
   const char *acceleration, *jerk_begin, *jerk_end;
 };
@@ -115,7 +117,7 @@ double fall_alone(double a0, const RampLimits& limits) {  // (1)
   return a0 * std::abs(a0) / (2 * limits.jerk_end);
 }
 
-/// (2), (3): to v1 under one pair of limits.
+/// Appends a ramp by (2), (3) to v1 with one set of limits.
 void add_jerk_ramp(Growing& motion, double v1, const RampLimits& limits) {
   const auto [limit, jb, je] = limits;
   const double left = v1 - motion.now().velocity - fall_alone(motion.now().acceleration, limits);
@@ -147,12 +149,12 @@ void add_step_ramp(Growing& motion, double v1, const RampLimits& limits) {
   motion.reached(v1);
 }
 
-/// To v1 in one sense.
+/// Appends a ramp to v1 in one direction.
 void add_ramp(Growing& motion, double v1, const RampLimits& limits) {
   limits.jerk_end > 0 ? add_jerk_ramp(motion, v1, limits) : add_step_ramp(motion, v1, limits);
 }
 
-/// (4), where it applies.
+/// Appends the phase of (4), if it applies.
 void add_fall_to_rest(Growing& motion, const RampLimits& down) {
   const auto [p, v0, a0] = motion.now();
   const double left = a0 * a0 - 2 * down.jerk_end * std::abs(v0);
@@ -162,7 +164,7 @@ void add_fall_to_rest(Growing& motion, const RampLimits& down) {
   motion.reached(0, a1);
 }
 
-/// (1): lets the acceleration in force fall where it would lead past v1.
+/// Appends the fall of the present acceleration by (1), if the velocity would otherwise pass v1.
 void add_fall(Growing& motion, double v1, const RampLimits& up, const RampLimits& down) {
   if (motion.now().acceleration == 0) return;
   add_fall_to_rest(motion, down);
@@ -174,7 +176,7 @@ void add_fall(Growing& motion, double v1, const RampLimits& up, const RampLimits
   motion.reached(v);
 }
 
-/// To v1 from any state: speeding up and slowing down each under its limits.
+/// Appends a change to v1 from any state; speeding up and slowing down have separate limits.
 void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimits& down) {
   if (up == down) return add_ramp(motion, v1, up);
   add_fall(motion, v1, up, down);
@@ -182,9 +184,10 @@ void add_change(Growing& motion, double v1, const RampLimits& up, const RampLimi
   add_ramp(motion, v1, std::abs(v1) > std::abs(motion.now().velocity) ? up : down);
 }
 
-// ---- position moves in flight --------------------------------------------------------------------
+// ---- position moves in flight
+// --------------------------------------------------------------------
 
-/// The bounds that the dynamics give an axis that travels upwards (direction 1) or downwards (-1).
+/// The bounds by these dynamics for an axis that moves upwards (direction 1) or downwards (-1).
 Bounds bounds(const Dynamics& d, double direction) {
   Bounds b = within(d.velocity, d.acceleration);
   if (d.jerk > 0) {
@@ -202,8 +205,9 @@ Profile solved(const MoveResult& move) {
   return move.profile;
 }
 
-/// For two jerks: to one velocity towards the target and from there to rest, each under its own jerk, or only
-/// to rest. Nothing where that does not end at the target.
+/// For two different jerks: a ramp to one velocity towards the target, and from there a ramp to
+/// rest, each with its own jerk; or only the ramp to rest. nullopt if this does not end at the
+/// target.
 std::optional<Profile> in_two_ramps(const MotionState& from, double target, const Dynamics& d) {
   const RampLimits up{d.acceleration, d.jerk, d.jerk};
   const RampLimits down{d.deceleration, d.deceleration_jerk, d.deceleration_jerk};
@@ -227,8 +231,8 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
       s * from.velocity +
       fall_alone(s * from.acceleration, from.velocity * from.acceleration < 0 ? down : up);
   if (s * from.velocity < 0 || left_alone < 0) return std::nullopt;
-  // For a peak below the velocity at which the acceleration alone falls to zero, the distance does not grow with
-  // the peak.
+  // Below the velocity at which the acceleration alone falls to zero, the distance does not
+  // increase with the peak.
   const double low = std::min(left_alone, d.velocity);
   if (covered(low) > h + rounding) return std::nullopt;
   const double rise =
@@ -237,7 +241,7 @@ std::optional<Profile> in_two_ramps(const MotionState& from, double target, cons
   return made(low + rise, rest > rounding ? rest / (low + rise) : 0);
 }
 
-/// From a state to rest at the target, in one profile, or in two where the axis must reverse.
+/// A motion from a state to rest at the target: one profile, or two if the axis must reverse.
 std::vector<Profile> approach(const MotionState& from, double target, const Dynamics& d) {
   if (d.jerk != d.deceleration_jerk)
     if (const auto profile = in_two_ramps(from, target, d)) return {*profile};

@@ -11,12 +11,12 @@
 namespace jounce {
 namespace {
 
-/// "velocity 12 is above velocity_max = 10"; "" for a value between its bounds.
+/// "velocity 12 is above the highest permitted value 10"; "" for a value between its bounds.
 std::string outside(const std::string& name, double value, double min, double max) {
   if (value > max)
-    return name + " " + six_digits(value) + " is above " + name + "_max = " + number(max);
+    return name + " " + six_digits(value) + " is above the highest permitted value " + number(max);
   if (value < min)
-    return name + " " + six_digits(value) + " is below " + name + "_min = " + number(min);
+    return name + " " + six_digits(value) + " is below the lowest permitted value " + number(min);
   return "";
 }
 
@@ -38,7 +38,8 @@ std::string numbers_of(const Bounds& b) {
   return text;
 }
 
-/// The velocity at which the acceleration of the target builds up from 0 with the greatest jerk.
+/// The velocity from which the acceleration increases from 0 to that of the target with the
+/// greatest jerk.
 std::string velocity_before(const MotionState& to, const Bounds& b) {
   const double jerk = to.acceleration > 0 ? b.jerk_max : b.jerk_min;
   const double before = to.velocity - to.acceleration * to.acceleration / (2 * jerk);
@@ -93,7 +94,7 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
   for (std::size_t i = 0; i < all.count; ++i)
     possible += " to " + number(all.blocked[i].from) + " s, " + number(all.blocked[i].to) + " s";
   return with(explain(status),
-              number(duration) + " s is given, possible are " + possible + " and more");
+              number(duration) + " s is given; possible durations are " + possible + " and more");
 }
 
 }  // namespace jounce

@@ -9,6 +9,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "profiles/src/moves/duration.hpp"
+
 // The move is antisymmetric in time, so its first half determines it: from rest to the peak velocity v
 // in the middle, where a = 0 and the jerk is -m. Its jounce is
 //
@@ -18,7 +20,8 @@
 //
 //   (1)  p = s b' (k b' + c'),  k = 1 - (1 - q)^2 / 2,  m = s b' (1 - q)
 //
-// and b = min(j/s, sqrt(p/s)), b' = min(j/s, sqrt(p/(k s))): the jerk limit or none. Three regimes:
+// with b = min(j/s, sqrt(p/s)) and b' = min(j/s, sqrt(p/(k s))): the jerk limit is reached or not.
+// There are three cases:
 //
 //   (2)  The velocity limit is not reached: q = 0, the jerk does not return to zero in the middle.
 //        With jounce alone limited these are the switches of the perfect spline, at
@@ -27,13 +30,14 @@
 //   (4)  Between them the middle touches the limit with a jerk: v and the way h/2 decide p (or d)
 //        and q together.
 //
-// The way of the half grows with p and d in (2), and with q at a given v in (4): bisection finds them
-// to the last bit, in any unit. (3) is the classical profile of Lambrechts et al., which for short
-// moves returns the jerk to zero in the middle as well and takes up to 7.5 % longer than (2).
+// The distance of the half grows with p and d in (2), and with q at a given v in (4), so bisection
+// finds these to the last bit, in any unit. (3) is the classical profile of Lambrechts et al. For
+// short moves, that profile also returns the jerk to zero in the middle and takes up to 7.5 %
+// longer than (2).
 //
-// (2) is optimal. At the velocity limit, a state constraint of third order, the optimum switches
-// very often and is less than 0.1 % shorter than (3) and (4), as linear programming shows
-// (tests/oracle/fourth_order.py). No machine gains from that.
+// (2) is optimal. The velocity limit is a state constraint of third order. When it is active, the
+// optimum switches very often and is less than 0.1 % shorter than (3) and (4), as linear
+// programming shows (tests/oracle/fourth_order.py). No machine benefits from that.
 
 namespace jounce {
 namespace {
@@ -46,7 +50,7 @@ struct Phase {
   double duration, jounce;
 };
 
-/// The first half of a move, with p, d and q of the derivation.
+/// The first half of a move, with the p, d and q of the derivation.
 struct Half {
   std::array<Phase, 7> phases;
 
@@ -64,7 +68,7 @@ struct Half {
   [[nodiscard]] Jet end() const;
 };
 
-/// The state a time t (of either sign) after x.
+/// The state at the time t (of either sign) after x.
 Jet advanced(const Jet& x, double jounce, double t) {
   return {x[0] + t * (x[1] + t * (x[2] / 2 + t * (x[3] / 6 + t * jounce / 24))),
           x[1] + t * (x[2] + t * (x[3] / 2 + t * jounce / 6)), x[2] + t * (x[3] + t * jounce / 2),
@@ -83,7 +87,7 @@ Jet Half::end() const {
   return x;
 }
 
-/// The largest x in [0, high] for which `below` holds, to the last bit.
+/// The greatest x in [0, high] for which `below` holds, to the last bit.
 template <class Below>
 double largest(double high, const Below& below) {
   double low = 0;
@@ -92,23 +96,23 @@ double largest(double high, const Below& below) {
   return low;
 }
 
-/// (2): the half that covers h/2, without a velocity limit.
+/// The half by (2) over h/2, without a velocity limit.
 Half unlimited_half(double h, const Rates& l) {
   const auto way = [&](double p, double d) { return Half(p, d, 0, l).end()[0]; };
   if (way(l.a, 0) >= h / 2)
     return {largest(l.a, [&](double p) { return way(p, 0) < h / 2; }), 0, 0, l};
-  const double more = 2 * std::sqrt(h / l.a);  // in this time a alone covers more than h/2
+  const double more = 2 * std::sqrt(h / l.a);  // in this time, a alone covers more than h/2
   return {l.a, largest(more, [&](double d) { return way(l.a, d) < h / 2; }), 0, l};
 }
 
-/// The half with the peak velocity v, for a given q.
+/// The half with the peak velocity v for a given q.
 Half half_to(double v, double q, const Rates& l) {
   const double without = Half(l.a, 0, q, l).end()[1];
   if (v >= without) return {l.a, (v - without) / l.a, q, l};
   return {largest(l.a, [&](double p) { return Half(p, 0, q, l).end()[1] < v; }), 0, q, l};
 }
 
-/// The first half and the cruise after it.
+/// The first half, and the duration of the cruise after it.
 struct Plan {
   Half half;
   double cruise;
@@ -136,9 +140,9 @@ Segment segment(const Jet& x, const Phase& phase) {
   return f;
 }
 
-/// The half forwards from the start, and the same backwards in time from the end: each is exact at its own
-/// end. A cruise covers the distance between them at the planned velocity: rounding of the positions changes
-/// its duration, not its velocity.
+/// The first half runs forwards from the start, the second one backwards in time from the end, so
+/// each is exact at its own end. A cruise covers the distance between them at the planned velocity:
+/// rounding of the positions changes its duration, not its velocity.
 Trajectory curve(const Plan& plan, double velocity, double total, double from, double to) {
   const double sign = std::copysign(1, to - from);
   std::vector<Segment> segments, back;
@@ -178,12 +182,12 @@ Trajectory fourth_order(const FourthOrderSpec& spec) {
   const Rates limits{spec.acceleration, spec.jerk, spec.jounce};
   const Plan plan = planned(std::abs(spec.to - spec.from), spec.velocity, limits);
   const double total = 2 * plan.half.duration() + plan.cruise;
-  require_finite("duration", total);
-  if (!(total > 0)) throw InputError("to", spec.to, "is too close to `from` for a move");
+  if (!(total > 0 && total < INFINITY)) profiles_detail::refuse_duration(spec.to, total);
   if (plan.half.phases[0].duration <= negligible * total)
     throw InputError("jounce", spec.jounce,
-                     "is so high that its phases vanish in the duration of the move, " +
-                         six_digits(total) + " s: lower it, or use an S-curve");
+                     "is so high that the ramps of the jerk are too short to compute beside the "
+                     "duration of the move, " +
+                         six_digits(total) + " s: lower the jounce, or use profile = \"s_curve\"");
   return curve(plan, spec.velocity, total, spec.from, spec.to);
 }
 

@@ -55,7 +55,7 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
       outside(to.acceleration, b.acceleration_min, b.acceleration_max))
     return MoveStatus::target_outside;
   if (order < 3) return MoveStatus::ok;
-  // Backwards in time the acceleration has the other sign.
+  // Backwards in time the acceleration has the opposite sign.
   const MotionState before{to.position, to.velocity, -to.acceleration};
   const Bounds backwards{b.velocity_min,      b.velocity_max, -b.acceleration_max,
                          -b.acceleration_min, b.jerk_min,     b.jerk_max};
@@ -63,12 +63,12 @@ MoveStatus target_status(const MotionState& to, const Bounds& b, int order) {
                                                                  : MoveStatus::target_unreachable;
 }
 
-// The same checks without branches, for downwards and upwards at once in the two lanes of a vector.
+// The same checks without branches, for both directions at once in the two lanes of a vector.
 using profiles_detail::Both;
 using profiles_detail::every;
 using profiles_detail::Vector2;
 
-/// A signed number measured downwards and upwards.
+/// A signed number as seen downwards and upwards.
 JOUNCE_INLINE Vector2 directed(double x) {
   return Vector2{-x, x};
 }
@@ -84,7 +84,8 @@ struct Magnitudes {
 
   JOUNCE_INLINE static Both none(Vector2 m) { return Both::equal(m, every<Vector2>(Bounds::none)); }
   JOUNCE_INLINE static Both finite(Vector2 m) { return Both::at_most(m, every<Vector2>(most)); }
-  /// Sound, without position limits: the bounds of a second order, which steps, or a third.
+  /// True if the bounds are valid: no position limits, and second order (the acceleration steps) or
+  /// third.
   JOUNCE_INLINE Both limit(bool steps) const {
     const Vector2 lowest =
         profiles_detail::least(velocity, profiles_detail::least(acceleration, jerk));
@@ -93,12 +94,14 @@ struct Magnitudes {
     if (steps) return common & finite(acceleration) & none(jerk);
     return common & (finite(acceleration) | none(acceleration)) & finite(jerk);
   }
-  /// The velocity and the acceleration lie inside; a factor makes the limits greater.
+  /// True if velocity and acceleration are within their limits, which are increased by the factor
+  /// `more`.
   JOUNCE_INLINE Both hold(double v, double a, double more) const {
     return Both::at_most(directed(v), velocity * more) &
            Both::at_most(directed(a), acceleration * more);
   }
-  /// The velocity stays inside while the acceleration returns to zero (is_inside).
+  /// True if the velocity stays within its limits while the acceleration returns to zero
+  /// (is_inside).
   JOUNCE_INLINE Both return_inside(double v, double a, double more) const {
     const Vector2 back{jerk[1], jerk[0]};
     return Both::at_most(directed(a), Vector2{}) |

@@ -10,7 +10,8 @@
 namespace jounce {
 namespace {
 
-/// The state a time dt (of either sign) after s, while the `order`th derivative is `value`.
+/// The state at the time dt (of either sign) after s, with the derivative of order `order` at
+/// `value`.
 Motion advanced(const MotionState& s, int order, double value, double t) {
   if (order == 1) return {s.position + t * value, value, 0, 0};
   if (order == 2)
@@ -20,8 +21,8 @@ Motion advanced(const MotionState& s, int order, double value, double t) {
           s.velocity + t * (s.acceleration + jt / 2), s.acceleration + jt, value};
 }
 
-/// The state at the other end of a phase. An acceleration that ends at zero but for rounding is
-/// zero: the remainder would act through the whole of a cruise.
+/// The state at the other end of a phase. An acceleration that is zero except for rounding is set
+/// to zero: it would act through a whole cruise.
 MotionState passed(const MotionState& s, int order, const Profile::Phase& phase, double t) {
   const Motion m = advanced(s, order, phase.value, t);
   const bool is_rounding = std::abs(m.acceleration) <= 0x1p-48 * std::abs(s.acceleration);
@@ -100,8 +101,8 @@ Motion Profile::at(double t) const noexcept {
   if (!(t >= 0)) return {start_.position, start_.velocity, start_.acceleration, 0};
   double left = total - t;
   if (!(left > 0)) return {end_.position, end_.velocity, end_.acceleration, 0};
-  // The first half is measured from the start, the second back from the end: small values near either end keep
-  // their digits.
+  // The first half is computed from the start, the second backwards from the end, so small values
+  // near both ends keep their digits.
   if (t < left) {
     MotionState s = start_;
     for (std::size_t i = 0;; ++i) {
@@ -123,10 +124,10 @@ Motion Profile::at(double t) const noexcept {
 Trajectory Profile::curve() const {
   std::vector<Segment> segments;
   segments.reserve(count_);
-  // A phase as short as the rounding of its end time has no length as a segment.
+  // A phase as short as the rounding of its end time is not a segment.
   const auto has_length = [](double length, double end) { return length > 0x1p-50 * end; };
-  // The first half (at least a phase) is built from the start, the rest back from the end: each is
-  // exact at its own end, and the rounding error lies in the middle.
+  // The first half (at least one phase) is built from the start, the rest backwards from the end.
+  // So each half is exact at its own end, and the rounding error is in the middle.
   const double total = duration();
   MotionState forward = start_;
   double t = 0;
@@ -144,7 +145,8 @@ Trajectory Profile::curve() const {
     if (has_length(duration_[k], t)) segments.push_back(segment(backward, order_, phase(k)));
   }
   std::reverse(segments.begin() + static_cast<std::ptrdiff_t>(middle), segments.end());
-  // A cruise in the middle takes up the difference, if it is long enough that its velocity hardly changes.
+  // A cruise in the middle absorbs the difference, if it is so long that its velocity hardly
+  // changes.
   if (middle < segments.size() && segments[middle].degree == 1 &&
       segments[middle].length > total / 64) {
     Segment& cruise = segments[middle];

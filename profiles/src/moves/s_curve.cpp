@@ -8,17 +8,18 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "profiles/src/moves/duration.hpp"
 #include "profiles/src/solver/span.hpp"
 
-// A ramp between rest and velocity v under acceleration a and jerk j is point-symmetric, so that it
+// A ramp between rest and velocity v with acceleration a and jerk j is point-symmetric, so it
 // covers v/2 times its duration:
 //
 //   (1)  T(v) = v/a + a/j     where v >= a^2/j   (a is reached)
 //   (2)  T(v) = 2 sqrt(v/j)   otherwise
 //   (3)  D(v) = v/2 (T1(v) + T2(v))   both ramps of the move
 //
-// The trapezoid is the limit j -> infinity of (1). The peak velocity of a move over h that does not
-// cruise solves D(v) = h, with D increasing:
+// The trapezoid is the limit j -> infinity of (1). In a move over h without cruise, the peak
+// velocity solves D(v) = h, where D increases:
 //
 //   (4)  both by (1):  v^2 (1/a1 + 1/a2)/2 + v (a1/j1 + a2/j2)/2 = h
 //   (5)  both by (2):  j1 t^3 (1 + sqrt(j1/j2)) = h   for the jerk time t of the first ramp
@@ -32,18 +33,19 @@ struct Limit {
   double per_a = 1 / a;
   double per_j = 1 / j;
   double jerk_time = a * per_j;
-  double threshold = a * jerk_time;  // the least velocity whose ramp reaches a
+  double threshold = a * jerk_time;  // the least velocity for which the ramp reaches a
 };
 
 /// One ramp between rest and the peak velocity.
 struct RampPhases {
-  double jerk;     ///< s, of rising and of falling acceleration
-  double plateau;  ///< s, at the greatest acceleration
+  double jerk;     ///< s, duration of the rise and of the fall of the acceleration
+  double plateau;  ///< s, duration of the greatest acceleration
 
   [[nodiscard]] double duration() const { return 2 * jerk + plateau; }
 };
 
-/// (1), (2): the smaller jerk time is the right one; it is that of (2) where the plateau is negative.
+/// Equations (1), (2): the smaller jerk time is valid; it is that of (2) if the plateau would be
+/// negative.
 JOUNCE_INLINE RampPhases ramp_to(double v, const Limit& r) {  // (1), (2)
   if (v >= r.threshold) return {r.jerk_time, v * r.per_a - r.jerk_time};
   return {std::sqrt(v * r.per_j), 0};
@@ -69,7 +71,7 @@ JOUNCE_INLINE double peak_none_reaches(const Limit& r1, const Limit& r2, double 
 double peak_mixed(const Limit& reaching, const Limit& other, double h) {  // (6)
   const profiles_detail::Quartic<double> f{reaching.per_a / 2, 1 / std::sqrt(other.j),
                                            reaching.jerk_time / 2, 0, -h};
-  // Without the cubic term the root is larger.
+  // Without the cubic term the root is greater.
   const double s = 2 * h / (f.c2 + std::sqrt(f.c2 * f.c2 + 4 * f.c4 * h));
   const double w = profiles_detail::largest_root({f, std::sqrt(s)});
   return w * w;
@@ -89,16 +91,12 @@ double swept(double duration, double total) {
   return duration > dust * total ? duration : 0;
 }
 
-[[gnu::cold]] void refuse_duration(double to, double total) {
-  require_finite("duration", total);
-  throw InputError("to", to, "is too close to `from` for a move");
-}
-
 /// A ramp that vanishes beside the move would have no length in doubles.
 [[gnu::cold]] void refuse_jerk(double jerk, double total) {
   throw InputError("jerk", jerk,
-                   "is so high that its ramps vanish in the duration of the move, " +
-                       six_digits(total) + " s: lower it, or use a trapezoid");
+                   "is so high that the ramps of the acceleration are too short to compute beside "
+                   "the duration of the move, " +
+                       six_digits(total) + " s: lower the jerk, or use profile = \"trapezoid\"");
 }
 
 [[gnu::cold]] void refuse(double from, double to, double velocity, double acceleration,
@@ -134,7 +132,8 @@ double or_else(double value, double fallback) {
   return value == 0 ? fallback : value;
 }
 
-/// The move over a distance h. Where one limit is given twice, the compiler makes one ramp of both.
+/// The move over a distance h. If both limits are the same object, the compiler computes only one
+/// ramp.
 JOUNCE_INLINE Profile ramps_of(const SCurveSpec& spec, double h, const Limit& r1, const Limit& r2) {
   const bool cruises = h > way(spec.velocity, r1, r2);
   const double v = cruises ? spec.velocity : peak_velocity(r1, r2, h);
@@ -142,7 +141,7 @@ JOUNCE_INLINE Profile ramps_of(const SCurveSpec& spec, double h, const Limit& r1
   const RampPhases down = ramp_to(v, r2);
   const double cruise = cruises ? h / v - (up.duration() + down.duration()) / 2 : 0;
   const double total = up.duration() + cruise + down.duration();
-  if (!positive(total)) refuse_duration(spec.to, total);
+  if (!positive(total)) profiles_detail::refuse_duration(spec.to, total);
   if (up.jerk <= dust * total) refuse_jerk(r1.j, total);
   if (down.jerk <= dust * total) refuse_jerk(r2.j, total);
 
@@ -172,9 +171,9 @@ Profile trapezoid(const TrapezoidSpec& spec) {
   const double v = std::min(peak, spec.velocity);
   const double up = v * per_a;
   const double down = v * per_b;
-  const double cruise = h / v - (up + down) / 2;  // rounding alone where there is none
+  const double cruise = h / v - (up + down) / 2;  // only rounding if there is no cruise
   const double total = up + cruise + down;
-  if (!positive(total)) refuse_duration(spec.to, total);
+  if (!positive(total)) profiles_detail::refuse_duration(spec.to, total);
 
   const double sign = std::copysign(1, spec.to - spec.from);
   return {{spec.from, 0, 0},

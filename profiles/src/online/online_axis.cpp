@@ -11,9 +11,10 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// The rounding error of a number of this size after its way through a user's program and a plan.
+/// The relative rounding error of a number after the computations of a user's program and of a
+/// plan.
 constexpr double digits = 0x1p-46;
-/// The rounding error of adding up cycles, as a share of the distance that a moving target covers.
+/// The rounding error of the sum of cycles, as a share of the distance that a moving target covers.
 constexpr double drift = 0x1p-40;
 /// In a forbidden direction, a velocity below this share of the other one counts as zero.
 constexpr double at_rest = 1e-12;
@@ -24,7 +25,7 @@ bool agree(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance + digits * (std::abs(a) + std::abs(b));
 }
 
-/// Bounds in which each zero is replaced by the value of others.
+/// The bounds, with each zero replaced by the value of `others`.
 Bounds where_zero(Bounds b, const Bounds& others) {
   const auto fill = [](double& x, double other) {
     if (x == 0) x = other;
@@ -38,7 +39,7 @@ Bounds where_zero(Bounds b, const Bounds& others) {
   return b;
 }
 
-/// The bounds of the opposite directions, as magnitudes of this one.
+/// The bounds of the opposite direction, as magnitudes of this one.
 Bounds mirrored(const Bounds& b) {
   return {-b.velocity_max, -b.velocity_min, -b.acceleration_max, -b.acceleration_min,
           -b.jerk_max,     -b.jerk_min,     b.position_min,      b.position_max};
@@ -52,7 +53,7 @@ bool lies_in(const Bounds& inner, const Bounds& outer) {
          inner.position_max <= outer.position_max;
 }
 
-/// Neither velocity nor acceleration could change, or neither direction is allowed.
+/// True if neither velocity nor acceleration can change, or if no direction is permitted.
 bool holds_still(const Bounds& b) {
   return b.acceleration_min == 0 || b.acceleration_max == 0 || b.jerk_min == 0 || b.jerk_max == 0 ||
          (b.velocity_min == 0 && b.velocity_max == 0);
@@ -151,7 +152,8 @@ bool OnlineAxis::is_aimed() const noexcept {
   return agree(t.position, aim_.position + moved, position_tolerance_ + rounding);
 }
 
-/// A plan that keeps narrower bounds stays the best one: they only exclude other plans.
+/// A plan that also keeps narrower bounds remains the best one, because they only exclude other
+/// plans.
 bool OnlineAxis::fits_bounds() noexcept {
   if (bounds_ == asked_) return true;
   if (!lies_in(bounds_, in_force_) || !keeps(rest_of_plan(), bounds_)) return false;
@@ -159,7 +161,7 @@ bool OnlineAxis::fits_bounds() noexcept {
   return true;
 }
 
-/// True if the target no longer needs the limits that were kept for it.
+/// True if the target no longer needs the wider limits that were kept for it.
 bool OnlineAxis::may_narrow() const noexcept {
   if (wider(bounds_) == bounds_ || ended() || must_stop()) return false;
   const double v = now_.velocity;
@@ -189,7 +191,8 @@ bool OnlineAxis::is_stale() noexcept {
   return may_narrow();
 }
 
-/// Both, with acceleration and jerk as wide as in the motion under way.
+/// The wider of both bounds: acceleration and jerk are those of the present motion if these are
+/// greater.
 Bounds OnlineAxis::wider(const Bounds& bounds) const noexcept {
   Bounds b = bounds;
   b.acceleration_min = std::min(b.acceleration_min, in_force_.acceleration_min);
@@ -315,7 +318,7 @@ void OnlineAxis::advance(double dt) noexcept {
   if (std::abs(elapsed_ - duration_) <= same_instant * dt) elapsed_ = duration_;
   if (ended() && purpose_ == Purpose::goal && aim_goal_ == MoveGoal::state)
     passed_ = passed_ || aim_.velocity != 0 || aim_.acceleration != 0;
-  if (ended() && plan_.end().acceleration != 0) {  // released: goes on at the velocity reached
+  if (ended() && plan_.end().acceleration != 0) {  // released: continues at its velocity
     const double late = elapsed_ - duration_;
     const AxisMove m{plan_.end(), {0, plan_.end().velocity, 0}, in_force_, MoveGoal::velocity};
     Profile on;

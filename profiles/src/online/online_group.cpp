@@ -37,7 +37,7 @@ bool OnlineGroup::in_phase() const noexcept {
   return sync == Sync::phase || sync == Sync::phase_or_time;
 }
 
-/// Each pass plans all axes, or leaves one out that cannot go to its goal.
+/// Each pass plans all axes, or excludes an axis that cannot reach its goal.
 void OnlineGroup::plan() noexcept {
   bool held = false;
   for (OnlineAxis& axis : axes) {
@@ -45,7 +45,7 @@ void OnlineGroup::plan() noexcept {
     if (axis.stale() && axis.must_stop()) axis.halt(MoveStatus::ok);
     held = held || axis.is_held();
   }
-  if (held && sync == Sync::phase) {  // the line cannot be kept without it
+  if (held && sync == Sync::phase) {  // without this axis the line cannot be kept
     for (OnlineAxis& axis : axes)
       if (axis.takes_part()) axis.halt(MoveStatus::not_straight);
   }
@@ -56,7 +56,7 @@ void OnlineGroup::plan() noexcept {
   }
 }
 
-/// Collects the parts of the axes. False: there are none.
+/// Collects the tasks of the axes; returns false if there are none.
 bool OnlineGroup::gather(bool widened) noexcept {
   bool any = false;
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -75,7 +75,7 @@ bool OnlineGroup::gather(bool widened) noexcept {
   return any;
 }
 
-/// On a line the limits of one axis act on all: a lowered limit may lead another axis past its
+/// On a line, the limits of one axis act on all. So a lowered limit may lead another axis past its
 /// target or its velocity limit.
 Synchronised OnlineGroup::solve() noexcept {
   Synchronised result = synchronise(moves, sync, next, 0, grid);
@@ -98,14 +98,14 @@ Synchronised OnlineGroup::solve() noexcept {
   return result;
 }
 
-/// True if all enabled axes go to their goals already, so that only bounds have changed.
+/// True if all enabled axes already move to their goals, so that only bounds have changed.
 bool OnlineGroup::is_on_its_way() const noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (moves[i].enabled && !axes[i].is_on_its_way()) return false;
   return true;
 }
 
-/// The axes leave the line where that keeps them from passing their goals or reversing.
+/// Lets the axes leave the line, if they then do not pass their goals or reverse.
 Synchronised OnlineGroup::bend(const Synchronised& straight) noexcept {
   bent = true;
   gather(false);
@@ -130,7 +130,7 @@ bool OnlineGroup::detour(Judged judged) const noexcept {
   return false;
 }
 
-/// An axis that brakes already cannot take longer without reversing: if its target rests, it
+/// An axis that already brakes cannot take longer without reversing. If its target is at rest, it
 /// arrives earlier and waits there.
 void OnlineGroup::wait_rather_than_turn_round() noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -172,7 +172,7 @@ void OnlineGroup::gather_halting(bool widened) noexcept {
   }
 }
 
-/// On the line, where the axes move on one.
+/// Stops; on the line, if the axes move on one.
 void OnlineGroup::stop() noexcept {
   bool on_line = false;
   for (const bool widened : {false, true}) {

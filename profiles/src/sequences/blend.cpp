@@ -9,9 +9,9 @@
 
 #include "profiles/src/solver/brake.hpp"
 
-// D(e, w) is the distance over which a velocity changes from e to w as fast as it can, beginning and
-// ending without acceleration. It is point-symmetric about its middle, so that with T(dv) its
-// duration, and dv = |e - w|,
+// D(e, w) is the distance over which the velocity changes from e to w as fast as possible, with
+// zero acceleration at both ends. The ramp is point-symmetric about its middle. With its duration
+// T(dv) and dv = |e - w|,
 //
 //   (1)  D(e, w) = (e + w)/2 T(dv)
 //
@@ -24,27 +24,30 @@
 //
 //   (3)  dD/dw = (e - 3 w) / (2 sqrt(j (e - w)))
 //
-// so that stopping takes less distance than slowing to e/3. The code below relies only on the two
-// monotonies before (3), and tries whether a velocity is reachable.
+// So stopping takes less distance than slowing to e/3. The code below relies only on the two
+// monotonies before (3), and tests whether a velocity is reachable.
 //
-// A start with acceleration, which only the first move of a batch has, first goes to
+// If the start has an acceleration (only the first move of a batch), the axis first goes to
 //
 //   (4)  n = v + a |a| / (2 j)
 //
-// (natural_velocity() in detail/brake.hpp). From there it behaves like e = n, a constant distance later.
+// (natural_velocity() in solver/brake.hpp). From there it behaves like e = n, a constant distance
+// later.
 //
-// A reversal changes the sign of the direction, and so exchanges acceleration and deceleration.
-// Where they are equal, the same bounds hold both ways and the reversal is one move. Where they differ, the
-// axis stops with its deceleration and moves back from rest, as with_target() (dynamics.hpp) does.
+// A reversal changes the sign of the direction, and so exchanges acceleration and deceleration. If
+// they are equal, the same bounds hold in both directions and the reversal is one move. If they
+// differ, the axis stops with its deceleration and moves back from rest, as with_target()
+// (dynamics.hpp) does.
 
 namespace jounce::profiles_detail {
 namespace {
 
-constexpr double rounding = 0x1p-48;  ///< share of a length that is not known better
-constexpr double little = 0x1p-10;    ///< share of a length below which a ramp almost fits it
+constexpr double rounding = 0x1p-48;  ///< relative error of a length
+/// A ramp that exceeds a length by a smaller share almost fits it.
+constexpr double little = 0x1p-10;
 
-/// The last v from `holds` towards `fails` that holds, to 2^-64 of their distance. A fixed number of
-/// halvings: the same in every unit.
+/// The last v from `holds` towards `fails` that satisfies the condition, to 2^-64 of their
+/// distance. The number of bisections is fixed, so the result is the same in every unit.
 template <class Predicate>
 double last_that_holds(double holds, double fails, const Predicate& predicate) {
   for (int i = 0; i < 64; ++i) {
@@ -74,9 +77,9 @@ Profile finished(Profile profile, double target, double velocity) {
   return profile;
 }
 
-/// A ramp to u, a cruise at u over the rest, a ramp to the exit. u is the given velocity or, where
-/// that does not fit, the nearest one that does. From a start without acceleration this is the
-/// shortest motion, and it exists if one ramp to the exit fits.
+/// A ramp to u, a cruise at u, and a ramp to the exit velocity. u is the given velocity or, if that
+/// is not possible, the nearest possible one. From a start without acceleration this is the
+/// shortest motion. It exists if one ramp to the exit velocity is possible.
 ///
 ///   (5)  D(from, u) + D(u, exit) <= L
 std::vector<Profile> by_ramps(const MotionState& from, double target, double exit, double velocity,
@@ -110,7 +113,7 @@ Bounds with_swapped_acceleration(Bounds b) {
   return b;
 }
 
-/// The error of a distance by rounding of the positions of its ends.
+/// The error of a distance by rounding of the positions at its ends.
 double position_rounding(const MotionState& from, double target) {
   return rounding * std::max(std::abs(from.position), std::abs(target));
 }
@@ -159,8 +162,8 @@ Exit reachable_exit(const MotionState& from, double target, double wanted, doubl
   const auto fits = [&](double v) { return ramp_length(from, v, bounds) <= length; };
   if (fits(wanted)) return {wanted, backwards};
   const double settled = std::max(natural_velocity(from, bounds), 0.0);
-  // Too short to speed up to it: (2). Too short to slow down: passes faster if the next moves can take that
-  // over, otherwise stops there if (3) permits, or comes back.
+  // Too short for speeding up: (2). Too short for slowing down: passes faster if the next moves
+  // permit that; otherwise stops there if (3) permits, or returns.
   const double nearest = settled < wanted ? settled : std::min(settled, cap);
   if (fits(nearest)) return {last_that_holds(nearest, wanted, fits), backwards};
   return {0, ramp_length(from, 0, bounds) > length + position_rounding(from, target)};

@@ -41,7 +41,7 @@ void require_valid(const OverrideSpec& spec, double start) {
   }
 }
 
-/// Reports the worst violation of the axis.
+/// Throws for the worst violation of the axis.
 void require_kept(const std::string& key, const Trajectory& axis, const Limits& limits) {
   const Report report = check(axis, limits);
   if (report.ok()) return;
@@ -51,7 +51,7 @@ void require_kept(const std::string& key, const Trajectory& axis, const Limits& 
                        " at " + six_digits(worst.where));
 }
 
-/// The plan, which must keep its limits as it is and at the first factor.
+/// The plan; it must keep its limits unchanged and at the first factor.
 Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, double factor) {
   if (axes.empty()) throw InputError("axes", "", "are missing: a motion needs at least one axis");
   Path path{{}, limits, Bounds::none, Bounds::none};
@@ -78,7 +78,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
   return path;
 }
 
-/// The whole clock, up to the end of the path.
+/// The complete clock, up to the end of the path.
 Trajectory finished(const Clock& clock, double path_end) {
   const double end = clock.reaches(path_end);
   if (std::isfinite(end)) return clock.until(end);

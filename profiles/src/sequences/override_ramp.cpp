@@ -16,30 +16,31 @@
 //
 //   (1)  v = f' c',   a = f'' c'^2 + f' c'',   j = f''' c'^3 + 3 f'' c' c'' + f' c'''
 //
-// Where f cruises at v, a factor that changes within |c''| <= A / v and |c'''| <= J / v uses up A and
-// J. With v the greatest velocity of the plan, these are the nominal bounds of a ramp. The ramps that
-// are tried are k times as slow, in shapes that differ in the jerk at either end:
+// While f cruises at v, a change of the factor within |c''| <= A / v and |c'''| <= J / v uses the
+// whole A and J. With v the greatest velocity of the plan, these are the nominal bounds of a ramp.
+// The ramps that are tried are k times as slow, and have different jerks at their ends:
 //
 //   (2)  |c''| <= A / (k v),   |c'''| <= g J / (k^2 v)
 //
-// k stretches a ramp without changing its shape. Where f'' = 0, g = 1 holds from k = 1 on. Early in
-// an acceleration f' is small and a sharper ramp (g > 1, k < 1) holds. Where f accelerates at its
-// limit, no ramp that speeds up holds; where it brakes at its limit, none that slows down.
+// k stretches a ramp without changing its shape. If f'' = 0, g = 1 is possible from k = 1 on. Early
+// in an acceleration f' is small, so a sharper ramp (g > 1, k < 1) is possible. If f accelerates at
+// its limit, no ramp that speeds up is possible; if f brakes at its limit, none that slows down.
 
 namespace jounce::profiles_detail {
 namespace {
 
-constexpr int steepest = -20;  // k = 2^(-20/4) is the steepest ramp tried,
-constexpr int slowest = 48;    // 2^(48/4) the slowest
+constexpr int steepest = -20;  // k = 2^(-20/4) is the steepest ramp that is tried,
+constexpr int slowest = 48;    // and 2^(48/4) the slowest one
 struct Shape {
-  double in, out;  // the two g of (2): where |c''| grows, and where it falls
+  double in, out;  // the two g of (2): where |c''| increases, and where it decreases
 };
 constexpr std::array shapes{Shape{1, 1}, Shape{4, 1},  Shape{16, 1}, Shape{64, 1},
                             Shape{4, 4}, Shape{16, 4}, Shape{64, 4}, Shape{0.25, 0.25}};
-constexpr int refinements = 6;  // bisections between two of these: to 0.3 %
-constexpr int quarters = 4;     // starts tried from one break of the plan to the next
+constexpr int refinements = 6;  // bisections between two values of k: to 0.3 %
+constexpr int quarters = 4;     // number of starts that are tried between two breaks of the plan
 
-/// (1) at nine points inside each piece of the clock. Within 1e-9 of a limit it is left to `check`.
+/// Checks (1) at nine points inside each piece of the clock. An excess below 1e-9 of a limit is
+/// left to `check`.
 bool is_broken_at_points(const Trajectory& axis, const Limits& limits, const Trajectory& clock) {
   const double v = *limits.velocity * (1 + 1e-9);
   const double a = *limits.acceleration * (1 + 1e-9);
@@ -114,7 +115,7 @@ double Path::room(double from) const {
 
 namespace {
 
-/// The search for the answer to one request: the earliest end among all starts and steepnesses.
+/// The search for the answer to one request: the earliest end over all starts and steepnesses.
 class FactorSearch {
  public:
   FactorSearch(const Path& path, const Clock& clock, const FactorRequest& request, double maximum)
@@ -144,7 +145,8 @@ class FactorSearch {
   };
   enum class Outcome { holds, breaks_a_limit, comes_too_late };
 
-  /// The request, and every break of the clock and of an axis that comes after it.
+  /// Candidates for the start: the time of the request, and every later break of the clock and of
+  /// an axis.
   [[nodiscard]] std::vector<double> candidates() const {
     std::vector<double> t{request_.time};
     double at = clock_.start;
@@ -162,7 +164,7 @@ class FactorSearch {
     return t;
   }
 
-  /// The steepest ramp that begins at t, unless one found before ends earlier.
+  /// Searches the steepest ramp that begins at t, unless a known ramp ends earlier.
   void try_from(double t) {
     const MotionState now = clock_.at(t);
     const double factor = request_.factor > 1
@@ -175,9 +177,10 @@ class FactorSearch {
     for (const Shape& shape : shapes) steepest_of(t, now, factor, shape);
   }
 
-  /// The same among the ramps of one shape.
+  /// The same for the ramps of one shape.
   void steepest_of(double t, const MotionState& now, double factor, const Shape& shape) {
-    double refused = 0;  // it breaks a limit; k does not, or its ramp comes too late
+    // `refused` breaks a limit; in the end `k` does not, or its ramp ends too late.
+    double refused = 0;
     double k = 0;
     Outcome outcome = Outcome::breaks_a_limit;
     for (int n = steepest; outcome == Outcome::breaks_a_limit && n <= slowest; ++n) {
@@ -193,14 +196,14 @@ class FactorSearch {
     }
   }
 
-  /// A ramp that holds and ends earlier than the best so far becomes the best.
+  /// Keeps a ramp if it holds and ends earlier than the best so far.
   Outcome attempt(double t, const MotionState& now, double factor, const Steepness& steepness) {
     const auto& [k, shape] = steepness;
     const double j = path_.jerk / (k * k);  // (2)
     Bounds bounds = within(Bounds::none, path_.acceleration / k, shape.in * j);
     (factor < now.velocity ? bounds.jerk_max : bounds.jerk_min) *= shape.out / shape.in;
     const MoveResult change = move_velocity(now, factor, bounds);
-    if (!change) return Outcome::breaks_a_limit;  // numbers beyond the range of a move
+    if (!change) return Outcome::breaks_a_limit;  // numbers outside the range of a move
     const double end = t + change.profile.duration();
     const double path = change.profile.end().position;
     const bool slows_down = factor < now.velocity;

@@ -14,12 +14,13 @@ namespace jounce::profiles_detail {
 struct Ramp {
   double begin = 0;
   double end = 0;
-  double factor = 1;  ///< from the end on
+  double factor = 1;  ///< factor after the end
   double path = 0;    ///< path time at the end
   std::vector<Segment> pieces;
 };
 
-/// The clock as far as it is decided: `pieces` from the start on, then the factor `rate` without end.
+/// The clock as far as it is determined: `pieces` from the start on, then the factor `rate` without
+/// end.
 struct Clock {
   double start = 0;   ///< s
   double origin = 0;  ///< path time at the start
@@ -28,26 +29,26 @@ struct Clock {
   double rate = 1;
 
   [[nodiscard]] double end() const;
-  /// The clock up to t, which lies after the start, and its state there.
+  /// The clock up to t, which must be after the start, and its state there.
   [[nodiscard]] Trajectory until(double t) const;
   [[nodiscard]] MotionState at(double t) const;
-  /// The time at which the path time is reached; infinite if never.
+  /// The time at which the clock reaches this path time; infinite if never.
   [[nodiscard]] double reaches(double path_time) const;
   void follow(const Ramp& ramp);
 };
 
-/// The plan: axes over path time, and how fast a clock may change along it.
+/// The plan: the axes over path time, and the limits for changes of the clock.
 struct Path {
-  std::vector<Trajectory> axes;  ///< that hold
+  std::vector<Trajectory> axes;  ///< they hold outside
   std::span<const Limits> limits;
-  double acceleration = 0;  ///< acceleration of the clock, nominal: 1/s
-  double jerk = 0;          ///< 1/s^2
+  double acceleration = 0;  ///< nominal acceleration of the clock, 1/s
+  double jerk = 0;          ///< nominal jerk of the clock, 1/s^2
 
   [[nodiscard]] double start() const { return axes.front().start(); }
   [[nodiscard]] double end() const { return axes.front().end(); }
-  /// True if all axes keep their limits along this stretch of the clock.
+  /// True if all axes keep their limits over this part of the clock.
   [[nodiscard]] bool allows(const Trajectory& clock) const;
-  /// The greatest factor that the path from `from` to its end permits.
+  /// The greatest factor that the path permits from `from` to its end.
   [[nodiscard]] double room(double from) const;
 };
 

@@ -12,16 +12,17 @@
 #include "profiles/src/sequences/sequence.hpp"
 #include "profiles/src/solver/brake.hpp"
 
-// A batch is planned in runs: position moves that follow each other. With L_k the length of move k
-// of a run, V_k the junction velocity that the mode at its end asks for, and entry(L, w, cap) the
-// highest entry velocity, up to cap, from which a move over L can end at w (detail/blend.cpp (2)):
+// A batch is planned in runs: successive position moves. Let L_k be the length of move k of a run,
+// V_k the junction velocity that the mode at its end requires, and entry(L, w, cap) the highest
+// entry velocity, up to cap, from which a move over L can end at w (blend.cpp, (2)). Then
 //
 //   (1)  backward:  W_k = entry(L_{k+1}, W_{k+1}, V_k),   W of the last = its V
 //   (2)  forward:   move k ends at W_k, or as near to it as it can from its beginning
 //
-// The velocity reached forward is at most W_k, and a move that may begin at W_k may begin at less. So
-// every move can end at its W or at less, and the last move can end: no queue fails. The exception is a
-// run's first move when it begins too fast for W_1: reachable_exit() then uses (1) without the cap.
+// The forward pass reaches at most W_k at the end of move k, and a move that may begin at W_k may
+// also begin at a lower velocity. So every move can end at its W or below, and the last move can
+// stop: no queue fails. One exception: if the first move of a run begins too fast for W_1,
+// reachable_exit() uses (1) without cap.
 
 namespace jounce {
 namespace {
@@ -43,7 +44,7 @@ MotionState times(double factor, const MotionState& s) {
   return {factor * s.position, factor * s.velocity, factor * s.acceleration};
 }
 
-/// The direction in which the axis goes without a command: 1 or -1.
+/// The direction in which the axis would move without a command: 1 or -1.
 double heading(const MotionState& s) {
   return s.velocity < 0 || (s.velocity == 0 && s.acceleration < 0) ? -1 : 1;
 }
@@ -51,7 +52,7 @@ double heading(const MotionState& s) {
 /// One position move of a run.
 struct Leg {
   double target = 0;   ///< u
-  double length = 0;   ///< u, signed: from the target of the leg before
+  double length = 0;   ///< u, signed: from the target of the previous leg
   double planned = 0;  ///< V_k of (1), >= 0
   double exit = 0;     ///< W_k of (1)
 };
@@ -67,7 +68,7 @@ class Planner {
 
  private:
   struct Place {
-    std::size_t begin = 0, end = 0;  ///< breaks of the path
+    std::size_t begin = 0, end = 0;  ///< indices of breaks of the path
   };
 
   void plan_run(std::size_t first, std::size_t last);
@@ -182,7 +183,7 @@ std::vector<Leg> Planner::legs(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// The greatest velocity, up to `cap`, that the legs after leg k can take over: (1).
+/// The greatest velocity, up to `cap`, with which the legs after leg k can begin: (1).
 double Planner::highest_exit(const std::vector<Leg>& legs, std::size_t k, std::size_t first,
                              double cap) const {
   if (legs[k].planned == 0) return 0;
@@ -202,8 +203,8 @@ void Planner::plan_run(std::size_t first, std::size_t last) {
   }
 }
 
-/// Leg k from the present state of the axis. After a stop to reverse, which may lie beyond the target, it
-/// goes the rest from there.
+/// Plans leg k from the present state of the axis. After a stop to reverse, which may be beyond the
+/// target, the axis covers the remaining distance.
 void Planner::travel(const std::vector<Leg>& run, std::size_t k, std::size_t first) {
   const Dynamics& dynamics = commands_[first + k].dynamics;
   const double way = run[k].target - path_.state().position;

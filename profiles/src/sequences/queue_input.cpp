@@ -37,7 +37,7 @@ void require_valid(const std::string& key, const Dynamics& dynamics, bool halts)
                      "must be left out or equal to the jerk: a queue is planned with one jerk");
 }
 
-/// Returns when the last abort up to this command was issued.
+/// Returns the time at which the last abort up to this command was issued.
 double require_valid_issue(const std::string& key, const QueuedCommand& c, bool first,
                            double before) {
   const bool aborting = c.mode == BufferMode::aborting;

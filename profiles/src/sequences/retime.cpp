@@ -8,8 +8,9 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-// Stretched by k, g(t) = f(t / k): g' = f' / k, g'' = f'' / k^2, g''' = f''' / k^3. With the
-// greatest magnitudes v, a, j of f and the limits V, A, J the least k that keeps them is
+// If f is stretched by k, g(t) = f(t / k), then g' = f' / k, g'' = f'' / k^2, g''' = f''' / k^3.
+// With the greatest magnitudes v, a, j of f and the limits V, A, J, the least k that keeps the
+// limits is
 //
 //   (1)  k = max( v / V, (a / A)^(1/2), (j / J)^(1/3) )
 

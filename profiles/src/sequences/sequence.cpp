@@ -33,7 +33,7 @@ void Sequence::hold(double time) {
 }
 
 std::size_t Sequence::end_at(double time) {
-  // A phase shorter than the rounding of the time is no segment.
+  // A phase shorter than the rounding of the time is not a segment.
   const double dust = 0x1p-50 * time;
   if (time >= end_) {
     if (time - end_ > dust) hold(time - end_);

@@ -7,7 +7,8 @@
 
 namespace jounce::profiles_detail {
 
-/// A motion under construction, profile after profile; ends with the state in which the next one begins.
+/// A motion under construction, profile by profile. Its end is the state in which the next profile
+/// begins.
 class Sequence {
  public:
   explicit Sequence(const MotionState& start) : state_(start) {}
@@ -20,21 +21,22 @@ class Sequence {
   /// Appends a profile, planned in the axis' direction (sign 1) or in the mirrored one (-1).
   void add(const Profile& profile, double sign);
 
-  /// Goes on for a time with the velocity reached.
+  /// Continues at the present velocity for a time.
   void hold(double time);
 
-  /// Makes the next profile begin without acceleration: that of a motion of second order is no state.
+  /// Sets the acceleration at the end to 0 for the next profile: in a motion of second order it is
+  /// not part of the state.
   void let_go() { state_.acceleration = 0; }
 
-  /// Ends at `time`: drops what is later, or holds on until then. Returns how many of the segments
-  /// are still whole.
+  /// Ends the motion at `time`: removes the part after it, or holds until then. Returns the number
+  /// of segments that are still complete.
   std::size_t end_at(double time);
 
  private:
   void append(const Segment& f);
 
   std::vector<Segment> segments_;
-  std::vector<double> begins_;  ///< begins of each segment, s
+  std::vector<double> begins_;  ///< s, start of each segment
   MotionState state_;
   double end_ = 0;
 };

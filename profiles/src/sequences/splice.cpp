@@ -20,12 +20,12 @@ void require_not_before(const Trajectory& f, double t) {
     throw InputError("t", t, "must not be before the motion begins, at " + number(f.start()));
 }
 
-/// Two times on f that differ by less are the same: the rounding of the breaks.
+/// True if two times on f differ by no more than the rounding of the breaks.
 bool same_time(const Trajectory& f, double a, double b) {
   return std::abs(a - b) <= 1e-14 * std::max(std::abs(f.start()), std::abs(f.end()));
 }
 
-/// The continuation of f beyond its end. A velocity within rounding is zero.
+/// The state of f after its end. A velocity within rounding is zero.
 MotionState beyond(const Trajectory& f, double t) {
   const Segment& last = f.segments().back();
   const Jet end = evaluate(last, 1);
@@ -34,8 +34,8 @@ MotionState beyond(const Trajectory& f, double t) {
   return {end[0] + v * (t - f.end()), v, 0};
 }
 
-/// True if the stretch around t over which f's acceleration is continuous, and not zero, has zero at
-/// one of its ends.
+/// True if f has zero acceleration at one end of the interval around t in which its acceleration is
+/// continuous and not zero.
 bool is_built_up(const Trajectory& f, double t) {
   const auto segments = f.segments();
   const auto begin = [&](std::size_t i) { return evaluate(segments[i], 0)[2]; };
@@ -45,7 +45,7 @@ bool is_built_up(const Trajectory& f, double t) {
     greatest = std::max({greatest, std::abs(begin(i)), std::abs(end(i))});
   const double rounding = 1e-9 * greatest;
   const auto none = [&](double a) { return std::abs(a) <= rounding; };
-  const auto joined = [&](std::size_t i) {  // segment i with the one before
+  const auto joined = [&](std::size_t i) {  // true if segment i continues the previous one
     return !none(begin(i)) && none(begin(i) - end(i - 1));
   };
   const auto after = std::upper_bound(f.breaks().begin() + 1, f.breaks().end() - 1, t);
@@ -56,7 +56,7 @@ bool is_built_up(const Trajectory& f, double t) {
   return none(begin(first)) || none(end(last));
 }
 
-/// f's segments from its start up to t, t inside f or at its end.
+/// The segments of f from its start to t, which is inside f or at its end.
 Segments cut(const Trajectory& f, double t) {
   Segments kept;
   for (std::size_t i = 0; i < f.segments().size() && f.breaks()[i] < t; ++i) {
@@ -72,13 +72,13 @@ void append(Segments& segments, const Trajectory& next) {
   segments.insert(segments.end(), next.segments().begin(), next.segments().end());
 }
 
-/// The policy beyond the ends of a motion that was cut and continued: rest, or undefined.
+/// Sets the policy of a motion that was cut and continued: hold, or refuse.
 Trajectory with_end(const Trajectory& f) {
   const bool rests = beyond(f, f.end()).velocity == 0;
   return with(f, rests ? Extrapolation::hold : Extrapolation::refuse);
 }
 
-/// f, standing before its start from `from` on.
+/// f, extended at rest to the time `from` before its start.
 Trajectory from_standstill(const Trajectory& f, double from) {
   const double lead = f.start() - from;
   if (!(lead > 0)) return f;

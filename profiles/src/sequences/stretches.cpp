@@ -7,32 +7,33 @@
 
 #include "profiles/src/solver/brake.hpp"
 
-// The velocity v and acceleration a of axis i at an interior knot k may differ from 0 as follows;
-// d is the sign of the way on either side:
+// At an interior knot k, the velocity v and the acceleration a of axis i may differ from 0 as
+// follows; d is the sign of its displacement before and after the knot:
 //
 //   (1)  d before = d after:   v d >= 0, a of either sign
 //   (2)  they are opposite:    v = 0, a towards the next point: it brakes and speeds up in one
 //   (3)  one of them is 0:     v = a = 0
 //
-// The search changes one knot at a time, which affects two stretches. The scale of its steps is the
-// motion that stops at every knot: for a distance h that takes T from rest to rest,
+// The search changes one knot at a time, which affects two stretches. The scale of its steps comes
+// from the motion that stops at every knot. If that motion takes T for a distance h from rest to
+// rest,
 //
 //   (4)  v scale = 2 h/T,   a scale = 4 h/T^2
 //
-// and start from the weighted harmonic mean of the mean velocities on either side, which is what
+// The search starts from the weighted harmonic mean of the mean velocities on both sides, which
 // keeps a cubic interpolation monotone (F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5
 // (1984) 300-304):
 //
 //   (5)  v = (w1 + w2) / (w1/m1 + w2/m2),   w1 = T1 + 2 T2,   w2 = 2 T1 + T2,   m = h/T
 //
-// A search ends near the states at which a phase of the profile vanishes, so phases of a microsecond
-// are common. A table needs a knot at either end of a phase. With rounded positions, the greatest of them P, a
-// quintic of the length L has
+// The search ends near states at which a phase of the profile vanishes, so phases of a microsecond
+// are common. A table needs a knot at each end of a phase. If P is the greatest position, rounding
+// of the positions gives a quintic of length L
 //
 //   (6)  a jerk of up to 120 e P / L^3
 //
-// The search takes no state that makes a phase so short that (6) is above a thousandth of the jerk j of the
-// axis. A phase below 2^-44 of its stretch counts as none: its knot can be left out.
+// The search rejects a state with a phase so short that (6) exceeds a thousandth of the axis' jerk
+// j. A phase below 2^-44 of its stretch counts as none, because its knot can be omitted.
 
 namespace jounce::profiles_detail {
 namespace {
@@ -43,7 +44,7 @@ double sign(double x) {
   return static_cast<double>((x > 0) - (x < 0));
 }
 
-/// The least velocity of a profile in the direction d, and its greatest in magnitude.
+/// The least velocity of a profile in the direction d, and its greatest magnitude.
 struct Reach {
   double least = none;
   double greatest = 0;
@@ -63,14 +64,15 @@ bool turns_back(const Profile& profile, double d) {
     const Profile::Phase phase = profile.phase(i);
     const Motion m = profile.at(t);
     if (i > 0) reach.see(m.velocity, d);
-    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;  // the velocity's extremum
+    // Time of the velocity's extremum.
+    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;
     if (level > 0 && level < phase.duration) reach.see(m.velocity + m.acceleration * level / 2, d);
     t += phase.duration;
   }
   return reach.least < -0x1p-40 * reach.greatest;
 }
 
-/// True if the axis is within its bounds there, and can go on without leaving them.
+/// True if the axis is within its bounds in this state, and can continue without leaving them.
 bool is_inside(const MotionState& s, const Bounds& b) {
   constexpr double most = 1 + 0x1p-40;
   const auto within = [](double x, double min, double max) {
@@ -81,7 +83,7 @@ bool is_inside(const MotionState& s, const Bounds& b) {
          within(s.acceleration, b.acceleration_min, b.acceleration_max);
 }
 
-/// The length for which (6) is a thousandth of the jerk; 0 without a limit of the jerk.
+/// The length for which (6) is a thousandth of the jerk; 0 if the jerk is not limited.
 double shortest_phase(const Bounds& b, double largest) {
   const double jerk = std::min(b.jerk_max, -b.jerk_min);
   if (!std::isfinite(jerk)) return 0;
@@ -116,7 +118,7 @@ class ScaleSearch {
   [[nodiscard]] double way(std::size_t stretch, std::size_t axis) const {
     return knots_[stretch + 1][axis].position - knots_[stretch][axis].position;
   }
-  /// The common direction of (1); 0 where the axis cannot pass.
+  /// The common direction by (1); 0 if the axis cannot pass.
   [[nodiscard]] double passing(std::size_t knot, std::size_t axis) const {
     const double before = sign(way(knot - 1, axis));
     return before == sign(way(knot, axis)) ? before : 0;
@@ -131,15 +133,16 @@ class ScaleSearch {
   [[nodiscard]] std::vector<Knot> directions(std::size_t knot, bool bends) const;
   bool advance(std::size_t knot, const Knot& direction, double step);
   bool accept(std::size_t knot, const Knot& candidate);
-  /// The duration of a stretch from one knot to the next; infinite where there is none without short phases.
+  /// The duration of a stretch between two knots; infinite if there is none without very short
+  /// phases.
   [[nodiscard]] double duration(std::size_t stretch, const Knot& from, const Knot& to) const;
 
   const StretchBounds& bounds_;
   std::size_t axes_;
   std::span<Knot> knots_;
-  std::vector<double> rest_;     ///< durations of the motion with which the search begins
+  std::vector<double> rest_;     ///< durations of the motion at the start of the search
   std::vector<double> time_;     ///< present durations
-  std::vector<double> largest_;  ///< position of each axis, in magnitude
+  std::vector<double> largest_;  ///< greatest magnitude of each axis' position
 };
 
 double ScaleSearch::velocity_scale(std::size_t knot, std::size_t axis) const {  // (4)
@@ -159,7 +162,7 @@ double ScaleSearch::harmonic(std::size_t knot, std::size_t axis) const {  // (5)
          ((t1 + 2 * t2) * t1 / way(knot - 1, axis) + (2 * t1 + t2) * t2 / way(knot, axis));
 }
 
-/// Each knot in turn: as much of (5) as is shorter than stopping there.
+/// For each knot in turn: the greatest part of (5) that is faster than a stop there.
 void ScaleSearch::start() {
   for (std::size_t k = 1; k + 1 < knots_.size(); ++k)
     for (double share = 1; share > 0x1p-6; share /= 2) {
@@ -169,7 +172,8 @@ void ScaleSearch::start() {
     }
 }
 
-/// Velocities first, since an acceleration keeps a velocity from its bound; then all.
+/// Varies the velocities at the knots and, with `bends`, also the accelerations. The first call is
+/// without them, because an acceleration keeps a velocity from its bound.
 void ScaleSearch::refine(bool bends) {
   constexpr double finest = 0x1p-14;
   constexpr int sweeps = 400;
@@ -185,8 +189,8 @@ void ScaleSearch::refine(bool bends) {
   }
 }
 
-/// The joint changes: all velocities; each velocity alone, and on request each acceleration;
-/// both of an axis, in the same and in opposite directions.
+/// The directions of the search: all velocities together; each velocity alone and, if requested,
+/// each acceleration; both values of one axis, in the same and in opposite directions.
 std::vector<Knot> ScaleSearch::directions(std::size_t knot, bool bends) const {
   const Knot nothing(axes_);
   std::vector<Knot> all{nothing};
@@ -228,7 +232,7 @@ double ScaleSearch::duration(std::size_t stretch, const Knot& from, const Knot& 
   return hop.duration;
 }
 
-/// Takes the candidate if the two stretches at the knot become shorter by more than rounding.
+/// Accepts the candidate if it shortens the two adjacent stretches by more than rounding.
 bool ScaleSearch::accept(std::size_t knot, const Knot& candidate) {
   for (std::size_t i = 0; i < axes_; ++i)
     if (candidate[i].velocity * passing(knot, i) < 0) return false;

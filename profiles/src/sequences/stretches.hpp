@@ -11,25 +11,25 @@ namespace jounce::profiles_detail {
 /// The state of every axis at one knot.
 using Knot = std::vector<MotionState>;
 
-/// The motion between two neighbouring knots.
+/// The motion between two neighboring knots.
 struct Hop {
-  double duration = 0;  ///< s; infinite where there is none
+  double duration = 0;  ///< s; infinite if there is no motion
   std::vector<Profile> profiles;
 };
 
 /// The bounds of each axis, for each stretch between two knots.
 using StretchBounds = std::vector<std::vector<Bounds>>;
 
-/// All axes from one knot to the next in the least common time, if every axis gets there without
-/// reversing on the way.
+/// The motion of all axes from one knot to the next in the least common time, if every axis can do
+/// so without reversing.
 Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to);
 
 /// The durations between the knots.
 std::vector<double> durations(const StretchBounds& bounds, std::span<const Knot> knots);
 
-/// Chooses velocities and accelerations at the interior knots, between which there must be motions, so
-/// that the motion becomes shorter: a local search over one knot at a time (pattern search; the steps are
-/// halved until none helps).
+/// Shortens the motion by choosing velocities and accelerations at the interior knots. There must
+/// be a motion between all neighbors. A local search (pattern search over one knot at a time, whose
+/// steps are halved until none helps).
 void shorten(const StretchBounds& bounds, std::span<Knot> knots);
 
 }  // namespace jounce::profiles_detail

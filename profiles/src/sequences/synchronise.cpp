@@ -17,13 +17,13 @@ namespace {
 
 using profiles_detail::AxisTask;
 
-/// The condition on the durations: not less than `minimum`, a multiple of `grid` if that is > 0.
+/// The condition for the durations: at least `minimum`, and a multiple of `grid` if that is > 0.
 struct Timing {
   double minimum;
   double grid;
 };
 
-/// A duration that differs from a multiple by this share is one.
+/// A duration that differs from a multiple by less than this share counts as this multiple.
 constexpr double same_duration = 1e-12;
 constexpr double rounding_of_duration = 1e-13;
 
@@ -32,17 +32,17 @@ double on_grid(double t, double grid) {
   return grid > 0 ? std::ceil(t / grid * (1 - same_duration)) * grid : t;
 }
 
-/// The least duration on the grid that is not less than t and is allowed.
+/// The least permitted duration on the grid that is not less than t.
 double at_least(const Durations& allowed, double t, double grid) {
   double next = on_grid(allowed.at_least(t), grid);
   while (!allowed.allows(next)) next = on_grid(allowed.at_least(next), grid);
   return next;
 }
 
-/// The motion that lasts t, or where that is blocked the next possible duration, which becomes t.
+/// Computes the motion that lasts t. If t is blocked, t becomes the next possible duration.
 MoveStatus lasting(const AxisTask& task, double& t, double grid, Profile& out) {
   MoveStatus status = task.lasting(t, out);
-  // At the edge of a blocked interval rounding decides: it tries a little later.
+  // At the edge of a blocked interval, rounding decides; then a slightly longer duration is tried.
   for (double more = 0; status == MoveStatus::blocked; more = 16 * more + 0x1p-52) {
     t = at_least(task.durations(), t * (1 + more), grid);
     status = task.lasting(t, out);
@@ -54,7 +54,8 @@ Profile left_out(const AxisMove& axis) {
   return {axis.from, 3};
 }
 
-/// The tasks of all axes. The first ones are stored, if each is used again; the others are made at each use.
+/// The tasks of all axes. The first ones are stored because each is used again; the others are made
+/// at each use.
 class Tasks {
  public:
   Tasks(std::span<const AxisMove> axes, bool keeps) noexcept
@@ -68,7 +69,7 @@ class Tasks {
 
  private:
   static constexpr std::size_t capacity = 16;
-  union Slot {  // a std::optional would be cleared first
+  union Slot {  // std::optional would be cleared first
     Slot() noexcept {}
     AxisTask task;
   };
@@ -78,7 +79,7 @@ class Tasks {
   std::array<Slot, capacity + 1> all_;
 };
 
-/// The shortest motion of one axis that is enabled, or the next on the grid.
+/// The shortest motion of one enabled axis, or the next one on the grid.
 MoveStatus alone(const AxisMove& axis, const AxisTask& task, const Timing& timing, Profile& out) {
   MoveStatus status = task.status();
   if (status == MoveStatus::ok)
@@ -113,21 +114,23 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
   return each(axes, out, timing, tasks);
 }
 
-/// The next axis, cyclically.
+/// The index of the next axis, cyclically.
 std::size_t after(std::size_t i, std::size_t axes) {
   return i + 1 < axes ? i + 1 : 0;
 }
 
-/// A common duration in progress: from `next` on, cyclically, each axis is asked until all of them agree.
+/// The search for a common duration: from `next` on, cyclically, each axis is tested until all of
+/// them agree.
 struct Agreement {
   Synchronised common;
   std::size_t next = 0;
-  std::size_t agreed =
-      0;  ///< number of axes directly before `next` whose motion has this duration already
+  /// Number of axes just before `next` whose motion already has this duration.
+  std::size_t agreed = 0;
 };
 
-/// The least time in which all can move. An axis that cruises in a time that another one needs has its motion,
-/// and its shortest motion is not computed. So the axis that probably takes longest comes first.
+/// The least duration in which all axes can move. If an axis can cruise in the duration that
+/// another one needs, this is its motion, and its shortest motion is not computed. So the axis that
+/// probably takes longest comes first.
 Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
                         const Timing& timing, Tasks& tasks) {
   Agreement result;
@@ -158,7 +161,8 @@ Agreement in_least_time(std::span<const AxisMove> axes, std::span<Profile> out,
     (void)task.shortest(out[i]);
     const double shortest = out[i].duration();
     if (shortest != t)
-      result.agreed = shortest > t ? 1 : 0;  // this axis does not agree, or those before do not
+      // Either this axis does not agree, or those before it do not.
+      result.agreed = shortest > t ? 1 : 0;
     t = std::max(t, shortest);
   }
   if (usual < axes.size() || t != on_grid(std::max(t, timing.minimum), timing.grid))
@@ -170,8 +174,8 @@ bool rests(const AxisMove& axis) {
   return axis.goal != MoveGoal::moving && axis.to.velocity == 0 && axis.to.acceleration == 0;
 }
 
-/// All axes that go from rest to rest with the same limits both ways: the slowest decides, and the others last as
-/// long. False where an axis asks another question.
+/// For axes that all go from rest to rest with the same limits in both directions: the slowest
+/// determines the duration of all. Returns false if an axis has another task.
 bool resting_in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      double& t) {
   constexpr std::size_t capacity = 16;
@@ -198,8 +202,8 @@ bool resting_in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   return true;
 }
 
-/// All in the least time that is possible for each: if it is not for one of them, in the next time that is. With
-/// `if_moving`, an axis whose target rests keeps its shortest motion.
+/// All axes in the least time that is possible for all. With `if_moving`, an axis whose target is
+/// at rest keeps its shortest motion.
 Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      bool if_moving) {
   if (double t = 0; !if_moving && resting_in_time(axes, out, timing, t))
@@ -213,7 +217,8 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   for (std::size_t i = all.next; all.agreed < axes.size();
        i = after(i, axes.size()), ++all.agreed) {
     if (!axes[i].enabled || (if_moving && rests(axes[i]))) continue;
-    // A difference of durations within rounding is no time to use: a velocity computed from it is arbitrary.
+    // A difference of durations within rounding is ignored: a velocity computed from it would be
+    // arbitrary.
     if (std::abs(out[i].duration() - t) <= rounding_of_duration * t) continue;
     const double before = t;
     const MoveStatus status = lasting(tasks.of(i), t, timing.grid, out[i]);
@@ -223,7 +228,8 @@ Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   return all.common;
 }
 
-/// A component of an axis that may define the common line: the distance, or if that is 0 for all, a rate.
+/// A component of an axis that can define the common line: the distance, or, if that is 0 for all
+/// axes, a rate.
 double component(const AxisMove& m, int which) {
   switch (which) {
     case 0:
@@ -239,7 +245,8 @@ double component(const AxisMove& m, int which) {
   }
 }
 
-/// The axis that goes farthest, and in which component; `which` is 5 if nothing moves at all.
+/// The axis that moves farthest, and the component that defines this; `which` is 5 if nothing
+/// moves.
 struct Leader {
   std::size_t axis = 0;
   int which = 0;
@@ -262,12 +269,13 @@ Leader leader(std::span<const AxisMove> axes) {
   return {0, 5};
 }
 
-/// The bounds of an axis whose rates are `ratio` times the leader's, as bounds of the leader.
+/// Restricts the bounds of the leader by those of an axis whose rates are `ratio` times the
+/// leader's.
 void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double ratio) {
   const auto both = [ratio](double min, double max, double& lead_min, double& lead_max) {
     const double lo = (ratio > 0 ? min : max) / ratio;
     const double hi = (ratio > 0 ? max : min) / ratio;
-    // An axis that hardly moves limits nothing.
+    // An axis that hardly moves is no limit.
     if (lo > -1e50) lead_min = std::max(lead_min, lo);
     if (hi < 1e50) lead_max = std::min(lead_max, hi);
   };
@@ -282,8 +290,9 @@ void intersect(Bounds& lead, const AxisMove& axis, double lead_from, double rati
   lead.position_max = std::min(lead.position_max, lead_from + hi);
 }
 
-/// True if a component of an axis is `ratio` times the leader's, within the rounding of positions and of the states
-/// of a running motion: their last digits are those of the positions and of the bounds.
+/// True if a component of an axis is `ratio` times that of the leader. The tolerance is the
+/// rounding of the positions and of the states of a running motion, whose last digits are those of
+/// the positions and of the bounds.
 bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio, double scale) {
   constexpr double digits = 0x1p-48;
   const auto far = [](const AxisMove& m) {
@@ -303,8 +312,8 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
   return std::abs(here - ratio * there) <= slack;
 }
 
-/// Checks that all axes inside their own bounds keep their velocity limits: the line's velocity must pass
-/// the one at which its acceleration is back at zero.
+/// Checks that all axes that begin within their bounds keep their velocity limits: the velocity of
+/// the line passes the one at which its acceleration has returned to zero.
 Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
                              const Bounds& line) {
   constexpr double forgiven = 1e-12;
@@ -316,14 +325,14 @@ Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lea
     const double v = component(axis, which) / component(lead, which) * peak;
     const bool outside = v > axis.bounds.velocity_max * (1 + forgiven) ||
                          v < axis.bounds.velocity_min * (1 + forgiven);
-    // An axis that is outside comes inside as the line does.
+    // An axis that is outside its bounds returns as the line does.
     if (outside && profiles_detail::is_inside(axis.from, axis.bounds, forgiven))
       return {MoveStatus::not_straight, i, 0};
   }
   return {};
 }
 
-/// Checks that all goals are valid and of one kind.
+/// Checks that all goals are valid and of the same kind.
 Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;

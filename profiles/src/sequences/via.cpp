@@ -13,13 +13,13 @@
 #include "profiles/src/sequences/sequence.hpp"
 #include "profiles/src/sequences/stretches.hpp"
 
-// One axis. Between two turning points the shortest motion through all points of one direction is
-// the shortest motion from the first to the last of them: it does not turn back, so it passes
-// the others anyway. Only the acceleration at the turning points, where the velocity is 0, can be chosen:
-// with a = 0 the axis would brake and start more gently than necessary.
+// One axis. Between two turning points, the shortest motion through all points is the shortest
+// motion from the first to the last of them. It does not reverse, so it passes the others anyway.
+// Only the acceleration at the turning points, where the velocity is 0, can be chosen: with a = 0
+// the axis would brake and start more gently than necessary.
 //
-// Several axes pass a point at one instant, which the shortest motion of each alone does not do. So
-// every point is a knot of the search (detail/stretches.cpp).
+// Several axes pass a point at the same instant, which the shortest motions of the single axes do
+// not do. So every point is a knot of the search (stretches.cpp).
 
 namespace jounce {
 namespace {
@@ -46,7 +46,7 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
     throw InputError(key(k), "", "must differ from the previous point");
 }
 
-/// move_to() checks the sign of each bound, and that they fit together.
+/// Checks the magnitude of each bound; move_to() checks the signs, and that the bounds agree.
 void require_magnitudes(const Bounds& b, const std::string& axis) {
   const std::pair<const char*, double> values[] = {{"velocity_min", b.velocity_min},
                                                    {"velocity_max", b.velocity_max},
@@ -144,7 +144,7 @@ Knot knot_at(const std::vector<double>& point, const ViaRates& rates) {
   return knot;
 }
 
-/// At rest at every point between.
+/// The knots of the motion that rests at every intermediate point.
 std::vector<Knot> stopping(const ViaSpec& spec) {
   std::vector<Knot> knots;
   for (const auto& point : spec.points) knots.push_back(knot_at(point, {}));
@@ -153,8 +153,8 @@ std::vector<Knot> stopping(const ViaSpec& spec) {
   return knots;
 }
 
-/// The points between which the motion is the shortest one: all points for several axes; the turning points and
-/// both ends for one axis.
+/// The points between which the motion is the shortest one: for several axes, all points; for one
+/// axis, the turning points and both ends.
 std::vector<std::size_t> essential(const ViaSpec& spec,
                                    const profiles_detail::StretchBounds& bounds) {
   std::vector<std::size_t> points;
@@ -169,7 +169,8 @@ std::vector<std::size_t> essential(const ViaSpec& spec,
   return points;
 }
 
-/// The motion with a stop at each point between; infinite where one is impossible without turning back.
+/// The duration of the motion with a stop at each intermediate point; infinite if a stretch is
+/// impossible without reversing.
 double stopping_duration(const ViaSpec& spec, const profiles_detail::StretchBounds& bounds) {
   const std::vector<Knot> knots = stopping(spec);
   double total = 0;
@@ -188,7 +189,7 @@ double stopping_duration(const ViaSpec& spec, const profiles_detail::StretchBoun
   return total;
 }
 
-/// The time in [from, to] at which a motion that does not turn back is at x.
+/// The time in [from, to] at which a motion without reversal is at x.
 double passage(const Trajectory& motion, double from, double to, double x) {
   const double direction = motion.at(from).position < x ? 1 : -1;
   for (int i = 0; i < 80; ++i) {
@@ -218,7 +219,7 @@ ViaKnot chosen(const Knot& states, double time) {
   return knot;
 }
 
-/// The trajectories through the knots, and the times at which they pass each.
+/// The trajectories through the knots, and the times at which they pass them.
 struct Built {
   std::vector<Trajectory> axes;
   std::vector<double> times{0};
@@ -246,8 +247,8 @@ Built build(const profiles_detail::StretchBounds& bounds, const std::vector<Knot
   return built;
 }
 
-/// From the first state to the last: at rest at the points between, or at part of the velocity of
-/// the end beside them where they cannot rest there.
+/// A first motion: at rest at the intermediate points, or at a part of the velocity of the nearest
+/// end if it cannot rest there.
 std::vector<Knot> feasible(const profiles_detail::StretchBounds& bounds, std::vector<Knot> knots) {
   const auto fits = [&] {
     const std::vector<double> all = profiles_detail::durations(bounds, knots);
@@ -270,7 +271,7 @@ std::vector<Knot> feasible(const profiles_detail::StretchBounds& bounds, std::ve
   throw InputError(
       "start", "",
       "no motion was found that keeps the bounds without a reversal: begin and end slower, within "
-      "the limits of the stretch, or move the neighbouring points apart");
+      "the limits of the stretch, or move the adjacent points apart");
 }
 
 }  // namespace

@@ -14,15 +14,15 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// Durations that differ by less than this share are the same.
+/// Durations that differ by less than this share count as equal.
 constexpr double same_duration = 1e-12;
 
 MotionState lowered(const MotionState& s) {
   return {s.velocity, s.acceleration, 0};
 }
 
-/// Without position limits: the fastest change of velocity exceeds the velocity limits no
-/// farther than necessary.
+/// The bounds without position limits, for a change of velocity: the fastest change exceeds the
+/// velocity limits no more than necessary.
 Bounds lowered(const Bounds& b) {
   Bounds low;
   low.velocity_min = b.acceleration_min;
@@ -36,7 +36,7 @@ MotionState less(const MotionState& s, const MotionState& target) {
   return {s.position - target.position, s.velocity - target.velocity, s.acceleration};
 }
 
-/// One order higher: the phases of a change of velocity as those of a motion.
+/// The phases of a change of velocity, one order higher: as those of a motion.
 Profile raised(const Profile& change, const MotionState& from, const MotionState& to) {
   Profile p(from, change.order() + 1);
   for (std::size_t i = 0; i < change.phases(); ++i)
@@ -46,7 +46,7 @@ Profile raised(const Profile& change, const MotionState& from, const MotionState
   return p;
 }
 
-/// From the coordinates of a target that moves at `velocity`.
+/// Converts a motion from the coordinates of a target that moves at `velocity`.
 Profile unmoved(const Profile& relative, const MotionState& from, const MotionState& target) {
   const double t = relative.duration();
   const MotionState end{target.position + t * target.velocity, target.velocity, 0};
@@ -120,7 +120,7 @@ Solver AxisTask::solver() const noexcept {
   return {m.from, m.to, m.bounds};
 }
 
-/// From the coordinates of the goal.
+/// Converts a solution from the coordinates of the goal.
 MoveStatus AxisTask::answer(MoveStatus solved, Profile& out) const noexcept {
   if (!posed_ || solved != MoveStatus::ok) return solved;
   const Profile profile = out;
@@ -151,13 +151,14 @@ MoveStatus AxisTask::shortest(Profile& out) const noexcept {
   return MoveStatus::ok;
 }
 
-/// A motion between both states, of no duration yet.
+/// Begins a motion between both states, without phases.
 void AxisTask::begin(Profile& out) const noexcept {
   ::new (&out) Profile(axis_.from, axis_.to, 3, {}, {});
 }
 
-/// The time to stop from the start's velocity, and to reach the target's, both without jerk limits, and the
-/// duration of the motion from rest to rest in between, with the same limits both ways.
+/// Estimates a duration: the times to stop from the start's velocity and to reach the target's
+/// velocity, both without jerk limits, plus the duration of a motion from rest to rest in between,
+/// with the same limits in both directions.
 double AxisTask::about() const noexcept {
   const Bounds& b = axis_.bounds;
   const double per_a = 1 / b.acceleration_max;

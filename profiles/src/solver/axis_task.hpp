@@ -9,7 +9,7 @@
 
 namespace jounce::profiles_detail {
 
-// Every goal is a move between two states, in its own coordinates:
+// Every goal is a move between two states in its own coordinates:
 //
 //   state     the axis as it is
 //   velocity  one derivative lower: the velocity takes the place of the position, the acceleration
@@ -18,13 +18,13 @@ namespace jounce::profiles_detail {
 //
 // The phases of a motion are the same in all of them, except for the velocities of first order.
 
-/// The goal of an axis as a move between two states, in those coordinates.
+/// The task of an axis as a move between two states, in the coordinates of its goal.
 AxisMove posed(const AxisMove& axis) noexcept;
-/// A solution in those coordinates as the motion of the axis. `position_limit` where it leaves the
-/// axis's position limits; `out` is the motion in that case, too.
+/// Converts a solution in these coordinates to the motion of the axis, `out`. Returns
+/// position_limit if it leaves the position limits of the axis; `out` is set in this case, too.
 MoveStatus answered(const AxisMove& axis, const Profile& solved, Profile& out) noexcept;
 
-/// The questions about one axis and its goal. The AxisMove must outlive it.
+/// The solutions for one axis and its goal. The AxisMove must outlive the object.
 class AxisTask {
  public:
   explicit AxisTask(const AxisMove& axis) noexcept : axis_(axis) {
@@ -35,20 +35,20 @@ class AxisTask {
     if (form_ == Form::point_to_point) inside_.emplace(axis.from, axis.to, axis.bounds);
   }
 
-  /// The questions below need `ok`.
+  /// All functions below require the status `ok`.
   [[nodiscard]] MoveStatus status() const noexcept;
   [[nodiscard]] Durations durations() const noexcept;
   MoveStatus shortest(Profile& out) const noexcept;
-  /// A usual question of third order: it has a shortest motion.
+  /// True for a usual task of third order; it has a shortest motion.
   [[nodiscard]] bool is_usual() const noexcept {
     return form_ == Form::point_to_point || form_ == Form::rest_to_rest || form_ == Form::even_rest;
   }
-  /// About how long the shortest motion of such a question takes, s.
+  /// Estimated duration of the shortest motion of a usual task, s.
   [[nodiscard]] double about() const noexcept;
-  /// The motion of such a question that lasts t, where it cruises: then t is longer than the shortest.
-  /// Otherwise false, most often since t is shorter.
+  /// Computes the motion of a usual task that lasts t, if it has a cruise; t is then longer than
+  /// the shortest duration. Otherwise returns false, mostly because t is shorter.
   bool cruises(double t, Profile& out) const noexcept;
-  /// `blocked` where no motion lasts t.
+  /// Returns `blocked` if no motion lasts t.
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
@@ -59,8 +59,8 @@ class AxisTask {
 
   const AxisMove& axis_;
   Form form_ = Form::any;
-  std::optional<PointToPoint> inside_;  ///< only for Form::point_to_point
-  std::optional<AxisMove> posed_;       ///< for goals other than a state
+  std::optional<PointToPoint> inside_;  ///< for Form::point_to_point only
+  std::optional<AxisMove> posed_;       ///< for all goals except a state
 };
 
 }  // namespace jounce::profiles_detail

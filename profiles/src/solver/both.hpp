@@ -5,8 +5,8 @@
 
 namespace jounce::profiles_detail {
 
-/// Two results at once, one from each lane of a comparison. It uses SSE2 instructions: without SSE4, GCC
-/// separates the lanes of a Mask<Vector2>.
+/// Two results, one from each lane of a comparison. Uses SSE2 instructions, because GCC without
+/// SSE4 separates the lanes of a Mask<Vector2>.
 class Both {
  public:
 #ifdef __SSE2__

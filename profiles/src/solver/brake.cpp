@@ -11,7 +11,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// A violation by less than this share of the limit is rounding, not a violation.
+/// A violation by less than this share of the limit counts as rounding.
 constexpr double bound_rounding = 1e-13;
 
 MotionState after(Profile& profile, const MotionState& s, double t, double jerk) {
@@ -20,15 +20,16 @@ MotionState after(Profile& profile, const MotionState& s, double t, double jerk)
           s.velocity + t * (s.acceleration + t * (jerk / 2)), s.acceleration + t * jerk};
 }
 
-/// The velocity limit that the natural velocity n passes: 1 the upper, -1 the lower, 0 none.
+/// The velocity limit that the natural velocity n exceeds: 1 the upper, -1 the lower, 0 none.
 int violated(const MotionState& s, const Bounds& b, double n) {
   const double terms = rounding * (std::abs(s.velocity) + std::abs(n));
   if (n > b.velocity_max + (bound_rounding * b.velocity_max + terms)) return 1;
   return n < b.velocity_min + (bound_rounding * b.velocity_min - terms) ? -1 : 0;
 }
 
-/// (8): the motion returns level to the limit, which the natural velocity passes by `excess`. It ends
-/// where the acceleration begins its way back to zero. `side` is 1 at the upper limit.
+/// Equation (8): the velocity returns to the limit and touches it. The natural velocity exceeds the
+/// limit by `excess`. The phase ends where the acceleration begins to return to zero. `side` is 1
+/// for the upper limit.
 MotionState level_return(const MotionState& from, const Bounds& b, int side, double excess,
                          Profile& profile) {
   const double limit = side > 0 ? b.velocity_max : b.velocity_min;
@@ -40,7 +41,7 @@ MotionState level_return(const MotionState& from, const Bounds& b, int side, dou
   const double begun = std::min(a, 0.0);
   const double free = std::sqrt(begun * begun + 2 * excess / k);
   const double z = std::min(free, most);
-  // a + z without cancellation where the acceleration has its sign already
+  // a + z without cancellation, if the acceleration already has the required sign.
   const double change = a < 0 && free < most ? 2 * excess / (k * (z - a)) : z + a;
   const double hold = free > most ? (excess - k * (z - begun) * (z + begun) / 2) / most : 0;
   MotionState s = after(profile, from, change / std::abs(inwards), inwards);
@@ -59,7 +60,7 @@ bool is_inside(const MotionState& s, const Bounds& b, double tolerance) noexcept
   const double top = b.velocity_max * more;
   const double bottom = b.velocity_min * more;
   if (v > top || v < bottom) return false;
-  // The place where the acceleration comes to zero, without a division:
+  // The point at which the acceleration has returned to zero, without a division:
   return a > 0 ? a * a <= 2 * -b.jerk_min * (top - v) : a * a <= 2 * b.jerk_max * (v - bottom);
 }
 
@@ -74,7 +75,7 @@ MotionState acceleration_inside(const MotionState& from, const Bounds& b,
   MotionState s = from;
   s.acceleration = std::clamp(from.acceleration, b.acceleration_min, b.acceleration_max);
   const double change = s.acceleration - from.acceleration;
-  // Also where only a last digit is left: it would act through all of a hold or a cruise.
+  // Also applies to a last digit, which would act through a whole hold or cruise.
   if (change == 0) return s;
   const double jerk = change < 0 ? b.jerk_min : b.jerk_max;
   const double a = s.acceleration;
@@ -107,13 +108,14 @@ Braking braking_under_way(const MotionState& from, const MotionState& to,
   const double n = v - a * a / (2 * rise);
   const bool rests = to.velocity == 0 && to.acceleration == 0;
   if (!rests || distance == 0 || !(a > most * (1 + bound_rounding)) || !(n > 0)) return {};
-  // (10) for the rest beside the ramp to zero acceleration
+  // Equation (10), for the part besides the ramp to zero acceleration.
   const double ramp = a / rise * (v - a * a / (3 * rise));
   const double e = rise * (way * distance - ramp);
   const double r = std::sqrt(e * e + n * n * n * rise);
   const double x = e > 0 ? n * n * rise / (e + r) : (r - e) / n;
   if (x <= most) return {};
-  // A last digit more, so that the axis stops before the target and not behind it by rounding.
+  // Larger by a few digits, so that by rounding the axis stops before the target instead of after
+  // it.
   if (x <= a) return {.limit = -way * std::min(x * (1 + 0x1p-48), a)};
   return {.hold = n / a};
 }

@@ -8,8 +8,9 @@
 
 namespace jounce::profiles_detail {
 
-// From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak velocity vp takes the
-// times x (rising acceleration), h (held) and x (falling), the ramp down is its mirror image, and the cruise lasts c:
+// From rest to rest over d > 0 with the same limits V, A and J both ways. A ramp up to the peak
+// velocity vp takes the times x (rising acceleration), h (held) and x (falling), the ramp down is
+// its mirror image, and the cruise lasts c:
 //
 //   (1)  vp = J x (x + h),   d = vp (2 x + h + c),   T = 4 x + 2 h + c
 //
@@ -21,7 +22,8 @@ namespace jounce::profiles_detail {
 //
 //   (3)  x = min(A/J, cbrt(d/(2 J))),   h = -3 x/2 + sqrt(x^2/4 + d/A) (or 0)
 //
-// The motion of a longer duration T cruises at a lower velocity. Without a hold, x = x0/y with x0 = sqrt(d/(J T)) and
+// The motion of a longer duration T cruises at a lower velocity. Without a hold, x = x0/y with x0 =
+// sqrt(d/(J T)) and
 //
 //   (4)  y^3 - y + u = 0,   u = 2 x0/T,   the greatest y;   u <= 1/sqrt(8), since 4 x <= T
 //
@@ -29,19 +31,19 @@ namespace jounce::profiles_detail {
 //
 //   (5)  vp^2/A - (T - A/J) vp + d = 0
 
-/// One motion, s.
+/// One motion; durations in s.
 struct EvenCourse {
   double ramp, hold, cruise;  ///< x, h and c
 
   [[nodiscard]] double duration() const noexcept { return 4 * ramp + 2 * hold + cruise; }
 };
 
-/// A question of Form::even_rest. Each case is computed and one is selected. There is no branch on the numbers: a
-/// processor cannot predict which limits a move reaches.
+/// A task of Form::even_rest. All cases are computed and one is selected, without a branch that
+/// depends on the numbers: a processor cannot predict which limits a move reaches.
 class EvenRest {
  public:
-  EvenRest() = default;  ///< no question yet
-  /// Magnitudes; velocity and acceleration may be infinite.
+  EvenRest() = default;  ///< no task yet
+  /// The arguments are magnitudes; velocity and acceleration may be infinite.
   JOUNCE_INLINE EvenRest(double distance, double velocity, double acceleration,
                          double jerk) noexcept
       : d_(distance),
@@ -56,7 +58,7 @@ class EvenRest {
                  pair(b.velocity_max, -b.velocity_min, to.position < from.position)[0],
                  b.acceleration_max, b.jerk_max) {}
 
-  /// False where d/J is too near to the least or the greatest double.
+  /// False if d/J is too near to the least or the greatest double.
   [[nodiscard]] JOUNCE_INLINE static bool solves(double distance, double jerk) noexcept {
     return (distance > 1e-290 * jerk) & (distance < 1e290 * jerk);
   }
@@ -70,7 +72,8 @@ class EvenRest {
     return {course[0], course[1], greatest(cruise, 0.0)};
   }
 
-  /// The motion that lasts t; false where t is shorter than the shortest, or within rounding of it.
+  /// Computes the motion that lasts t; returns false if t is shorter than the shortest duration, or
+  /// within rounding of it.
   [[nodiscard]] JOUNCE_INLINE bool lasting(double t, EvenCourse& out) const noexcept {
     const double x0 = square_root(d_ * per_j_ / t);
     const double free = x0 / greatest_root(least(2 * x0 / t, most));
@@ -83,16 +86,16 @@ class EvenRest {
   }
 
  private:
-  /// The greatest u in (4); for any u above it no ramp without a hold lasts t.
+  /// The greatest u in (4); for a greater u, no ramp without a hold lasts t.
   static constexpr double most = 0.354;
 
-  /// x and h: a ramp that reaches A has the given hold, any other has none.
+  /// x and h: only a ramp that reaches A has a hold, which is given.
   [[nodiscard]] JOUNCE_INLINE Vector2 held(double x, double hold) const noexcept {
     const Vector2 reaches{longest_, greatest(hold, 0.0)};
     return every<Vector2>(x) >= every<Vector2>(longest_) ? reaches : Vector2{x, 0};
   }
 
-  /// (4), from a polynomial within 0.003, by two of Halley's steps.
+  /// The root of (4): a polynomial with an error below 0.003, then two of Halley's steps.
   [[nodiscard]] JOUNCE_INLINE static double greatest_root(double u) noexcept {
     double y = 0.9995985 + u * (-0.4451419 + u * (-1.490506 + u * (6.627067 - u * 15.43185)));
     for (int i = 0; i < 2; ++i) {
@@ -104,11 +107,11 @@ class EvenRest {
   }
 
   double d_, v_, per_a_, per_j_;
-  double longest_;  ///< A/J, the longest x
+  double longest_;  ///< A/J, the greatest x
   double cubed_, per_cubed_;
 };
 
-/// The motion as a profile.
+/// The motion as a Profile.
 [[nodiscard]] JOUNCE_INLINE Profile profile_of(const EvenCourse& c, double jerk,
                                                const MotionState& from,
                                                const MotionState& to) noexcept {
@@ -125,7 +128,8 @@ class EvenRest {
                   {c.ramp, 1}});
 }
 
-/// Acceleration and jerk have the same limits both ways, and EvenRest solves for the distance.
+/// True if acceleration and jerk have the same limits in both directions, and EvenRest can solve
+/// the distance.
 [[nodiscard]] JOUNCE_INLINE bool is_even(double distance, const Bounds& b) noexcept {
   return (b.acceleration_max == -b.acceleration_min) & (b.jerk_max == -b.jerk_min) &
          EvenRest::solves(std::abs(distance), b.jerk_max);

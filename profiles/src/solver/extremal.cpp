@@ -23,21 +23,21 @@ Extremals::Extremals(const End& from, const End& to, double dv, const Limits& li
   const Vector2 s = half_.s;
   const Vector2 squares = s * s;
   half_.c = half_.v - squares * (ijp_ / 2);
-  // A half begins at its own s, or where its z passes zero.
+  // A half begins at its own s, or where its z is zero.
   half_.gain = s > 0 ? squares * (ijd_ / 2) : -squares * (ijp_ / 2);
   half_.natural = half_.v + half_.gain;
   const Vector2 begun = greatest(s, Vector2{});
   half_.to_sat = k_ / 2 * (half_.limit - begun) * (half_.limit + begun);
   half_.sat = half_.natural + half_.to_sat;
   natural_ = std::max(half_.natural[0], half_.natural[1]);
-  // c1 - c2 from differences, so that it keeps its digits beside large velocities.
+  // c1 - c2 is computed from differences, so it keeps its digits if the velocities are large.
   const double s0 = half_[0].s;
   const double s1 = half_[1].s;
   const double dc = -dv - (s0 - s1) * (s0 + s1) * ijp_ / 2;
   excess_ = -dv + (s0 - s1) * (s0 + s1) * ijd_ / 2;
   high_ = dc >= 0 ? 0 : 1;
   q_ = 2 * ik_ * std::abs(dc);
-  if (half_[static_cast<std::size_t>(first_)].s < 0 && high_ != first_) {  // by rounding alone
+  if (half_[static_cast<std::size_t>(first_)].s < 0 && high_ != first_) {  // only by rounding
     high_ = first_;
     q_ = 0;
   }
@@ -53,7 +53,8 @@ bool Extremals::has_early() const noexcept {
   const auto room = half_[static_cast<std::size_t>(1 - first_)];
   const double tolerance = rounding * (std::abs(degenerate.c) + std::abs(room.c) +
                                        k_ * square(degenerate.s) + k_ * square(room.s));
-  const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;  // between the c of both halves
+  // difference between the c of both halves
+  const double dc = high_ == first_ ? -k_ * q_ / 2 : k_ * q_ / 2;
   return room.s < 0 && degenerate.s > 0 && dc >= -tolerance &&
          dc + k_ * (room.s - degenerate.s) * (room.s + degenerate.s) / 2 >= -tolerance;
 }
@@ -64,10 +65,11 @@ Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   const Vector2 zero{};
   const Vector2 s = half_.s;
   const Vector2 above = vp - half_.v - half_.gain + beyond;
-  // No phases for the last digits alone.
+  // A difference of a few last digits gets no phases.
   const Vector2 more = above <= every<Vector2>(rounding * std::abs(vp)) ? zero : above;
   const Vector2 begun = greatest(s, zero);
-  // From the same difference as the rise, so that the fall brings the acceleration back to zero.
+  // From the same difference as the rise, so that the fall brings the acceleration exactly back to
+  // zero.
   const Vector2 free = square_root(begun * begun + 2 * ik_ * more);
   const Vector2 held = more - half_.to_sat;
   e.z = held > zero ? half_.limit : greatest(least(free, half_.limit), s);
@@ -81,8 +83,8 @@ Extremal Extremals::at_peak(double vp, double beyond) const noexcept {
   return e;
 }
 
-/// The member at which one half has no phase of rising acceleration: its z is its initial acceleration. The
-/// other half's z has the given sign.
+/// The member in which one half has no phase of rising acceleration, so its z is its initial
+/// acceleration. The z of the other half has the given sign.
 Extremal Extremals::beginning(int which, double sign) const noexcept {
   const auto i = static_cast<std::size_t>(which);
   const auto other = half_[1 - i];
@@ -92,10 +94,10 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   const double more = which == high_ ? q_ : -q_;
   double squares = 2 * ik_ * (which == 0 ? excess_ : -excess_);
   double z = 0;
-  // The square of z, from the nearer one.
+  // The square of z, computed from the nearer z.
   const double square_of_z =
       std::abs(other.s) < std::abs(s) ? square(other.s) + squares : square(s) + more;
-  // Below zero the limit of the other direction counts, which each end keeps.
+  // Below zero the limit of the other direction applies, which both ends keep.
   if (sign < 0 || square_of_z < other.limit * other.limit) {
     z = sign * root(square_of_z);
     e.fall = (z * s < 0 ? more / (z - s) : z + s) * ijd_;
@@ -108,7 +110,8 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
   } else {
     z = other.limit;
     squares = (other.limit - other.s) * (other.limit + other.s);
-    // From the change of velocity, which includes rise and fall: vp and sat may be far above it.
+    // Computed from the change of velocity, which includes rise and fall, because vp and sat may be
+    // far above it.
     const double passed = ((z - other.s) * (z + other.s) * ijp_ + (z - s) * (z + s) * ijd_) / 2;
     e.hold = pair(0, std::max(((which == 1 ? dv_ : -dv_) - passed) / z, 0.0), which == 1);
     e.fall = (z + s) * ijd_;
@@ -121,7 +124,7 @@ Extremal Extremals::beginning(int which, double sign) const noexcept {
 Extremal Extremals::mirrored(const Extremal& direct) const noexcept {
   const auto i = static_cast<std::size_t>(first_);
   const bool swaps = first_ == 1;
-  Extremal e;  // rise and fall change places
+  Extremal e;  // the durations of rise and fall are exchanged
   e.z = pair(direct.z[1 - i], -half_.s[1 - i], swaps);
   e.vp = -half_.c[1 - i];
   e.fall = direct.rise[1 - i];
@@ -140,7 +143,7 @@ Extremal Extremals::last_early() const noexcept {
 
 double Extremals::distance(const Extremal& e) const noexcept {
   const Vector2 risen = half_.v + e.rise * (half_.s + e.z) / 2;
-  const Vector2 v = risen + e.hold * e.z;  // at the beginning and the end of the fall
+  const Vector2 v = risen + e.hold * e.z;  // at the beginning and at the end of the fall
   const Vector2 rises = e.rise * ((half_.v + risen) / 2 - e.rise * (e.z - half_.s) / 12);
   const Vector2 holds = e.hold * (risen + v) / 2;
   const Vector2 ramps = rises + holds;
@@ -160,13 +163,13 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   const int i = b == Branch::main ? first_ : 1 - first_;
   const auto a = half_[static_cast<std::size_t>(i)];
   const auto o = half_[static_cast<std::size_t>(1 - i)];
-  // S in terms of the smaller z.
+  // S as a function of the smaller z.
   const auto sum = [this](double z_high) {
     const double z_low = root(z_high * z_high + q_);
     return z_high < 0 ? q_ / (z_low - z_high) : z_low + z_high;
   };
-  double vp = a.c + k_ * square(a.s) / 2;  // the present vp
-  if (a.s < 0) {                           // below zero: a is the high half
+  double vp = a.c + k_ * square(a.s) / 2;  // the current vp
+  if (a.s < 0) {                           // below zero: a is the half with the greater c
     const double end = b == Branch::main ? 0 : -root(2 * ik_ * (o.c + k_ * square(o.s) / 2 - a.c));
     double x = a.s;
     const double held_beyond = -root(square(o.limit) - q_);
@@ -181,12 +184,12 @@ int Extremals::stretches(Branch b, Stretches& out) const noexcept {
   } else if (b == Branch::early) {
     return n;
   }
-  const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;  // saturates first
+  const int lower = half_[0].sat <= half_[1].sat ? 0 : 1;  // the half that saturates first
   const auto l = half_[static_cast<std::size_t>(lower)];
   const auto u = half_[static_cast<std::size_t>(1 - lower)];
   const auto z = [this](const Half<double>& h, double v) { return root(2 * ik_ * (v - h.c)); };
   const double c_high = half_[static_cast<std::size_t>(high_)].c;
-  // At the beginning of the branch, both z are more exact than from the velocities.
+  // At the beginning of the branch, both z are more exact than those computed from the velocities.
   const bool begins = a.s >= 0;
   const Extremal start = begins ? first(b) : Extremal{};
   const double to_none = std::min(l.sat, vmax_);
@@ -242,13 +245,13 @@ std::array<double, 7> Extremals::phases(const Extremal& e) const noexcept {
   double fall = e.fall;
   Vector2 rise = e.rise;
   if (!cruises && std::min(rise[0], rise[1]) < 0) {
-    // A rise that is negative by rounding is subtracted from the other: duration and acceleration at the end
-    // stay. The rest of it is left out.
+    // A rise that is negative by rounding is subtracted from the other one, so the duration and the
+    // final acceleration do not change. Its remainder is dropped.
     const std::size_t i = rise[0] < 0 ? 0 : 1;
     rise[1 - i] += rise[i];
     rise[i] = 0;
     const double less = -std::min(rise[1 - i], 0.0);
-    // The fall compensates for it, unless it is only rounding of the acceleration.
+    // The fall compensates for this, unless it is only rounding of the acceleration.
     if (less > rounding * (std::abs(half_[0].s) + std::abs(half_[1].s)) * ijp_)
       fall += less * ijd_ / ijp_;
   }
@@ -284,7 +287,7 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
         e = member(p, p.lo);
         const double per_velocity = 1 / half_[0].limit + 1 / half_[1].limit;
         x = (t - duration(e)) / per_velocity;
-        if (std::min(e.rise[0], e.rise[1]) <= 0)  // a hold may have been rounded to none
+        if (std::min(e.rise[0], e.rise[1]) <= 0)  // rounding may have reduced a hold to zero
           x += (t - duration(at_peak(p.lo, x))) / per_velocity;
         return at_peak(p.lo, std::clamp(x, 0.0, p.hi - p.lo));
       }

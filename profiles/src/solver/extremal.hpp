@@ -8,8 +8,8 @@
 
 namespace jounce::profiles_detail {
 
-// The motions that go farthest in a given time under a limited jerk: the family of motions on which the
-// general solver is based. docs/generators/move.md derives it in detail.
+// Extremals: the motions that go farthest in a given time with limited jerk. The general solver is
+// based on them. docs/generators/move.md has the detailed derivation.
 //
 // Fix both ends, (v0, a0) and (vf, af), and a duration T. The bounds on velocity, acceleration and
 // jerk are convex, so the distances that can be covered in T form an interval [Dmin(T), Dmax(T)].
@@ -17,45 +17,47 @@ namespace jounce::profiles_detail {
 //
 //   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
 //
-// The second half run backwards begins at (vf, -af) and is of the same kind as the first. A half
-// that begins at velocity v and acceleration s towards the peak velocity vp, with
-// c = v - s^2/(2 jp) and k = 1/jp + 1/jd (jp, jd > 0: rise and fall of acceleration), has
+// The second half, run backwards, begins at (vf, -af) and has the same form as the first. Consider
+// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c = v
+// - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
+// acceleration,
 //
 //   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held
 //   (2)  t  = (z - s)/jp + h + z/jd
 //   (3)  d  = c (z - s)/jp + (z^3 - s^3)/(6 jp^2) + (c + z^2/(2 jp)) h + z h^2/2
 //             + vp z/jd - z^3/(6 jd^2)
 //
-// Where the acceleration keeps its sign between z1 and -z2, one z is negative: the halves then
-// overlap, and (1) to (3) still hold. Along the family, in the direction of growing T,
+// If the acceleration has the same sign from z1 to -z2, one z is negative; the halves then overlap,
+// and (1) to (3) still hold. Along the family, in the direction of growing T,
 //
 //   (4)  dDmax/dT = H = vp + z1 z2/(2 jd)
 //
 // Dmin is Dmax of the motion mirrored in position.
 //
-// Where one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
-// phase of seconds changes z by less than its last digits. The same equations in the times of the phases
-// keep their digits (extremal_timed.cpp).
+// If one jerk is far below the other, c or vp may be far from every velocity of the motion, and a
+// phase of seconds changes z by less than its last digits. The same equations, written in the
+// durations of the phases, keep their digits (extremal_timed.cpp).
 
-/// The least ratio of one jerk to the other, or of one acceleration to the other, for which the digits that
+/// If the ratio between the two jerks or the two accelerations is at least this, the digits that
 /// (1) to (3) lose matter.
 inline constexpr double uneven = 8;
 
 /// A member of the family.
 struct Extremal {
-  // The first and the second half, each in a lane:
-  Vector2 z{};        ///< peak accelerations towards the peak velocity
-  Vector2 rise{};     ///< s, of rising to them
-  Vector2 hold{};     ///< s, of holding them
-  double fall = 0;    ///< s, of the acceleration from z1 to -z2, without the cruise
+  // The first and the second half, one in each lane:
+  Vector2 z{};     ///< peak accelerations towards the peak velocity
+  Vector2 rise{};  ///< s, duration of the rise of the acceleration to z
+  Vector2 hold{};  ///< s, duration for which the acceleration is z
+  /// s, duration of the fall of the acceleration from z1 to -z2, without the cruise.
+  double fall = 0;
   double vp = 0;      ///< peak velocity
-  double cruise = 0;  ///< s, at the peak velocity
+  double cruise = 0;  ///< s, duration of the cruise at the peak velocity
 };
 
-/// All extremals between two ends. With both accelerations at the ends of one sign there may be two
-/// separate branches: the *early* one, where the velocity changes without the acceleration passing
-/// zero, lasts from its direct change to a longest member; the *main* one lasts from its direct
-/// change to any duration.
+/// All extremals between two ends. If the accelerations at both ends have the same sign, there may
+/// be two separate branches. In the *early* branch the velocity changes without a zero of the
+/// acceleration; it extends from its direct change to a longest member. The *main* branch extends
+/// from its direct change to any duration.
 class Extremals {
  public:
   struct End {
@@ -75,49 +77,50 @@ class Extremals {
   };
   enum class Branch { early, main };
 
-  /// `degenerate` is the half (0 or 1) with the greater natural velocity: the velocity at which the
-  /// acceleration comes to zero if it returns at once.
-  /// `dv` is the velocity `to` less that of `from`: it may be more exact than the two.
+  /// `degenerate` is the half (0 or 1) with the greater natural velocity. The natural velocity is
+  /// the one at which the acceleration reaches zero if it returns to zero at once. `dv` is the
+  /// velocity of `to` minus that of `from`; it may be more exact than both.
   Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
-  /// True if there is an early branch, within the rounding of the velocities.
+  /// True if there is an early branch, to the rounding of the velocities.
   [[nodiscard]] bool has_early() const noexcept;
-  /// The shortest member of a branch, and the longest of the early one.
+  /// The shortest member of a branch, and the longest member of the early branch.
   [[nodiscard]] Extremal first(Branch b) const noexcept;
   [[nodiscard]] Extremal last_early() const noexcept;
-  /// The shortest member of the main branch, the direct change of velocity, as a member of the mirrored family.
+  /// The shortest member of the main branch (the direct change of velocity), as a member of the
+  /// mirrored family.
   [[nodiscard]] Extremal mirrored(const Extremal& direct) const noexcept;
 
   [[nodiscard]] double duration(const Extremal& e) const noexcept {
     return e.rise[0] + e.hold[0] + e.fall + e.cruise + e.hold[1] + e.rise[1];
   }
   [[nodiscard]] double distance(const Extremal& e) const noexcept;
-  /// The durations of the seven phases, jerk + 0 - 0 - 0 +. A phase that does not occur may be negative by
-  /// rounding.
+  /// The durations of the seven phases, with jerk + 0 - 0 - 0 +. The duration of a phase that does
+  /// not occur may be negative by rounding.
   [[nodiscard]] std::array<double, 7> phases(const Extremal& e) const noexcept;
-  /// (4)
+  /// Equation (4).
   [[nodiscard]] double slope(const Extremal& e) const noexcept {
     return e.vp + e.z[0] * e.z[1] * ijd_ / 2;
   }
 
-  /// The members of the branch that cover d, in the order of their duration: at most three.
+  /// The members of the branch that cover d, by ascending duration: at most three.
   using Members = std::array<Extremal, 3>;
   [[nodiscard]] int covering(Branch b, double d, Members& out, int most = 3) const noexcept;
-  /// The shortest of them on the main branch, by a faster method. d >= covered,
-  /// the distance of `begin`, which is first(Branch::main).
+  /// The shortest of them on the main branch, by a faster method. d >= covered, which is the
+  /// distance of `begin` = first(Branch::main).
   [[nodiscard]] Extremal cover(double d, const Extremal& begin, double covered) const noexcept;
   /// The member of the branch that lasts t.
   [[nodiscard]] Extremal lasting(Branch b, double t) const noexcept;
 
-  /// The greater of the velocities at which the acceleration of an end would come to zero.
+  /// The greater of the natural velocities of both ends.
   [[nodiscard]] double natural() const noexcept { return natural_; }
-  /// Two motions that are not extremal, but of the same form: one cruises at the natural velocity; the other one
-  /// cruises at a higher velocity and covers d in t. Only for t and d that permit the
-  /// former; false where no velocity covers d, within `slack`.
+  /// Two motions that are not extremal but have the same form. One cruises at the natural velocity.
+  /// The other one cruises at a higher velocity and covers d in t. Call the latter only for t and d
+  /// that permit the former; it returns false if no velocity covers d, within `slack`.
   [[nodiscard]] Extremal level() const noexcept { return at_peak(natural_); }
   bool cruising(double t, double d, double slack, Extremal& out) const noexcept;
-  /// The same by a faster method; false also where its few steps do not find the motion.
+  /// The same by a faster method; returns false also if its few steps do not find the motion.
   bool soon_cruising(double t, double d, Extremal& out) const noexcept;
 
  private:
@@ -126,19 +129,19 @@ class Extremals {
     Real v, s, limit, c;
     Real gain;     ///< from v to natural
     Real to_sat;   ///< from natural to sat
-    Real sat;      ///< vp at which z reaches the limit
-    Real natural;  ///< vp at which z is s, or 0 if that is more
+    Real sat;      ///< vp for which z reaches the limit
+    Real natural;  ///< vp for which z is the greater of s and 0
   };
-  /// Both halves, each in a lane.
+  /// Both halves, one in each lane.
   struct Halves : Half<Vector2> {
     [[nodiscard]] Half<double> operator[](std::size_t i) const noexcept {
       return {v[i], s[i], limit[i], c[i], gain[i], to_sat[i], sat[i], natural[i]};
     }
   };
-  /// A stretch of a branch over which the same z are held. One parameter runs through it.
+  /// A stretch of a branch on which the same halves hold their limit. It has one parameter.
   struct Stretch {
     enum class Held { none, one, both, cruise } held;
-    int free;  ///< Held::one: the half that does not hold
+    int free;  ///< for Held::one: the half that does not hold
     double lo, hi;
   };
   using Stretches = std::array<Stretch, 6>;
@@ -150,28 +153,30 @@ class Extremals {
                                double guess) const noexcept;
   [[nodiscard]] double solve_sum(double g, double lo, double hi, bool rising,
                                  double guess) const noexcept;
-  /// (5) without K, over k: of the sum of both z.
+  /// Equation (5) without K, divided by k, as a function of the sum of both z.
   [[nodiscard]] double of_sum(double s) const noexcept {
     return s * (mean_ + cubic_ * s * s) - (s > 0 ? inverse_ / s : 0);
   }
   [[nodiscard]] double cruise_velocity(double t, double d) const noexcept;
   [[nodiscard]] Extremal cruising_above(double above, double t) const noexcept;
   double cruising_step(const Extremal& e, double d, double& sign) const noexcept;
-  /// `beyond`: a small part of the peak velocity, which vp + beyond would round.
+  /// `beyond`: a small part of the peak velocity that rounding of vp + beyond would lose.
   [[nodiscard]] Extremal at_peak(double vp, double beyond = 0) const noexcept;
-  /// The time for which the other half holds its limit where the half `free` has z. It follows from the difference
-  /// of both c: velocities have too few digits.
+  /// The duration for which the other half holds its limit if the half `free` has z. Computed from
+  /// the difference between the c of both halves, because velocities have too few digits.
   [[nodiscard]] double held_beside(int free, double z) const noexcept {
     const double l = half_[static_cast<std::size_t>(1 - free)].limit;
     return k_ / 2 * ((free == high_ ? q_ : -q_) + (z - l) * (z + l)) / l;
   }
   [[nodiscard]] Extremal beginning(int which, double sign) const noexcept;
-  /// The time that a half takes to its z. z^2 - s^2 is more exact than z where z and s nearly agree.
+  /// The duration in which a half reaches z. If z and s are nearly equal, z^2 - s^2 is more exact
+  /// than z.
   [[nodiscard]] double rise(const Half<double>& h, double z, double squares) const noexcept {
     return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
   }
 
-  // By the time of a slow phase: that of both rises, of the free half's rise, or of the fall.
+  // Uses the time of a slow phase as parameter: that of both rises, of the rise of the free half,
+  // or of the fall.
   [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
   [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;
   [[nodiscard]] Extremal timed_none(double x) const noexcept;
@@ -182,13 +187,14 @@ class Extremals {
 
   Halves half_;
   double vmax_, dv_, ijp_, ijd_, k_, ik_;  ///< ijp_ = 1/jp, ik_ = 1/k
-  double
-      excess_;  ///< excess of the first half's velocity over the second's, where the accelerations are zero
+  /// Difference between the velocities of the first and the second half at which the accelerations
+  /// are zero.
+  double excess_;
   bool rises_slowly_;  ///< jp is far below jd
   double natural_;
-  double mean_, cubic_, inverse_, base_;  ///< base of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
-  double q_;                              ///< z_low^2 - z_high^2 while nothing is held
-  int high_;   ///< the half with the greater c, whose z is the smaller while nothing is held
+  double mean_, cubic_, inverse_, base_;  ///< coefficients of (5): m, (k + 1/jd)/24, q^2/(8 jp), K
+  double q_;                              ///< z_low^2 - z_high^2, while no half holds
+  int high_;   ///< the half with the greater c; its z is the smaller one while no half holds
   int first_;  ///< the half that is degenerate at the start of the main branch
 };
 

@@ -10,40 +10,41 @@
 #include "profiles/src/solver/extremal.hpp"
 #include "profiles/src/solver/zero.hpp"
 
-// The member that covers a distance.
+// Finds the member of the family that covers a given distance.
 //
 // While nothing is held, (1) gives z_low^2 - z_high^2 = q. With the sum S = z1 + z2, which grows
 // with T by (2), z_high = (S - q/S)/2 and z_low = (S + q/S)/2, and (4) integrates to
 //
 //   (5)  d = K + k (m S + (k + 1/jd) S^3/24 - q^2/(8 jp S)),   m = (c1 + c2)/2
 //
-// While one half holds z = L, the peak acceleration x of the other runs, with w = the held half's
-// hold at x = 0,
+// While one half holds z = L, the peak acceleration x of the other half is the variable. With w the
+// duration for which the held half holds at x = 0,
 //
 //   (6)  d = K' + k (c x + (L/(2 jd) + c/L) x^2/2 + (k + 1/jd) x^3/6 + k x^4/(8 L))
 //
-// While both hold, vp runs: (7) d = d1 + (1/L1 + 1/L2) ((vp1 + L1 L2/(2 jd)) y + y^2/2), y = vp - vp1.
+// While both hold, vp runs. With y = vp - vp1, (7) d = d1 + (1/L1 + 1/L2)((vp1 + L1 L2/(2 jd)) y +
+// y^2/2).
 // K = -sum of c s/jp + s^3/(6 jp^2) over both halves; K' is (3) of both halves at x = 0.
 
 namespace jounce::profiles_detail {
 namespace {
 
-/// A power of two within a factor of 4 of the cube root. Units that differ by powers of two give the same result,
-/// which std::cbrt does not.
+/// A power of two within a factor of 4 of the cube root. Unlike std::cbrt, it gives the same result
+/// in units that differ by powers of two.
 double about_cube_root(double x) {
   return x > 0 ? std::ldexp(1.0, (std::ilogb(x) + 3000) / 3 - 999) : 0;
 }
 
 }  // namespace
 
-/// (5): the sum at which of_sum is g.
+/// The sum for which of_sum is g, by (5).
 double Extremals::solve_sum(double g, double lo, double hi, bool rising,
                             double guess) const noexcept {
   const auto f = [&](double s, double& sign) {
     const double ss = s * s;
     sign = ss * (mean_ + cubic_ * ss) - g * s - inverse_;            // s f
     const double slope = ss * (mean_ + 3 * cubic_ * ss) + inverse_;  // s^2 f'
-    // A step in the square of s, in which f is about linear.
+    // A step in the square of s, of which f is almost linear.
     const double share = newton(sign, slope, rising);
     return s * share * (1 + std::clamp(share, -0.5, 0.5) / 2);
   };
@@ -56,7 +57,7 @@ double Extremals::solve_sum(double g, double lo, double hi, bool rising,
   return zero(f, lo, hi, rising, guess);
 }
 
-/// The member of the stretch that covers the distance d; there is one.
+/// The member of the stretch that covers the distance d, which must exist.
 Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess) const noexcept {
   using Held = Stretch::Held;
   if (is_timed(p)) return solve_time(p, d, rising);
@@ -68,7 +69,7 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const auto x = half_[static_cast<std::size_t>(p.free)];
       const auto held = half_[static_cast<std::size_t>(1 - p.free)];
       const double l = held.limit;
-      const double h0 = held_beside(p.free, 0);  // hold at x = 0, may be negative
+      const double h0 = held_beside(p.free, 0);  // hold at x = 0; may be negative
       const double k0 = base_ + held.c * l * ijp_ + cube(l) * ijp_ * ijp_ / 6 +
                         h0 * (held.c + l * l * ijp_ / 2 + l * h0 / 2) + x.c * l * ijd_ -
                         cube(l) * ijd_ * ijd_ / 6;
@@ -88,7 +89,8 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const double y = zero(f, p.lo, hi, rising, guess);
       const Extremal e = member(p, y);
       if (!(y > uneven * l)) return e;
-      // The terms are y/L times as large as the sum over the phases: one more step with that sum.
+      // The terms are y/L times as large as the sum over the phases, so one more step with that sum
+      // follows.
       const double slope = k_ * (x.c + y * (2 * c2 + y * (3 * c3 + y * 4 * c4)));
       const double next = y - newton(distance(e) - d, slope, rising);
       return next > p.lo && next < hi ? member(p, next) : e;
@@ -102,7 +104,8 @@ Extremal Extremals::solve(const Stretch& p, double d, bool rising, double guess)
       const double y = rising == (h > 0) ? 2 * g / (h + signed_root) : signed_root - h;
       const Extremal found = at_peak(p.lo, std::clamp(y, 0.0, p.hi - p.lo));
       if (std::min(e.rise[0], e.rise[1]) > 0) return found;
-      // At the beginning a hold of a few last digits may have been rounded to none: one more step.
+      // At the beginning, rounding may have reduced a hold of a few last digits to zero: one more
+      // step.
       const double less =
           (distance(found) - d) / (slope(found) * (1 / half_[0].limit + 1 / half_[1].limit));
       return at_peak(p.lo, std::clamp(y - less, 0.0, p.hi - p.lo));
@@ -144,7 +147,7 @@ int Extremals::turning(const Stretch& p, std::array<double, 2>& out) const noexc
 }
 
 int Extremals::covering(Branch b, double d, Members& out, int most) const noexcept {
-  if (b == Branch::early && high_ == first_) return 0;  // no longer than rounding
+  if (b == Branch::early && high_ == first_) return 0;  // this branch is no longer than rounding
   Stretches all;
   const int stretches_in_use = stretches(b, all);
   int found = 0;
@@ -152,7 +155,7 @@ int Extremals::covering(Branch b, double d, Members& out, int most) const noexce
   for (int i = 0; i < stretches_in_use && found < most; ++i) {
     Stretch piece = all[static_cast<std::size_t>(i)];
     const double end = piece.hi;
-    // The distance may rise, fall and rise again. Once it rises with both z > 0, it continues to rise.
+    // The distance may rise, fall and rise again. After it rises with both z > 0, it always rises.
     const Extremal begin = member(piece, piece.lo);
     std::array<double, 2> turns;
     const bool turns_somewhere = std::min(begin.z[0], begin.z[1]) < 0 || slope(begin) < 0;
@@ -173,14 +176,15 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   Extremal lo = begin;
   double from = lo.z[0] + lo.z[1];
   const double g = (d - base_) * ik_;
-  const bool is_below = half_[static_cast<std::size_t>(first_)].s < 0;  // zero acceleration
+  const bool is_below = half_[static_cast<std::size_t>(first_)].s < 0;  // below zero acceleration
   if (rises_slowly_ || (is_below && begin.hold[static_cast<std::size_t>(1 - first_)] > 0)) {
     Members members{begin};
     (void)covering(Branch::main, d, members, 1);
     return members[0];
   }
   if (is_below) {
-    // The velocity passes zero acceleration with the same formula; but the distance may have risen,
+    // The same formula applies on both sides of zero acceleration. But the distance may have risen
+    // and fallen again before.
     // and fallen again, before that.
     lo.vp = natural_;
     const Stretch p{Stretch::Held::none, 0, from, std::sqrt(q_)};
@@ -190,7 +194,7 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
     if (rises_first && of_sum(turns[0]) >= g)
       return member(p, solve_sum(g, from, turns[0], true, turns[0]));
     if (n > 0) from = turns[static_cast<std::size_t>(n - 1)];
-    if (std::min({half_[0].sat, half_[1].sat, vmax_}) <= natural_) {  // nothing above to go on in
+    if (std::min({half_[0].sat, half_[1].sat, vmax_}) <= natural_) {  // there is nothing above
       const Extremal top = at_peak(natural_);
       const double reach = distance(top);
       if (reach >= d) return member(p, solve_sum(g, from, p.hi, true, p.hi));
@@ -202,7 +206,7 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   const auto free = static_cast<std::size_t>(1 - lower);
   const double first_sat = std::min(half_[1 - free].sat, vmax_);
   const double second_sat = std::min(half_[free].sat, vmax_);
-  // In the square of its parameter, a stretch is about linear.
+  // A stretch is almost linear in the square of its parameter.
   const auto guess = [](double x0, double x1, double share) {
     return std::sqrt(x0 * x0 + (x1 - x0) * (x1 + x0) * share);
   };
@@ -246,8 +250,9 @@ Extremal Extremals::cover(double d, const Extremal& begin, double covered) const
   return lo;
 }
 
-/// The velocity of cruising() to about nine digits; NaN where these steps do not find it. A half that passes
-/// zero acceleration at velocity c covers less than a cruise, with p = 1/jp, by
+/// The velocity of cruising() to about nine digits; NaN if these steps do not find it. A half that
+/// passes zero acceleration at velocity c covers less than a cruise. With p = 1/jp, the difference
+/// is
 ///
 ///   (11)  k (k + p) z^3/6 + h (z^2 (k + p) + h z)/2 - (vp - c) s p + s^3 p^2/6
 double Extremals::cruise_velocity(double t, double d) const noexcept {
@@ -273,14 +278,15 @@ double Extremals::cruise_velocity(double t, double d) const noexcept {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The motion whose peak velocity is above the natural one by `above`.
+/// The motion whose peak velocity exceeds the natural one by `above`.
 Extremal Extremals::cruising_above(double above, double t) const noexcept {
   Extremal e = at_peak(natural_, above);
   e.cruise = t - duration(e);
   return e;
 }
 
-/// The distance of such a motion less d over its slope, which is (z1 + z2)/(2 jd) plus the time at cruise.
+/// The step: (distance of such a motion - d) / slope. The slope is (z1 + z2)/(2 jd) plus the
+/// duration of the cruise.
 double Extremals::cruising_step(const Extremal& e, double d, double& sign) const noexcept {
   sign = distance(e) - d;
   return sign / ((e.z[0] + e.z[1]) * ijd_ / 2 + e.cruise);
@@ -304,9 +310,9 @@ bool Extremals::cruising(double t, double d, double slack, Extremal& out) const 
   const auto f = [&](double above, double& sign) {
     return cruising_step(cruising_above(above, t), d, sign);
   };
-  // Without the time that the ramps take, the mean velocity would do.
+  // If the ramps took no time, the peak velocity would be the mean velocity.
   out = cruising_above(zero(f, 0, farthest.vp - natural_, true, d / t - natural_), t);
-  // Near the farthest member, rounding of the peak velocity may leave no time to cruise.
+  // Near the farthest member, rounding of the peak velocity may leave no time for a cruise.
   if (!(out.cruise > 0)) out = farthest;
   return true;
 }

@@ -14,7 +14,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// 1/jp, 1/jd and the like of the upward family.
+/// 1/jp, 1/jd and their combinations, for the upward family.
 Extremals::Jerks upward_jerks(const Bounds& b) {
   const double per_rise = 1 / b.jerk_max;
   const double per_fall = -1 / b.jerk_min;
@@ -22,22 +22,24 @@ Extremals::Jerks upward_jerks(const Bounds& b) {
   return {per_rise, per_fall, per_rise + per_fall, per_k};
 }
 
-/// The target's velocity less the start's or, if the two differ only by rounding, the change by the bare ramp of
-/// acceleration: a motion that has reached its last phase must not begin another.
+/// The target's velocity minus the start's. If they differ only by rounding, it is the change by
+/// the ramp of acceleration alone, because a motion in its last phase must not begin another phase.
 double velocity_difference(const MotionState& from, const MotionState& to,
                            const Extremals::Jerks& j) {
   const double a0 = from.acceleration;
   const double af = to.acceleration;
   const double dv = to.velocity - from.velocity;
   const double ramp = std::abs(af - a0) * (af + a0) * (af > a0 ? j.per_rise : j.per_fall) / 2;
-  // For jerks far apart the larger one: it corrects the rounding error of the velocity.
+  // For very different jerks uses the greater one, because it corrects the rounding error of the
+  // velocity.
   const double scale = std::abs(from.velocity) + std::abs(to.velocity) +
                        2 * (a0 * a0 + af * af) * std::min(j.per_rise, j.per_fall);
   return std::abs(dv - ramp) <= profiles_detail::rounding * scale ? ramp : dv;
 }
 
-/// The natural velocity of an end less its velocity: the acceleration a (forwards in time from the
-/// start, backwards from the target) comes to zero at the natural velocity.
+/// The natural velocity of an end minus its velocity. From the acceleration a (forwards in time
+/// from the start, backwards from the target), the acceleration returns to zero at the natural
+/// velocity.
 double to_natural(double a, const Extremals::Jerks& j) {
   return a * std::abs(a) * (a > 0 ? j.per_fall : j.per_rise) / 2;
 }
@@ -56,8 +58,8 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to,
                            const Bounds& bounds) noexcept
     : PointToPoint(from, to, bounds, upward_jerks(bounds)) {}
 
-// Rounding may have put an end a last digit beyond the velocity limit: that velocity is then the limit. The
-// natural velocities are compared once, so that both families agree.
+// By rounding, an end may exceed the velocity limit by a last digit; then its velocity becomes the
+// limit. The natural velocities are compared only once, so that both families agree.
 PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const Bounds& b,
                            const Extremals::Jerks& jerks) noexcept
     : rise_(b.jerk_max),
@@ -81,7 +83,7 @@ PointToPoint::PointToPoint(const MotionState& from, const MotionState& to, const
             std::abs(from.acceleration) + std::abs(to.acceleration)};
 }
 
-/// The rounding error of a distance that is covered in t.
+/// The rounding error of a distance that is covered in the time t.
 double PointToPoint::rounding(double t) const noexcept {
   return profiles_detail::rounding *
          (scale_.position + t * (scale_.velocity + t * scale_.acceleration));
@@ -97,7 +99,7 @@ Extremals PointToPoint::family(bool upwards) const noexcept {
           start_is_higher_ ? 1 : 0};
 }
 
-/// True if there may be an early branch.
+/// True if an early branch is possible.
 bool PointToPoint::is_early(const Extremals& up) const noexcept {
   return from_.acceleration * to_.acceleration > 0 && up.has_early();
 }
@@ -115,7 +117,7 @@ bool PointToPoint::fastest_early(const Extremals& up, Course& out) const noexcep
   const Extremal first = up.first(Branch::early);
   const double direct = up.distance(first);
   out = {true, up.phases(first)};
-  // This branch may be far shorter than the direct change of the main branch.
+  // This branch may be much shorter than the direct change of the main branch.
   const double known = rounding(up.duration(first));
   if (std::abs(d_ - direct) <= known) return true;
   out.upwards = d_ > direct;
@@ -148,12 +150,12 @@ double PointToPoint::minimum() const noexcept {
 
 namespace {
 
-/// The jerk in the phases of an extremal: that of rise (1), that of fall (-1), or none.
+/// The jerk in the phases of an extremal: of the rise (1), of the fall (-1), or none (0).
 constexpr std::array<int, 7> pattern{1, 0, -1, 0, -1, 0, 1};
 
 }  // namespace
 
-/// The real jerks of a family's phases: of rise, of fall.
+/// The signed jerks of a family's phases: of the rise, and of the fall.
 std::array<double, 2> PointToPoint::jerks(bool upwards) const noexcept {
   return {either(upwards, rise_, fall_), either(upwards, fall_, rise_)};
 }
@@ -180,12 +182,12 @@ void PointToPoint::append(const Course& c, Profile& out) const noexcept {
     out.add(c.phases[i], pattern[i] == 0 ? 0 : (pattern[i] > 0 ? rise : fall));
 }
 
-/// `share` of one motion and the rest of another one of the same duration. Bounds are convex: bounds that both
-/// keep, their mean keeps.
+/// Appends `share` of one motion plus the rest of another one of the same duration. Bounds are
+/// convex: if both motions keep them, so does their weighted mean.
 void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
                                 Profile& out) const noexcept {
   const std::array<double, 2> weight{share, 1 - share};
-  // The phases so far have whole jerks; they are written as sums of the same parts.
+  // The phases have whole jerks up to here; they are written as sums of the same parts.
   Profile whole(out.start(), 3);
   whole.finish(out.end());
   for (std::size_t i = 0; i < out.phases(); ++i) {
@@ -197,7 +199,7 @@ void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
     const auto [rise, fall] = jerks(c[k].upwards);
     jerk[k] = {weight[k] * fall, 0, weight[k] * rise};
   }
-  // By rounding one motion may end a little before the other: it has no jerk then.
+  // By rounding, one motion may end a little before the other; its jerk is then 0.
   std::array<std::size_t, 2> at{0, 0};
   std::array<double, 2> left{c[0].phases[0], c[1].phases[0]};
   while (at[0] < 7 || at[1] < 7) {
@@ -216,7 +218,7 @@ void PointToPoint::append_blend(const std::array<Course, 2>& c, double share,
   out = whole;
 }
 
-/// The bounds of a change of velocity.
+/// The bounds for a change of velocity.
 Bounds PointToPoint::ramps() const noexcept {
   return {.acceleration_min = -down_limits_.rise,
           .acceleration_max = down_limits_.fall,
@@ -224,23 +226,24 @@ Bounds PointToPoint::ramps() const noexcept {
           .jerk_max = rise_};
 }
 
-/// For profiles that have phases already, and for durations that are long beside the changes at the ends.
+/// For profiles that already have phases, and for durations that are long compared with the changes
+/// at the ends.
 bool PointToPoint::append_long(double t, Profile& out) const noexcept {
   const VelocityChange direct({0, from_.velocity, from_.acceleration}, to_.velocity,
                               to_.acceleration, ramps());
   return (out.phases() > 0 || t > 8 * direct.duration()) && append_stair(t, out);
 }
 
-/// The velocity stops half-way between both ends to cruise, if there is time for that. It has fewer
-/// phases than a mean of two motions, and each has its own length: beside long phases, the ends of short ones would
-/// lose their digits.
+/// A motion that cruises at a velocity between those of both ends, if there is time for that. It
+/// has fewer phases than the mean of two motions, and each phase has its own length. (Beside long
+/// phases, the ends of short ones would lose their digits.)
 bool PointToPoint::append_stair(double t, Profile& out) const noexcept {
   const Bounds bounds = ramps();
   const MotionState start{0, from_.velocity, from_.acceleration};
   VelocityChange first;
   VelocityChange second;
   double cruise = 0;
-  // The distance grows with the velocity, by `slope`.
+  // The distance increases with the velocity, at the rate `slope`.
   const auto covered = [&](double velocity, double& slope) {
     first = VelocityChange(start, velocity, 0, bounds);
     second = VelocityChange({0, velocity, 0}, to_.velocity, to_.acceleration, bounds);
@@ -281,14 +284,14 @@ bool PointToPoint::cruises(double t, Profile& out) const noexcept {
   const double least = 0x1p-20 * t;
   std::array<Course, 2> ends;
   std::array<double, 2> reach;
-  // Usually one family has the answer: the more probable one comes first.
+  // Usually only one family has the solution: tries the more probable one first.
   const bool rises = d_ >= t * (natural_[0] + natural_[1]) / 2;
   for (const bool upwards : {rises, !rises}) {
     const Extremals f = family(upwards);
     const double d = towards(upwards);
     Extremal e;
     double covered = 0;
-    if (d <= t * f.natural()) {  // otherwise it cruises above that
+    if (d <= t * f.natural()) {  // otherwise it cruises above this velocity
       e = f.level();
       e.cruise = t - f.duration(e);
       if (!(e.cruise > least)) return false;
@@ -314,7 +317,8 @@ bool PointToPoint::lasting(double t, Profile& out) const noexcept {
       both.early && t < main &&
       t <= both.up.duration(both.up.last_early()) * (1 + profiles_detail::rounding);
   if (!is_early && t < main * (1 - profiles_detail::rounding)) return false;
-  // At the edge of a blocked interval both sides are rounded, also the change by the accelerations at the ends.
+  // At the edge of a blocked interval, both sides have rounding errors, also that of the change by
+  // the accelerations at the ends.
   const double per_jerk = std::min(jerks_.per_rise, jerks_.per_fall);
   const double slack = 3 * (rounding(t) + profiles_detail::rounding * std::abs(d_)) +
                        profiles_detail::rounding * cube(scale_.acceleration) * square(per_jerk);
@@ -363,7 +367,7 @@ void PointToPoint::add_events(Branch b, const Families& both, Events& events) co
   }
 }
 
-/// Adds the durations after the minimum that are impossible, each interval between two events.
+/// Adds the impossible durations after the minimum, one interval between each pair of events.
 template <class Possible>
 void PointToPoint::find_blocked(Events events, Durations& out, Possible possible) noexcept {
   std::sort(events.at.begin(), events.at.begin() + events.count);

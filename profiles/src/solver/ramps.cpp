@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The phase of a law for a change that may be zero.
+/// A phase of a law for a change that may be zero.
 template <class Law>
 auto ramp_of(const Law& law, double dv) {
   return dv > 0 ? law.ramp(dv) : decltype(law.ramp(dv)){};
@@ -29,8 +29,8 @@ Segment sine_edge(double length, double p, double v0, double v1) {
   return f;
 }
 
-/// A ramp in jerks. They cancel to the last bit, because a rest of the acceleration would
-/// act through the whole cruise.
+/// The jerks of a ramp. They cancel to the last bit, because a remaining acceleration would act
+/// through the whole cruise.
 struct Jerks {
   double rising, falling;
   double fall;  ///< s, of this ramp, to the last bits
@@ -90,7 +90,7 @@ Trajectory curve(const RampedMove<SineLaw>& move, double from, double to) {
   const double peak = sign * (move.v0 + move.dv0);
   const double up = ramp_of(move.up, move.dv0).duration();
   const double down = ramp_of(move.down, move.dv1).duration();
-  // Built from both ends; the rounding error lies where they meet.
+  // Built from both ends, so the rounding error is where they meet.
   const double begin = from + (v0 + peak) / 2 * up;
   const double end = to - (peak + v1) / 2 * down;
   std::vector<Segment> segments;

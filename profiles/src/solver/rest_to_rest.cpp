@@ -8,7 +8,7 @@
 
 namespace jounce::profiles_detail {
 RestToRest::RestToRest(double distance, const Bounds& b) noexcept : d_(std::abs(distance)) {
-  // Up and down change places where the way leads down.
+  // For a downward motion the limits are exchanged.
   const bool down = distance < 0;
   const Vector2 velocity = pair(b.velocity_max, b.velocity_min, down);
   const Vector2 jerk = pair(b.jerk_max, b.jerk_min, down);
@@ -33,7 +33,7 @@ void RestToRest::rise_to(double vp) noexcept {
   lasts_ = k_ * z_ + hold_;
 }
 
-/// E, from (1) and the part of the hold.
+/// The loss E, by (1) and the part for the hold.
 Vector2 RestToRest::lost() const noexcept {
   const Vector2 at_first = k_ * (k_ + p_) * (z_ * z_ * z_) / 6;
   return at_first + hold_ * (z_ * z_ * (k_ + p_) + hold_ * z_) / 2;
@@ -68,7 +68,8 @@ bool RestToRest::solve_shortest() noexcept {
   return hold_both((limit_[0] + limit_[1]) * q_ / 2, 1);
 }
 
-/// (2) of both halves: vp^2 (1/L + 1/L')/2 + sign b vp = sign d + ..., if that is where both hold.
+/// Equation (2) for both halves: vp^2 (1/L + 1/L')/2 + sign b vp = sign d + ..., if both halves
+/// hold.
 bool RestToRest::hold_both(double b, double sign) noexcept {
   const double a = (per_limit_[0] + per_limit_[1]) / 2;
   const double c = d_ + (cube(limit_[0]) + cube(limit_[1])) * (q_ - p_) * k_ / 24;
@@ -84,11 +85,11 @@ bool RestToRest::solve_lasting(double t) noexcept {
   return cruise_ > 0 && vp_ <= vmax_;
 }
 
-/// (3) with (1): with g = z/z0, where z0 is z without a loss, g^2 - u g^3 = 1.
+/// Equation (3) with (1). With g = z/z0, where z0 is z without a loss: g^2 - u g^3 = 1.
 bool RestToRest::pass_in(double t) noexcept {
   const double z0 = std::sqrt(2 * d_ / (k_ * t));
   const double u = 2 * (k_ + p_) * z0 / (3 * t);
-  constexpr double most = 0.36;  // from 0.385 on there is none
+  constexpr double most = 0.36;  // for 0.385 and more there is no solution
   if (!(u < most)) return false;
   double g = 1 + u * (0.5 + u * 0.625);
   for (int i = 0; i < 8; ++i) {

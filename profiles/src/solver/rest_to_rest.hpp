@@ -11,22 +11,22 @@ namespace jounce::profiles_detail {
 // covers D, which is less than a cruise at vp by E = vp t - D. With its limit L of acceleration,
 //
 //   (1)  z < L:  vp = k z^2/2,   t = k z,            D = k (k + q) z^3/6,  E = k (k + p) z^3/6
-//   (2)  z = L:  t = vp/L + k L/2,   D = vp^2/(2 L) + vp L q/2 - g,   E = vp^2/(2 L) + vp L p/2 + g,
+//   (2)  z = L:  t = vp/L + k L/2,  D = vp^2/(2 L) + vp L q/2 - g,  E = vp^2/(2 L) + vp L p/2 + g,
 //                g = L^3 (q^2 - p^2)/24
 //
-// The shortest motion has D + D' = d (or vp = vmax and a cruise), one of duration T has
+// The shortest motion has D + D' = d (or vp = vmax and a cruise). A motion of duration T satisfies
 //
 //   (3)  vp T - E - E' = d,   the smaller solution: the left side is concave, and grows up to there
 
-/// Only for this question: both ends at rest, inside the bounds, at different positions.
+/// Solves only this task: both ends at rest, inside the bounds, at different positions.
 class RestToRest {
  public:
   RestToRest(double distance, const Bounds& bounds) noexcept;
 
-  /// False where one half reaches its limit and the other does not: that has no closed form.
+  /// Returns false if only one half reaches its limit, because that has no closed form.
   bool solve_shortest() noexcept;
-  /// Lasts t, longer than the shortest. False also where t is so near to the shortest that (3) has almost a double
-  /// root.
+  /// Finds the motion that lasts t, longer than the shortest. Returns false also if t is so near to
+  /// the shortest duration that (3) almost has a double root.
   bool solve_lasting(double t) noexcept;
 
   [[nodiscard]] double duration() const noexcept;
@@ -43,9 +43,9 @@ class RestToRest {
   double d_, vmax_;
   double jp_, jd_;  ///< signed
   double p_, q_, k_, twice_per_k_;
-  // Both halves:
+  // For both halves:
   Vector2 limit_, per_limit_;
-  Vector2 sat_;  ///< vp at which z reaches the limit
+  Vector2 sat_;  ///< vp for which z reaches the limit
   Vector2 z_{}, hold_{}, lasts_{};
   double vp_ = 0, cruise_ = 0;
 };

@@ -10,7 +10,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// The rounding of the distance that the direct change covers.
+/// The rounding of the distance of the direct change.
 double rounding_of(const MotionState& from, const MotionState& to, double direct) {
   return rounding * (std::abs(from.position) + std::abs(to.position) +
                      direct * (std::abs(from.velocity) + std::abs(to.velocity)));
@@ -40,11 +40,11 @@ ShortestSecondOrder::ShortestSecondOrder(const MotionState& from, const MotionSt
   const double twice = 2 * sign * d;
   const Vector2 ends = v * v * per_rate;
   const double square = (twice + ends[0] + ends[1]) * both;
-  // (2) without cruise, the greater solution
+  // Equation (2) without a cruise: the greater solution.
   const double peak = std::max(std::sqrt(std::max(square, 0.0)), natural);
   const bool passes = (peak <= vmax) & !is_direct;
   const double top = either(is_direct, natural, std::min(peak, vmax));
-  // (2) gives p^2 - v^2 without p: exact also where p and v nearly agree.
+  // Equation (2) gives p^2 - v^2 without p, which is exact also if p and v are nearly equal.
   const double squares = (v[0] - v[1]) * (v[0] + v[1]);
   const Vector2 rest = twice + Vector2{-squares, squares} * Vector2{per_rate[1], per_rate[0]};
   const Vector2 from_here = every<Vector2>(either(passes, 0, inf));
@@ -147,8 +147,8 @@ bool SecondOrder::lasting(double t, Profile& out) const noexcept {
       w->append_cruise(spare, w->sign * excess, out);
       return true;
     }
-  // Between the two velocities: the change stops half-way to cruise. (Where the spare time is only rounding, the
-  // quotient is arbitrary.)
+  // Between the two velocities: the change stops half-way for a cruise. (If the spare time is only
+  // rounding, the quotient is arbitrary.)
   const double v = std::clamp(excess / spare, -down_.natural(), up_.natural());
   const double a = up_.vf > up_.v0 ? up_.rise : -up_.fall;
   out.add((v - up_.v0) / a, a);
@@ -160,8 +160,8 @@ bool SecondOrder::lasting(double t, Profile& out) const noexcept {
 Durations SecondOrder::durations() const noexcept {
   Durations out;
   out.minimum = minimum();
-  // If both velocities point away from the target, the motion that goes farthest towards it first falls
-  // back, and passes the target on its return.
+  // If both velocities point away from the target, the motion that goes farthest towards it first
+  // moves back, and passes the target on its return.
   for (const Way* w : {&up_, &down_}) {
     const double p =
         std::sqrt(std::max((2 * w->d + w->v0 * w->v0 / w->rise + w->vf * w->vf / w->fall) /

@@ -11,7 +11,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// The first two orders have no acceleration, and the first no velocity.
+/// In the first two orders the state has no acceleration, in the first also no velocity.
 MotionState of_order(const MotionState& s, int order) {
   return {s.position, order > 1 ? s.velocity : 0, order > 2 ? s.acceleration : 0};
 }
@@ -20,7 +20,7 @@ bool limits_position(const Bounds& b) {
   return b.position_min > -Bounds::none || b.position_max < Bounds::none;
 }
 
-/// True if no turning point lies outside the position limits.
+/// True if no turning point is outside the position limits.
 bool keeps_positions(const Profile& profile, const Bounds& b) {
   if (!limits_position(b)) return true;
   const double start = profile.start().position;
@@ -30,7 +30,7 @@ bool keeps_positions(const Profile& profile, const Bounds& b) {
   const double max = b.position_max + slack;
   const auto ok = [&](double p) { return p >= min && p <= max; };
   if (!ok(end)) return false;
-  // A start outside may only come back: it is not held against the move.
+  // A start outside may only return; this does not count as a violation.
   double t = 0;
   for (std::size_t i = 0; i < profile.phases(); ++i) {
     const auto [length, value] = profile.phase(i);
@@ -73,7 +73,8 @@ Solver::Solver(const MotionState& from, const MotionState& to, const Bounds& bou
   if (order_ == 3) look_on_the_way_out();
 }
 
-/// The velocity is monotone up to a target that runs out as the start does: it stays inside.
+/// The velocity is monotone up to a target that leaves the limits as the start does, so it stays
+/// inside.
 void Solver::look_on_the_way_out() noexcept {
   const int side = runs_out(to_, bounds_);
   if (side == 0 || side * to_.acceleration <= 0) return;
@@ -84,7 +85,7 @@ void Solver::look_on_the_way_out() noexcept {
            runs_out(leaving_, bounds_) == side && on_the_way_out().has_early();
 }
 
-/// The beginning of a motion that meets the target on the way out.
+/// The beginning of a motion that reaches the target before it leaves the limits.
 Profile Solver::led_out() const noexcept {
   Profile p(start_, order_);
   (void)acceleration_inside(start_, bounds_, p);
@@ -105,7 +106,7 @@ MotionState Solver::begin(Profile& profile) const noexcept {
   return begin_inside(held, bounds_, profile);
 }
 
-/// The beginning, to be gone on from.
+/// The common beginning, to which phases can be appended.
 Profile Solver::begun() const noexcept {
   Profile p(start_, order_);
   if (before_ > 0) (void)begin(p);
@@ -113,8 +114,8 @@ Profile Solver::begun() const noexcept {
   return p;
 }
 
-/// A motion that lasts longer than the shortest may need all of the braking under way in order not to
-/// turn back.
+/// A motion that lasts longer than the shortest may need all of the present braking in order not to
+/// reverse.
 Solver Solver::with_all_braking() const noexcept {
   return {start_, asked_, extended(bounds_, start_.acceleration)};
 }
@@ -123,7 +124,7 @@ double Solver::minimum() const noexcept {
   return meets_ ? led_out().duration() + on_the_way_out().minimum() : minimum_inside();
 }
 
-/// True if this is the question of RestToRest.
+/// True if this is a task of RestToRest.
 bool Solver::rests() const noexcept {
   const auto at_rest = [](const MotionState& s) { return s.velocity == 0 && s.acceleration == 0; };
   return order_ == 3 && at_rest(start_) && at_rest(to_) && start_.position != to_.position;
@@ -135,7 +136,7 @@ double Solver::minimum_inside() const noexcept {
     if (move.solve_shortest()) return move.profile(start_, asked_).duration();
   }
   if (order_ == 3 && before_ == 0) return PointToPoint(inside_, to_, bounds_).minimum();
-  if (order_ == 3) {  // summed as the phases of the motion itself are
+  if (order_ == 3) {  // added up like the phases of the motion itself
     Profile motion = begun();
     PointToPoint(inside_, to_, bounds_).append_shortest(motion);
     return motion.duration();
@@ -159,13 +160,13 @@ Durations Solver::durations() const noexcept {
   return d;
 }
 
-/// The durations of the motions that come inside first.
+/// The durations of the motions that first return inside the bounds.
 Durations Solver::durations_inside() const noexcept {
   Durations d;
   if (extended_) {
     d = with_all_braking().durations();
     const double shortest = minimum_inside();
-    // To a target at rest no duration is blocked but these.
+    // For a target at rest, no other durations are blocked.
     if (d.minimum > shortest && d.count == 0) d.blocked[d.count++] = {shortest, d.minimum};
     d.minimum = shortest;
     return d;
@@ -235,7 +236,7 @@ MoveStatus Solver::lasting(double t, Profile& out) const noexcept {
 
 namespace {
 
-/// Appends the phases of a part; false where they do not fit.
+/// Appends the phases of a part; returns false if there is no space for them.
 bool append(const Profile& part, Profile& whole) {
   if (whole.phases() + part.phases() > Profile::capacity) return false;
   for (std::size_t i = 0; i < part.phases(); ++i)
@@ -243,13 +244,13 @@ bool append(const Profile& part, Profile& whole) {
   return true;
 }
 
-/// The same motion seen backwards in time.
+/// The bounds of the same motion backwards in time.
 Bounds backwards(const Bounds& b) {
   return {-b.velocity_max, -b.velocity_min, b.acceleration_min, b.acceleration_max,
           -b.jerk_max,     -b.jerk_min,     -Bounds::none,      Bounds::none};
 }
 
-/// A velocity so low that neither acceleration limit is reached on the way to it.
+/// Bounds with a velocity so low that neither acceleration limit is reached on the way to it.
 Bounds gentle(Bounds b) {
   const double a = std::min(b.acceleration_max, -b.acceleration_min);
   const double v = a * a * (1 / b.jerk_max - 1 / b.jerk_min) / 2;
@@ -260,9 +261,10 @@ Bounds gentle(Bounds b) {
 
 }  // namespace
 
-/// Position limits forbid the shortest motion. The farther back a point of rest lies, the harder the
-/// axis brakes on its way to it (or accelerates away from it): the nearest such point that keeps the
-/// limits is looked for, first on the start's side, then on the target's.
+/// Used if position limits forbid the shortest motion. The farther back a point of rest is, the
+/// harder the axis brakes on its way to it (or accelerates away from it). The function searches for
+/// the nearest such point that keeps the limits, first on the start's side, then on the target's
+/// side.
 bool Solver::by_way_of_rest(Profile& out) const noexcept {
   Bounds free = bounds_;
   free.position_min = -Bounds::none;
@@ -286,7 +288,7 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
   };
   Profile stop;
   (void)to_velocity(start_, 0, 0, free, stop);
-  Profile run_up;  // a stop seen backwards in time
+  Profile run_up;  // a stop backwards in time
   (void)to_velocity({to_.position, -to_.velocity, to_.acceleration}, 0, 0, backwards(free), run_up);
   for (const Profile* side : {&stop, &run_up}) {
     const double nearest = side->end().position;
@@ -298,7 +300,7 @@ bool Solver::by_way_of_rest(Profile& out) const noexcept {
       const double share = (good + bad) / 2;
       (by_way_of(nearest + share * back) ? good : bad) = share;
     }
-    return true;  // `out` holds the last that was good, and that is the nearest
+    return true;  // `out` contains the last valid motion, which is the nearest
   }
   return false;
 }

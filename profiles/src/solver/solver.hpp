@@ -11,45 +11,46 @@
 
 namespace jounce::profiles_detail {
 
-/// The highest derivative that is limited: 3, 2 or 1.
+/// The highest order of derivative that is limited: 3, 2 or 1.
 inline int order_of(const Bounds& b) {
   if (std::isfinite(b.jerk_max)) return 3;
   return std::isfinite(b.acceleration_max) ? 2 : 1;
 }
 
-/// True if states and bounds make a sound question.
+/// Returns ok if states and bounds are valid; otherwise the reason.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The usual questions: sound, without position limits. All but `outside` need no Solver.
+/// The usual tasks: valid, without position limits. Only `outside` needs a Solver.
 enum class Form : std::uint8_t {
-  any,        ///< another question, or one that is not sound: status_of() gives the reason
-  outside,    ///< third order, the start outside the bounds
-  even_rest,  ///< from rest to rest, acceleration and jerk with the same limits both ways
+  any,      ///< any other task, or an invalid one: status_of() returns the reason
+  outside,  ///< third order, with the start outside the bounds
+  /// From rest to rest, with the same limits of acceleration and jerk in both directions.
+  even_rest,
   rest_to_rest,
   point_to_point,
   second_order,
 };
 Form form(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The shortest motion of such a question; false where a Solver is needed: for `any` and `outside`, and for a
-/// rest to rest without a closed form.
+/// Computes the shortest motion of such a task. Returns false if a Solver is needed: for `any` and
+/// `outside`, and for a motion from rest to rest without a closed form.
 bool shortest(Form form, const MotionState& from, const MotionState& to, const Bounds& bounds,
               Profile& out) noexcept;
 
-/// One move whose input is sound: the beginning that all motions from a start outside the bounds share,
-/// then whichever solver the order asks for, then the position limits.
+/// One move with valid input. Combines the beginning that all motions from a start outside the
+/// bounds share, the solver for the order, and the position limits.
 class Solver {
  public:
-  /// `keeps_braking`: true if braking under way may be kept for the target.
+  /// `keeps_braking`: true if the present braking may be kept for the target.
   Solver(const MotionState& from, const MotionState& to, const Bounds& bounds,
          bool keeps_braking = true) noexcept;
 
-  /// Without position limits.
+  /// The possible durations, without position limits.
   [[nodiscard]] Durations durations() const noexcept;
   [[nodiscard]] double minimum() const noexcept;
 
   MoveStatus shortest(Profile& out) const noexcept;
-  /// `blocked` for a duration >= minimum() that is.
+  /// Returns `blocked` if the duration, which must be >= minimum(), is blocked.
   MoveStatus lasting(double t, Profile& out) const noexcept;
 
  private:
@@ -68,18 +69,19 @@ class Solver {
 
   int order_;
   Bounds bounds_;
-  MotionState start_, to_;  ///< without what is not part of the order's state
-  MotionState asked_;       ///< the target as it was given
-  MotionState inside_;      ///< the end of the shared beginning
-  double before_ = 0;       ///< s, its duration
-  double hold_ = 0;         ///< s, in which it holds the start's acceleration
-  bool extended_ = false;   ///< the bounds, by braking under way
-  /// A start that runs out of the velocity limits meets a target that does so, too, before it is out.
+  MotionState start_, to_;  ///< without the components that the order does not use
+  MotionState asked_;       ///< the target as given
+  MotionState inside_;      ///< the end of the common beginning
+  double before_ = 0;       ///< s, duration of the common beginning
+  double hold_ = 0;         ///< s, part of it in which the initial acceleration is held
+  bool extended_ = false;   ///< true: the present braking extends the bounds
+  /// True: the start leaves the velocity limits, but reaches a target that also leaves them before
+  /// it is outside.
   bool meets_ = false;
-  MotionState leaving_;  ///< from where on
+  MotionState leaving_;  ///< the state from which this motion begins
 };
 
-/// The fastest change to a velocity and acceleration.
+/// The fastest change to a velocity and an acceleration.
 MoveStatus to_velocity(const MotionState& from, double velocity, double acceleration,
                        const Bounds& bounds, Profile& out) noexcept;
 

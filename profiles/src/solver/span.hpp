@@ -11,12 +11,12 @@
 //   (1)  T(dv) = dv/A + tau   where dv >= A tau,   tau = A/J    (A is reached)
 //   (2)  T(dv) = 2 sqrt(dv/J) otherwise
 //
-// Let l <= h be the two velocities, d = h - l, and D0 = (l + h)/2 T(d) the way of the direct ramp.
-// For a distance D >= D0 the way goes up to a peak p >= h and down again; a shorter one is the
-// mirror image. The peak follows from D, by (1) and (2) for either ramp:
+// Let l <= h be the two velocities, d = h - l, and D0 = (l + h)/2 T(d) the distance of the direct
+// ramp. For a distance D >= D0 the motion goes up to a peak p >= h and down again; a shorter
+// distance is the mirror image. The peak follows from D, by (1) or (2) for each of the two ramps:
 //
 //   (3)  both reach A, z = (p - h)/A:
-//          A z^2 + (2h + A tau) z = D - (l + h)/2 (d/A + tau) - h tau,     duration 2z + d/A + 2 tau
+//          A z^2 + (2h + A tau) z = D - (l + h)/2 (d/A + tau) - h tau,   duration 2z + d/A + 2 tau
 //   (4)  only the ramp from l does, x = sqrt((p - h)/J):
 //          J^2/(2A) x^4 + J x^3 + (h/tau + A/2) x^2 + 2h x = D - (l + h)/2 (d/A + tau),
 //                                                                duration 2x + (d + J x^2)/A + tau
@@ -24,12 +24,12 @@
 //        D/J = (x + y)((l + h)/J + x y),
 //          q^4 + 4 (l + h)/J q^2 - 4 D/J q - m^2 = 0,                                  duration 2 q
 //
-// The root meant is the largest: where h < 0, D(p) dips before it grows. The polynomials are convex
-// beyond it.
+// The required root is the largest one: if h < 0, D(p) falls before it grows. The polynomials are
+// convex beyond that root.
 namespace jounce::profiles_detail {
 
-/// Magnitudes for which no product or quotient in these formulas overflows or underflows, at any
-/// ratio; move_to(), which accepts a wider range, is exact for them.
+/// Magnitudes for which no product or quotient in these formulas overflows or underflows, for any
+/// ratios. move_to() accepts a wider range, and is exact for these.
 inline constexpr double least_magnitude = 1e-30;
 inline constexpr double greatest_magnitude = 1e30;
 
@@ -50,7 +50,7 @@ JOUNCE_INLINE Mask<Real> is_limit(Real x) {  // infinity included
   return (x >= least_magnitude) & ((x <= greatest_magnitude) | (x == __builtin_inf()));
 }
 
-/// Limits, and the quotients that every formula needs.
+/// Limits, and the quotients that all formulas use.
 template <class Real>
 struct Rates {
   Real a, j, inv_a, inv_j, tau, threshold;
@@ -58,18 +58,19 @@ struct Rates {
   JOUNCE_INLINE Rates(Real acceleration, Real jerk)
       : a(acceleration), j(jerk), inv_a(1 / a), inv_j(1 / j), tau(a * inv_j), threshold(a * tau) {}
 
-  /// (1), (2): the smaller jerk time is the right one; it is that of (2) where the plateau is negative.
+  /// Equations (1), (2): the smaller jerk time is valid; it is that of (2) if the plateau would be
+  /// negative.
   [[nodiscard]] JOUNCE_INLINE Real ramp(Real dv) const {
     return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, every<Real>(0));
   }
 };
 
-/// A quartic of which the largest root is wanted.
+/// A quartic whose greatest root is required.
 template <class Real>
 struct Quartic {
   Real c4, c3, c2, c1, c0;
 
-  /// Halley's next point: Newton's, with the curvature taken into account.
+  /// The next point of Halley's method: Newton's, corrected for the curvature.
   [[nodiscard]] JOUNCE_INLINE Real next(Real x) const {
     const Real f = (((c4 * x + c3) * x + c2) * x + c1) * x + c0;
     const Real slope = ((4 * c4 * x + 3 * c3) * x + 2 * c2) * x + c1;
@@ -81,17 +82,17 @@ struct Quartic {
 template <class Real>
 struct Start {
   Quartic<Real> f;
-  Real x;  ///< above the root wanted, rarely by more than 60 %
+  Real x;  ///< above the root, rarely by more than 60 %
 };
 
-/// A distance with its velocities in order, D >= D0.
+/// A distance with its velocities in ascending order; D >= D0.
 template <class Real>
 struct Span {
   Rates<Real> rates;
   Real D, l, h, d;
   Real direct;  ///< duration of the direct ramp
   Mask<Real> mirrored;
-  Mask<Real> is_direct;  ///< D = D0 to rounding, beside which a detour may be far longer
+  Mask<Real> is_direct;  ///< D = D0 to rounding: a detour would be much longer
 
   JOUNCE_INLINE Span(Real distance, Real entry, Real exit, const Rates<Real>& r) : rates(r) {
     const Real lower = least(entry, exit);
@@ -106,12 +107,12 @@ struct Span {
     h = mirrored ? -lower : upper;
   }
 
-  /// D less the way of a direct ramp that reaches A.
+  /// D minus the distance of a direct ramp that reaches A.
   [[nodiscard]] JOUNCE_INLINE Real over() const {
     return D - 0.5 * (l + h) * (d * rates.inv_a + rates.tau);
   }
 
-  /// z of (3).
+  /// The z of (3).
   [[nodiscard]] JOUNCE_INLINE Real both() const {
     const Real b = 2 * h + rates.threshold;
     const Real r = over() - h * rates.tau;
@@ -119,14 +120,16 @@ struct Span {
     return b > 0 ? 2 * r / (b + w) : (w - b) * 0.5 * rates.inv_a;
   }
 
-  /// True where (5) holds instead of (4): decided at the peak at which the ramp from l just reaches A.
+  /// True if (5) applies instead of (4). This is decided at the peak at which the ramp from l just
+  /// reaches A.
   [[nodiscard]] JOUNCE_INLINE Mask<Real> none() const {
     const Real p = l + rates.threshold;
     const Real x = square_root(rates.tau * rates.tau - d * rates.inv_j);
     return (d < rates.threshold) & (D < (l + p) * rates.tau + (h + p) * x);
   }
 
-  /// (4). Without the positive terms above x^2 the root is larger; and it is at most tau.
+  /// The start for (4). Without the positive terms above x^2 the root is greater; and it is at most
+  /// tau.
   [[nodiscard]] JOUNCE_INLINE Start<Real> one_start() const {
     const Real j_a = rates.j * rates.inv_a;
     const Quartic<Real> f{0.5 * rates.j * j_a, rates.j, h * j_a + 0.5 * rates.a, 2 * h, -over()};
@@ -135,7 +138,8 @@ struct Span {
     return {f, f.c2 > 0 ? least(x, rates.tau) : rates.tau};
   }
 
-  /// (5). The root is at most that of q^4 + 4c q^2 = m^2 plus that of q^3 + 4c q = k.
+  /// The start for (5). The root is at most the sum of the roots of q^4 + 4c q^2 = m^2 and of q^3 +
+  /// 4c q = k.
   [[nodiscard]] JOUNCE_INLINE Start<Real> none_start() const {
     const Real c = (l + h) * rates.inv_j;
     const Real k = 4 * D * rates.inv_j;
@@ -148,7 +152,8 @@ struct Span {
   }
 };
 
-/// The duration of a motion, and the velocity at which it cruises or turns over, signed.
+/// The duration of a motion, and the signed velocity at which it cruises or reverses its
+/// acceleration.
 template <class Real>
 struct Way {
   Real duration;
@@ -170,7 +175,7 @@ JOUNCE_INLINE Way<Real> none_way(const Span<Real>& s, Real q) {
   return {2 * q, s.h + s.rates.j * x * x};
 }
 
-/// A motion with a cruise at velocity v, which exists if its duration is >= 0.
+/// A motion with a cruise at the velocity v; it exists if the duration of its cruise is >= 0.
 template <class Real>
 struct Cruise {
   Way<Real> way;
@@ -185,7 +190,8 @@ JOUNCE_INLINE Cruise<Real> cruise_way(const Span<Real>& s, Real v) {
   return {{rise + cruise + fall, v}, cruise};
 }
 
-/// From rest to rest over D > 0: l = h = d = 0. (3) reads A z^2 + A tau z = D, and (5) q^3 = 4 D/J.
+/// From rest to rest over D > 0: l = h = d = 0. Then (3) is A z^2 + A tau z = D, and (5) is q^3 = 4
+/// D/J.
 template <class Real>
 JOUNCE_INLINE Way<Real> rest_way(const Rates<Real>& r, Real D, Real velocity) {
   const Real z = 2 * D / (r.threshold + square_root(r.threshold * r.threshold + 4 * r.a * D));
@@ -197,11 +203,13 @@ JOUNCE_INLINE Way<Real> rest_way(const Rates<Real>& r, Real D, Real velocity) {
   return {cruises ? D / velocity + r.ramp(velocity) : turning, cruises ? velocity : turn};
 }
 
-/// The number of Halley's steps that is enough for nearly every root: each triples the number of correct digits.
+/// Number of Halley's steps that is sufficient for nearly every root: each step triples the number
+/// of correct digits.
 constexpr int usual_steps = 4;
 constexpr int most_steps = 64;
 
-/// True if a step from `before` to `after` is the last: the next relative change is about the cube of this one.
+/// True if the step from `before` to `after` is the last one: the next relative change is about the
+/// cube of this one.
 template <class Real>
 JOUNCE_INLINE Mask<Real> settled(Real before, Real after) {
   return magnitude(after - before) <= 1e-5 * after;
@@ -219,7 +227,7 @@ inline double largest_root(const Start<double>& start) {
   return x;
 }
 
-/// The motion under a velocity limit, which may be infinite, one branch at a time.
+/// The motion with a velocity limit, which may be infinite. Computes one branch at a time.
 inline Way<double> fastest(const Span<double>& s, double velocity) {
   if (s.is_direct) return {s.direct, s.h};
   const Cruise<double> cruise = cruise_way(s, velocity);

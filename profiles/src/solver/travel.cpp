@@ -8,7 +8,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-/// c0 + c1 u + c2 u^2/2 + c3 u^3/6 over a phase of length `t`.
+/// c0 + c1 u + c2 u^2/2 + c3 u^3/6 over a phase of the duration `t`.
 struct Stretch {
   std::array<double, 4> c;
   double length;
@@ -18,7 +18,7 @@ struct Stretch {
   }
 };
 
-/// The zeros of the slope c1 + c2 u + c3 u^2/2 inside the stretch, ascending; others are 0.
+/// The zeros of the slope c1 + c2 u + c3 u^2/2 inside the stretch, ascending; unused entries are 0.
 std::array<double, 2> turns(const Stretch& s) {
   const double w = s.c[2] * s.c[2] - 2 * s.c[1] * s.c[3];
   std::array<double, 2> u{};
@@ -67,7 +67,7 @@ bool keeps_accelerations(const Profile& profile, const Bounds& b) {
   return lies_within(lowest, highest, b.acceleration_min, b.acceleration_max, 0);
 }
 
-/// The travel of the derivative `which`, 0 or 1.
+/// The travel of the derivative `which`: 0 (position) or 1 (velocity).
 Travel along(const Profile& profile, std::size_t which, double velocity) {
   Travel travel;
   const auto order = static_cast<std::size_t>(profile.order());

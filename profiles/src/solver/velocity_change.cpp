@@ -8,14 +8,14 @@
 //
 //   (1)  v1 - v0 = (z^2 - a0^2)/(2 jp) + (z^2 - a1^2)/(2 jd) + z h
 //
-// It goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image. Without a hold, (1)
-// gives z^2 - a0^2 and z^2 - a1^2 without z: where the jerks are far apart, z may agree with one of both to
-// its last digits.
+// The acceleration goes up if the bare ramp from a0 to a1 ends below v1; down is the mirror image.
+// Without a hold, (1) gives z^2 - a0^2 and z^2 - a1^2 without z. This is needed because z may agree
+// with a0 or a1 to its last digits if the jerks are far apart.
 
 namespace jounce::profiles_detail {
 namespace {
 
-/// z - a, given z^2 - a^2.
+/// z - a, computed from z^2 - a^2.
 double difference(double z, double a, double squares) {
   return z * a > 0 ? squares / (z + a) : z - a;
 }
@@ -32,7 +32,7 @@ VelocityChange::VelocityChange(const MotionState& from, double velocity, double 
   const bool up = dv >= ramp;
   const double jp = up ? b.jerk_max : b.jerk_min;
   const double jd = up ? b.jerk_min : b.jerk_max;
-  if (std::abs(dv - ramp) <= 0x1p-49 * scale) {  // rounding alone keeps it from being the ramp
+  if (std::abs(dv - ramp) <= 0x1p-49 * scale) {  // to rounding, the change is that of the ramp
     first_ = (a1 - a0) / jp;
     last_ = (a1 - a0) / jd;
   } else {

@@ -5,7 +5,8 @@
 
 namespace jounce::profiles_detail {
 
-/// The fastest change from a state inside the bounds to a velocity and acceleration, third order.
+/// The fastest change from a state inside the bounds to a velocity and an acceleration, third
+/// order.
 class VelocityChange {
  public:
   VelocityChange() = default;
@@ -26,8 +27,8 @@ class VelocityChange {
   double distance_ = 0;
 };
 
-/// Appends the fastest change from a state inside the bounds to a velocity and acceleration, third
-/// order; returns the state in which it ends.
+/// Appends the fastest change from a state inside the bounds to a velocity and an acceleration,
+/// third order; returns the state at its end.
 MotionState change_velocity(const MotionState& from, double velocity, double acceleration,
                             const Bounds& bounds, Profile& profile) noexcept;
 

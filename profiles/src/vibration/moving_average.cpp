@@ -7,21 +7,21 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-// The window has the head f(x) and the tail f(x - T):
+// The window extends from its tail x - T to its head x:
 //
 //   (1)  g(x)  = 1/T * integral of f from x - T to x
 //   (2)  g'(x) = (f(x) - f(x - T)) / T
 //
-// (2) is a curve with the breaks of head and tail. While both lie in one segment, with q = T as a
-// share of its length, (1) is
+// (2) is a curve with the breaks of f(x) and of f(x - T). While head and tail lie in one segment,
+// (1) becomes, with q = T as a share of the segment's length,
 //
 //   (3)  s^m           ->  sum over k = 1..m+1 of C(m+1, k) (-q)^(k-1) s^(m+1-k) / (m + 1)
 //   (4)  A sin(w s + p) ->  A sin(w q/2) / (w q/2) * sin(w s + p - w q/2)
 //
-// which avoids the difference of large numbers in (2) for a short window. Elsewhere, where a piece
-// is no longer than T, (2) is integrated from the value that (1) gives at the piece's start, so
-// that errors do not add up along the curve. Places and values are counted from the start of f, so that
-// a far origin costs no digits.
+// This avoids the difference of large numbers in (2) for a short window. Otherwise, if a piece is
+// no longer than T, (2) is integrated from the value that (1) gives at the start of the piece, so
+// errors do not add up along the curve. Places and values count from the start of f, so a distant
+// origin costs no digits.
 
 namespace jounce {
 namespace {
@@ -32,8 +32,8 @@ Segment integrated(const Segment& f, double start_value) {
   return *g;
 }
 
-/// In a piece as long as the window, the rounding of f, about 1e-16 of its stroke, is a change
-/// of velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
+/// In a piece as long as the window, the rounding of f (about 1e-16 of its stroke) acts like a
+/// change of the velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
 constexpr double shortest = 1e-5;
 constexpr double longest_window = 1e4;
 
@@ -49,11 +49,11 @@ void require_window(double window, double length) {
                          six_digits_down(longest_window * length));
 }
 
-/// (1) at the right end of the window f.
+/// The average (1) at the right end of the window f.
 template <class Over>
 double mean(const Curve<Over>& f) {
   double total = 0;
-  double length = 0;  // the difference of start and end would have fewer digits
+  double length = 0;  // a difference of start and end would have fewer digits
   for (const Segment& piece : f.segments()) {
     total += value(integrated(piece, 0), 1);
     length += piece.length;
@@ -80,7 +80,7 @@ Segment averaged(const Segment& f, double q) {
   return g;
 }
 
-/// g over one piece of (2), from x on.
+/// The average g over one piece of (2), which begins at x.
 template <class Over>
 Segment piece(const Curve<Over>& f, double window, double x, const Segment& slope) {
   const auto swept = between(f, x - window, x + slope.length);

@@ -10,36 +10,38 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 
-// H - 1 = -2 (D - D0) w s / (s^2 + 2 D w s + w^2), so that the filtered motion is
+// Because H - 1 = -2 (D - D0) w s / (s^2 + 2 D w s + w^2), the filtered motion is
 //
 //   (1)  y = f - 2 (D - D0) Q,    Q'' + 2 D w Q' + w^2 Q = w f'
 //
-// with Q at rest before. Over a step of length h, r in [0, 1], b = w h, f = sum of f_k r^k and
-// Q = sum of c_k r^k, comparing powers in (1) gives all c_k from the first two:
+// with Q at rest before the motion. Over a step of length h, let r in [0, 1], b = w h, f = sum of
+// f_k r^k and Q = sum of c_k r^k. Comparing powers in (1) gives all c_k from the first two:
 //
 //   (2)  c_(k+2) = b ((k + 1) f_(k+1) - 2 D (k + 1) c_(k+1) - b c_k) / ((k + 1) (k + 2))
 //
-// Q is given by c_0 to c_10. The other terms, and their derivative by r, are at most
+// Q is represented by c_0 to c_10. The other terms, and their derivative with respect to r, are at
+// most
 //
 //   (3)  e = sum of |c_k|,  e' = sum of k |c_k|   over k >= 11
 //
-// The error of one step in Q and Q' is a free motion of (1) in the next, in which
-// Q^2 + (Q'/w)^2 does not grow: errors add up, and a step adds at most
+// The error of one step in Q and Q' is a free motion of (1) in the following steps, in which Q^2 +
+// (Q'/w)^2 does not grow. So errors only add up, and each step adds at most
 //
 //   (4)  sqrt( e^2 + (e'/b)^2 )
 //
-// For the same reason sqrt(Q^2 + (Q'/w)^2) bounds all of the tail that is cut off.
+// For the same reason, sqrt(Q^2 + (Q'/w)^2) bounds the whole tail that is cut off.
 
 namespace jounce {
 namespace {
 
 using profiles_detail::two_pi;
-constexpr double widest_step = 0.125;  // rad, of the filter and of any sine in f
-constexpr std::size_t kept = 11;       // to degree 10, so that the result can still be integrated
-constexpr std::size_t terms = 32;      // beyond, (1/8)^32 / 32! is nothing
+constexpr double widest_step = 0.125;  // rad of the filter and of any sine in f
+// Coefficients up to degree 10, so that the result can still be integrated.
+constexpr std::size_t kept = 11;
+constexpr std::size_t terms = 32;  // the next terms are negligible: (1/8)^32 / 32!
 using Series = std::array<double, terms>;
 
-/// The Taylor coefficients f_k over a piece.
+/// The Taylor coefficients f_k of a piece.
 Series series(const Segment& f) {
   Series a{};
   std::copy(f.c.begin(), f.c.end(), a.begin());
@@ -78,7 +80,7 @@ class Filter {
     for (double i = 0; i < n; ++i) step(n == 1 ? f : part(f, i / n, (i + 1) / n));
   }
 
-  /// Bound of the response at all later times, if the command rests from now on.
+  /// Bound of the response at all later times, if the command is at rest from now on.
   [[nodiscard]] double tail() const { return gain_ * std::hypot(q_, rate_); }
   [[nodiscard]] double error() const { return gain_ * error_; }
   [[nodiscard]] double longest() const { return widest_step / w_; }

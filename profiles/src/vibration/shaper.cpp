@@ -12,7 +12,8 @@
 //
 //   (1)  K = e^(-pi D / sqrt(1 - D^2))
 //
-// Impulses a_i K^i at i T/2 leave, at the last one's instant n T/2 (vibration.cpp, eq. 1),
+// Impulses a_i K^i at the times i T/2 leave, at the instant n T/2 of the last one (vibration.cpp,
+// (1)),
 //
 //   (2)  V = K^n |a_0 - a_1 + a_2 - ...| / sum of a_i K^i
 //
@@ -26,7 +27,7 @@ namespace jounce {
 namespace {
 
 constexpr double longest_shaper =
-    1e4;  // longest shaper, in lengths of the motion: beyond, no digits are left
+    1e4;  // longest shaper, in lengths of the motion; above, no digits are left
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> weights(const ShaperSpec& spec, double K) {
@@ -40,7 +41,7 @@ std::vector<double> weights(const ShaperSpec& spec, double K) {
   return {1, q, 1};
 }
 
-/// The copies must begin at once and add up to the whole motion.
+/// Requires that the copies begin at 0 and that their amplitudes have the sum 1.
 void require_shaper(std::span<const Impulse> impulses) {
   require_valid(impulses);
   double total = 0;
@@ -82,7 +83,7 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
     for (const Impulse& y : b) all.push_back({x.time + y.time, x.amplitude * y.amplitude});
   std::sort(all.begin(), all.end(),
             [](const Impulse& x, const Impulse& y) { return x.time < y.time; });
-  std::vector<Impulse> merged;  // impulses at the same time, to rounding, are one
+  std::vector<Impulse> merged;  // impulses at the same time (to rounding) become one
   for (const Impulse& x : all)
     if (!merged.empty() && x.time - merged.back().time <= 1e-14 * all.back().time)
       merged.back().amplitude += x.amplitude;
@@ -99,7 +100,8 @@ Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
     throw InputError(
         "impulse[" + std::to_string(impulses.size()) + "].time", last,
         "must not be more than 10000 times the motion's length, " + number(f.length()));
-  const double origin = value(f.segments().front(), 0);  // so that a far origin costs no digits
+  // subtracted, so that a distant origin costs no digits
+  const double origin = value(f.segments().front(), 0);
   const Trajectory from_origin = shifted(f, -f.start(), -origin);
   Trajectory total = scaled(delayed(from_origin, 0, last), impulses.front().amplitude);
   for (const Impulse& impulse : impulses.subspan(1))

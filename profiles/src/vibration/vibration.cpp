@@ -13,17 +13,17 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
-// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). Each impulse at t_i
-// leaves at t_n, the last one's instant, A_i e^(s (t_n - t_i)), and one impulse at t_n leaves 1:
+// Impulses. The free vibration has the pole s = w (-D + i sqrt(1 - D^2)). An impulse at t_i leaves
+// A_i e^(s (t_n - t_i)) at the instant t_n of the last one, and a single impulse at t_n leaves 1:
 //
 //   (1)  V = | sum of A_i e^(s (t_n - t_i)) |
 //
-// which is Singer & Seering's eq. 3. By w its slope is at most
+// which is eq. 3 of Singer & Seering. Its slope with respect to w is at most
 //
 //   (2)  |dV/dw| <= sum of |A_i| |-D (t_n - t_i) + i sqrt(1 - D^2) (t_n/2 - t_i)|
 //
-// (a common factor e^(i sqrt(1 - D^2) w t_n/2) does not change V, so times may be counted from the
-// middle).
+// (A common factor e^(i sqrt(1 - D^2) w t_n/2) does not change V, so times may be counted from the
+// middle.)
 //
 // Motions. The load's deviation after a unit step of the command is -Re(c e^(st)) with c = 1 - i D
 // / sqrt(1 - D^2), |c| = 1 / sqrt(1 - D^2). Superposed over the motion f, which ends at T,
@@ -49,7 +49,7 @@ Complex pole(const Mode& mode) {
   return {-mode.damping * w, std::sqrt((1 - mode.damping) * (1 + mode.damping)) * w};
 }
 
-/// (4), all k.
+/// phi_k by (4), for all k.
 std::array<Complex, moments> phi(Complex z) {
   std::array<Complex, moments> result{};
   if (std::abs(z) > static_cast<double>(moments)) {
@@ -58,7 +58,8 @@ std::array<Complex, moments> phi(Complex z) {
       result[k] = (static_cast<double>(k) * result[k - 1] - 1.0) / z;
     return result;
   }
-  // From far above, where phi_k is 1/(k + 1) to within 12/k; each step divides that error by k/|z|.
+  // Downwards from a high k, at which phi_k is 1/(k + 1) to within 12/k; each step divides this
+  // error by k/|z|.
   constexpr std::size_t far = 64;
   Complex f = 1.0 / static_cast<double>(far + 1);
   for (std::size_t k = far; k > 0; --k) {
@@ -68,14 +69,14 @@ std::array<Complex, moments> phi(Complex z) {
   return result;
 }
 
-/// (5).
+/// Equation (5).
 Complex phi_sine(double b, Complex z) {
   const Complex d = Complex(0, b) - z;
   if (std::abs(d) > 1) return (std::exp(Complex(0, b)) - std::exp(z)) / d;
   return std::exp(z) * phi(d)[0];
 }
 
-/// Terms that are equal for all segments of one length, to the rounding of breaks.
+/// Terms that are the same for all segments of one length, to the rounding of breaks.
 struct Span {
   double length = 0;
   Complex z, decay;  ///< s L, e^(s L)
@@ -90,7 +91,7 @@ struct Span {
   }
 };
 
-/// The integral (3) over one segment, its end as T.
+/// The integral (3) over one segment, with its end as T.
 Complex excitation(const Segment& f, const Span& span) {
   const auto& [length, z, decay, moment] = span;
   Complex total = 0;
@@ -147,7 +148,7 @@ WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, 
   require_valid(Mode{high, damping});
   if (low > high) throw InputError("low", low, "must not be greater than high = " + number(high));
   const double last = impulses.back().time;
-  double slope = 0;  // (2), by frequency
+  double slope = 0;  // (2), with respect to the frequency
   for (const auto& [time, amplitude] : impulses)
     slope += two_pi * std::abs(amplitude) *
              std::hypot(damping * (last - time),

@@ -13,28 +13,28 @@
 //
 //   (1)  R = |I(s)| / sqrt(1 - D^2),   I(s) = integral of f' e^(s t)
 //
-// The edge. I is analytic in s, so log |I| is subharmonic. 1 / sqrt(1 - D^2) = |s| / Im s; log |s| is
-// harmonic but at 0, and -log Im s is subharmonic, its Laplacian being 1 / (Im s)^2. So log R is
-// subharmonic where D < 1, and has its maximum over a region on the region's edge: the band is worst
-// at one of its two end frequencies or one of its two end dampings.
+// The boundary. I is analytic in s, so log |I| is subharmonic. 1 / sqrt(1 - D^2) = |s| / Im s. log
+// |s| is harmonic except at 0, and -log Im s is subharmonic, because its Laplacian is 1 / (Im s)^2.
+// So log R is subharmonic for D < 1, and its maximum over a region is on the boundary of the
+// region: at one of the two end frequencies or one of the two end dampings.
 //
-// Along the edge. Between a and b on a path s(q) the function I(s(q)) differs from the straight line between
-// its values at both ends by at most (b - a)^2 / 8 times its greatest second derivative by q. The
-// straight line is nowhere larger than at one of its ends. With M_k = integral of |f'| t^k, which
-// bounds the kth derivative of I since |e^(s t)| <= 1,
+// Along the boundary. Between a and b on a path s(q), the function I(s(q)) differs from the
+// straight line between its values at both ends by at most (b - a)^2 / 8 times its greatest second
+// derivative with respect to q. The magnitude of the straight line is greatest at one of its ends.
+// With M_k = integral of |f'| t^k, which bounds the k-th derivative of I because |e^(s t)| <= 1,
 //
 //   (2)  |I| <= max(|I_a|, |I_b|) + (b - a)^2 / 8 C
 //   (3)  damping fixed, q = w: |s'| = 1, s'' = 0, so C = M_2
 //   (4)  w fixed, q = asin D: |s'| = |s''| = w, so C = M_2 w^2 + M_1 w
 //
-// Pieces of the edge are halved until (2) excludes that one exceeds the worst value found.
+// Pieces of the boundary are halved until (2) excludes that a piece exceeds the worst value found.
 
 namespace jounce {
 namespace {
 
 using profiles_detail::two_pi;
 
-/// M_0, M_1, M_2: a step of the position counts at its instant.
+/// The moments M_0, M_1, M_2. A step of the position counts at its instant.
 struct Moments {
   double travel = 0;
   double first = 0;
@@ -53,7 +53,7 @@ struct Moments {
   }
 
  private:
-  /// A distance spread evenly over the times a to b before the end.
+  /// Adds a distance that is evenly distributed over the times from a to b before the end.
   void add(double way, double a, double b) {
     travel += way;
     first += way * (a + b) / 2;
@@ -65,10 +65,10 @@ double cofactor(double damping) {
   return std::sqrt((1 - damping) * (1 + damping));
 }
 
-/// One side of the band, from q = a to b.
+/// One side of the band, from q = a to q = b.
 struct Border {
   bool over_frequency = true;  ///< q = w; otherwise q = asin D
-  double fixed = 0;            ///< D, respectively w
+  double fixed = 0;            ///< D, or w
   double a = 0;
   double b = 0;
 
@@ -83,8 +83,8 @@ struct Border {
 };
 
 struct Piece {
-  double a, b;        ///< q
-  double at_a, at_b;  ///< |I|
+  double a, b;        ///< values of q
+  double at_a, at_b;  ///< values of |I|
 };
 
 class VibrationSearch {

@@ -8,8 +8,8 @@
 #include "jounce/profiles/curve/cycle_motion.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 
-// The walk of position_compare.cpp from one point's instant to the next one's, piece by piece. Between two
-// pieces it keeps on which side of the next point the axis was.
+// The walk of position_compare.cpp from the instant of one point to that of the next, piece by
+// piece. Between two pieces it remembers on which side of the next point the axis was.
 
 namespace jounce {
 
@@ -41,7 +41,7 @@ const CompareStep& LiveCompare::step(double position, double velocity, double dt
   return step_;
 }
 
-/// The piece since the last position, or the position alone where no other came before.
+/// Sets the piece from the previous position to this one, or the position alone if it is the first.
 void LiveCompare::move(double position, double velocity) {
   const double from = placed_ ? position_ : position;
   const double mean = (position - from) / elapsed_;
@@ -67,13 +67,14 @@ void LiveCompare::fire(double dt) {
   }
 }
 
-/// The first s from s_ on at which the piece is at this level.
+/// The first s at or after s_ at which the piece has this value.
 std::optional<double> LiveCompare::reach(double level) {
   const double flat = 4e-16 * (magnitude(piece_) + std::abs(level));
   const double here = value(piece_, s_) - level;
   const bool met = (compare_.mode == CompareMode::less && here < 0) ||
                    (compare_.mode == CompareMode::greater && here > 0);
-  const bool passed = side_ && *side_ * here < 0;  // at the end of the piece before, by rounding
+  // At the end of the previous piece, missed by rounding.
+  const bool passed = side_ && *side_ * here < 0;
   side_ = here;
   if (std::abs(here) <= flat || passed || met) return arrive(s_);
   if (s_ < 1) {
@@ -100,10 +101,10 @@ void LiveCompare::pass(const ComparePoint& point, double time) {
   end_pulse(time);
   const bool on = pulses_ || point.level;
   if (on != step_.output) emit(time, on);
-  if (pulses_) off_in_ = time + compare_.pulse;  // one that still lasts is prolonged
+  if (pulses_) off_in_ = time + compare_.pulse;  // extends a pulse that is still on
 }
 
-/// A pulse that ends before that time.
+/// Ends a pulse whose end is before that time.
 void LiveCompare::end_pulse(double before) {
   if (!off_in_ || !(*off_in_ < before)) return;
   emit(std::max(*off_in_, 0.0), false);

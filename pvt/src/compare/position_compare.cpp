@@ -48,7 +48,7 @@ void require_one_pass(const Trajectory& motion) {
                      "has no last pass: use as many passes as the axis runs");
 }
 
-/// A walk along a motion, only forward: from one point's instant to the next one's.
+/// A walk along a motion, only forward, from the instant of one point to that of the next.
 class Walk {
  public:
   explicit Walk(const Trajectory& motion) : motion_(motion) {}
@@ -59,7 +59,7 @@ class Walk {
       const Segment& f = motion_.segments()[i_];
       const double flat = 4e-16 * (magnitude(f) + std::abs(level));
       const double here = value(f, s_) - level;
-      const bool passed = side_ && *side_ * here < 0;  // at the break before, by rounding
+      const bool passed = side_ && *side_ * here < 0;  // at the previous break, missed by rounding
       side_ = here;
       if (std::abs(here) <= flat || passed) return arrive(s_);
       if (const auto s = after(f, level, flat)) return arrive(*s);
@@ -119,7 +119,7 @@ std::vector<OutputEdge> edges_of(const PositionCompare& compare,
     const bool on = edges.empty() ? false : edges.back().on;
     if (pulses(compare.mode)) {
       if (!edges.empty() && event.time <= edges.back().time)
-        edges.pop_back();  // the pulse before still lasts: one longer pulse
+        edges.pop_back();  // the previous pulse is still on: both become one longer pulse
       else
         edges.push_back({event.time, true});
       edges.push_back({event.time + compare.pulse, false});
@@ -172,7 +172,7 @@ void append(std::vector<double>& times, const Trajectory& f, double level) {
   times.insert(times.end(), more.begin(), more.end());
 }
 
-/// Every instant at which the answer to "does it fire?" may change from no to yes.
+/// Every instant at which the condition for firing may become true.
 std::vector<double> candidates(const PlaneCompare& compare, const PlaneCompare::Point& point,
                                const Trajectory& x, const Trajectory& y, double from) {
   std::vector<double> times{from};

@@ -14,7 +14,8 @@ std::string point(std::size_t i) {
   return "point " + std::to_string(i + 1);
 }
 
-/// The pair of events with the greatest ratio of the axis's velocity between them to the permitted one.
+/// The finding for the pair of events whose velocity in between is the highest share of the
+/// permitted one.
 Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion, double frequency) {
   Finding worst;
   worst.margin = 2;
@@ -33,14 +34,14 @@ Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion,
              .margin = margin,
              .broken = margin <= 0,
              .segment = {},
-             .advice = margin <= 0
-                           ? "slower, or " + point(events[i].point) + " further from the one before"
-                           : ""};
+             .advice = margin <= 0 ? "pass the points more slowly, or move " +
+                                         point(events[i].point) + " further from the previous one"
+                                   : ""};
   }
   return worst;
 }
 
-/// `next`: the place of the point that does not fire.
+/// `next`: number of the point that does not fire.
 Finding missed(std::size_t fired, std::size_t points, const std::string& next,
                const Trajectory& motion) {
   const bool broken = fired < points;
@@ -53,9 +54,10 @@ Finding missed(std::size_t fired, std::size_t points, const std::string& next,
           .margin = broken ? static_cast<double>(fired) / static_cast<double>(points) - 1 : 0,
           .broken = broken,
           .segment = {},
-          .advice = broken ? point(fired) + " at " + next +
-                                 " is not passed after the one before, and blocks those after it"
-                           : "",
+          .advice =
+              broken ? point(fired) + " at " + next +
+                           " is not passed after the previous one, and blocks all following points"
+                     : "",
           .unit = "1"};
 }
 

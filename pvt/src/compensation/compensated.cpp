@@ -15,18 +15,18 @@
 
 #include "pvt/src/compensation/grid_cell.hpp"
 
-// Between two breaks of any of the curves, and two passages of grid lines, all references stay in one
-// cell. Inserted into its polynomial, they give a polynomial whose degree is the product of the degrees. Where
-// that does not fit into a segment, or sines meet more than a straight line, the piece is fitted
-// (detail/hermite.hpp). The same substitution gives the fit its series at both ends and the majorant of the
-// twelfth derivative.
+// Between two breaks of any of the curves, and two passages of grid lines, all references stay in
+// one cell. Inserted into the cell's polynomial, they give a polynomial whose degree is the product
+// of the degrees. If this does not fit into a segment, or if sines meet more than a straight line,
+// the piece is fitted (detail/hermite.hpp). The same substitution gives the series of the fit at
+// both ends, and the majorant of the twelfth derivative.
 
 namespace jounce {
 namespace {
 
 using Cell = Compensation::Cell;
 
-/// The stretch [from, to] of a curve as one segment.
+/// The part [from, to] of a curve as one segment.
 Segment stretch(const Trajectory& f, double from, double to) {
   const auto breaks = f.breaks();
   const double middle = from + (to - from) / 2;
@@ -40,7 +40,7 @@ Segment stretch(const Trajectory& f, double from, double to) {
   return cut;
 }
 
-/// A stretch of the references within one cell: s_j as segments.
+/// A part of the references that is within one cell: s_j as segments.
 struct Piece {
   Cell cell;
   std::array<Segment, 3> s;
@@ -65,7 +65,7 @@ struct Piece {
     return pvt_detail::evaluated(with, each, references);
   }
 
-  // The piece as profiles_detail::fit needs it.
+  // Interface that profiles_detail::fit requires.
   [[nodiscard]] double length() const { return s[0].length; }
   [[nodiscard]] profiles_detail::EndSeries end(double at) const {
     return of<6>(cell, [at](const Segment& f) { return profiles_detail::taylor(f, at); });
@@ -81,7 +81,7 @@ struct Piece {
   }
 };
 
-/// The piece as one segment, or nothing where it does not fit.
+/// The piece as one segment; nullopt if it does not fit.
 std::optional<Segment> exact(const Piece& piece) {
   int degree = 0;
   int sines = 0;

@@ -15,12 +15,12 @@
 //
 //   (1)  c = sum over a, b, c of k_abc s_1^a s_2^b s_3^c
 //
-// with the coefficients of the linear interpolation, or of the cubic one between values f and slopes d
-// (by s) at both ends,
+// The coefficients are those of the linear interpolation, or of the cubic one between values f and
+// slopes d (with respect to s) at both ends,
 //
 //   (2)  f0 + d0 s + (3 (f1 - f0) - 2 d0 - d1) s^2 + (2 (f0 - f1) + d0 + d1) s^3,
 //
-// taken along each reference in turn; the slopes are those of the natural spline.
+// applied along one reference after another. The slopes are those of the natural spline.
 
 namespace jounce {
 namespace {
@@ -58,7 +58,8 @@ void require_valid(const CompensationSpec& spec) {
   }
 }
 
-/// The slopes of the natural spline through `count` values `stride` apart, by s.
+/// The slopes of the natural spline through `count` values that are `stride` entries apart, with
+/// respect to s.
 void natural_slopes(const double* f, double* d, std::size_t count, std::size_t stride) {
   std::vector<double> x(count);
   std::vector<double> p(count);
@@ -71,7 +72,8 @@ void natural_slopes(const double* f, double* d, std::size_t count, std::size_t s
   for (std::size_t i = 0; i < count; ++i) d[i * stride] = v[i];
 }
 
-/// (2), or a straight line: power coefficients by s from the values and slopes at both ends.
+/// Equation (2), or a straight line: coefficients of the powers of s from the values and slopes at
+/// both ends.
 using Line = std::array<double, 4>;  // f0, f1, d0, d1 and back as 1, s, s^2, s^3
 Line powers(const Line& ends, GridRule rule) {
   const auto [f0, f1, d0, d1] = ends;
@@ -79,7 +81,8 @@ Line powers(const Line& ends, GridRule rule) {
   return {f0, d0, 3 * (f1 - f0) - 2 * d0 - d1, 2 * (f0 - f1) + d0 + d1};
 }
 
-/// The place of a reference on its axis: the interval, and the side of the grid (-1, 0, 1).
+/// The place of a reference on its axis: the interval, and the side of the grid (-1: before it, 0:
+/// inside, 1: after it).
 struct Spot {
   std::size_t interval = 0;
   int outside = 0;
@@ -92,7 +95,8 @@ Spot spot(const GridAxis& axis, double x) {
   return {static_cast<std::size_t>(std::min(std::floor(s), last)), 0};
 }
 
-/// The grid ends here, at s_j = 0 or 1: only the constant of the powers of s_j remains.
+/// Outside the grid, the cell has the constant value of s_j = 0 or 1 along s_j: only the constant
+/// of the powers of s_j remains.
 void hold(Compensation::Cell& cell, std::size_t j, std::size_t references, int outside) {
   std::size_t terms = 1;
   std::size_t stride = 1;
@@ -141,8 +145,9 @@ Compensation::Cell Compensation::cell(std::span<const double> references) const 
   return cell;
 }
 
-/// The coefficients (1): first along the first reference, for the values (and slopes by the second) at
-/// each of the other references' ends; then those along the second, then along the third.
+/// Computes the coefficients (1): first along the first reference, for the values (and the slopes
+/// along the second) at each end of the other references; then along the second, then along the
+/// third.
 void Compensation::fill(Cell& cell, const std::array<std::size_t, 3>& interval) const {
   const std::size_t n = axes_[0].count;
   const std::size_t m = axes_.size() > 1 ? axes_[1].count : 1;

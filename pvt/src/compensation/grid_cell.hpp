@@ -8,7 +8,7 @@
 
 namespace jounce::pvt_detail {
 
-/// Coefficients of a polynomial or a series, cut off after the n-th term; n = 1: a number.
+/// Coefficients of a polynomial or a series, truncated after the n-th term; n = 1: a number.
 template <std::size_t n>
 using Terms = std::array<double, n>;
 
@@ -21,8 +21,8 @@ Terms<n> product(const Terms<n>& a, const Terms<n>& b) {
   return c;
 }
 
-/// A cell with numbers, polynomials or series in the place of its coordinates: Horner's rule along one
-/// reference after another, `along` of them, from the coefficient `first` on.
+/// Evaluates a cell; its coordinates are numbers, polynomials or series. Horner's rule along
+/// `along` references, one after another, from the coefficient `first` on.
 template <std::size_t n>
 Terms<n> evaluated(const Compensation::Cell& cell, const std::array<Terms<n>, 3>& s,
                    std::size_t along, std::size_t first = 0) {

@@ -11,18 +11,20 @@
 //
 //   (1)  h_i v_(i-1) + 2 (h_(i-1) + h_i) v_i + h_(i-1) v_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)
 //
-// Elimination upwards leaves v_i + c_i v_(i+1) = y_i with
+// Elimination in ascending order leaves v_i + c_i v_(i+1) = y_i with
 //
 //   (2)  c_i = h_(i-1) / D,  y_i = (3 (h_i d_(i-1) + h_(i-1) d_i) - h_i y_(i-1)) / D,
 //        D = 2 (h_(i-1) + h_i) - h_i c_(i-1)
 //
-// and 0 <= c <= 1/2 (from row to row, if c_(i-1) <= 1/2: D >= 2 h_(i-1) + 1.5 h_i), so no pivots are
-// needed. Each row waits for the division of the row before. But an error fades along the chain. An error of
-// y_(i-1) changes y_i by f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)) times that. Since
-// (1 - 2 c) / (2 - c) <= 1/2, the product of m such factors is at most 2^-m (times 2 at its ends). An error
-// of c_(i-1) changes c_i by c_i f_i <= 1/12 times that, and an error of v_(i+1) changes v_i by c_i <= 1/2
-// times that. So a chain that starts with zeros 64 rows early gives the same result to 2^-63: long tables are
-// cut into four chains that run side by side.
+// with 0 <= c <= 1/2 (by induction: if c_(i-1) <= 1/2, then D >= 2 h_(i-1) + 1.5 h_i), so no pivots
+// are needed.
+//
+// Each row waits for the division of the previous row. But errors fade along the chain. An error of
+// y_(i-1) changes y_i by f_i = h_i / D = (1 - 2 c_i) / (2 - c_(i-1)) times the error. Because (1 -
+// 2 c) / (2 - c) <= 1/2, the product of m such factors is at most 2^-m (times 2 at its ends). An
+// error of c_(i-1) changes c_i by c_i f_i <= 1/12 times the error, and an error of v_(i+1) changes
+// v_i by c_i <= 1/2 times the error. So a chain that starts with zeros 64 rows early gives the same
+// result to 2^-63. Long tables are cut into four chains that are computed side by side.
 
 namespace jounce::pvt_detail {
 namespace {
@@ -31,7 +33,7 @@ constexpr std::size_t chains = 4;
 constexpr std::size_t warm_up = 64;
 constexpr std::size_t worth_cutting = 16 * warm_up;
 
-/// The numbers that elimination carries from row to row.
+/// The numbers that the elimination passes from row to row.
 struct State {
   double c, y;  // from the previous row
   double h, d;  // from the previous piece
@@ -46,7 +48,7 @@ struct Knots {
     return {end.ratio, end.value, h, (p[row] - p[row - 1]) / h};
   }
 
-  /// (2)
+  /// Eliminates row i by (2).
   [[gnu::always_inline]] void eliminate(std::size_t i, State& s) const {
     const double h = x[i + 1] - x[i];
     const double d = (p[i + 1] - p[i]) / h;
@@ -58,7 +60,7 @@ struct Knots {
   }
 };
 
-/// Rows 1 to rows of a stretch: chains of equal length, the remainder in the last.
+/// Rows 1 to `rows` of a stretch, as chains of equal length; the last chain also has the remainder.
 class Sweep {
  public:
   Sweep(Knots knots, std::size_t rows, double* c, double* v)
@@ -100,7 +102,7 @@ class Sweep {
     for (std::size_t i = from; i >= to; --i) next = v_[i] -= c_[i] * next;
   }
 
-  /// The state before the first row of chain k.
+  /// An approximate state before the first row of chain k, which converges to the exact one.
   [[nodiscard]] State warm(std::size_t k) const {
     const std::size_t end = k * length_ + 1;
     State s = knots_.before(end - warm_up, {0, 0});
@@ -126,7 +128,7 @@ class Sweep {
 }  // namespace
 
 EndRow not_a_knot_end(double h0, double chord0, double h1, double chord1) {
-  // de Boor, ch. IV (12): the third derivative is continuous, v_2 eliminated by (1).
+  // C. de Boor, ch. IV (12): the third derivative is continuous; v_2 is eliminated by (1).
   const double both = h0 + h1;
   return {both / h1, ((h0 + 2 * both) * h1 * chord0 + h0 * h0 * chord1) / (both * h1)};
 }
@@ -146,7 +148,7 @@ void c2_velocities(std::span<const double> x, std::span<const double> p, EndRow 
 }
 
 // The velocities are u + t z: u with ends at rest, z the response to t = 1 at both ends.
-// (1) at the seam is linear in t.
+// At the joint of two periods, (1) is linear in t.
 void c2_periodic_velocities(std::span<const double> x, std::span<const double> p,
                             std::span<double> v) {
   const std::size_t end = x.size() - 1;

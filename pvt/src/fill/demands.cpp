@@ -11,11 +11,11 @@
 //   (1)  a(0) = (6 d - 4 v0 - 2 v1) / h,   a(1) = (-6 d + 2 v0 + 4 v1) / h,   a linear between
 //   (2)  jerk = 6 (v0 + v1 - 2 d) / h^2
 //
-// so limits of acceleration and jerk are half planes of (v0, v1), and so is convexity, a >= 0 at both
-// ends. |v| <= V at every place is a convex set with a curved edge. With w = V + v, the piece of velocity w
-// has the chord D = V + d and must not run backwards: this is Fritsch and Carlson's region (1) of
-// local_velocities.cpp times D. The same holds with V - v and V - d. The polygon below is inscribed: its
-// corners lie on the region's edge.
+// So limits of acceleration and jerk are half planes of (v0, v1), and so is convexity, a >= 0 at
+// both ends. |v| <= V at every place is a convex set with a curved edge. With w = V + v, the piece
+// of velocity w has the chord D = V + d and must not run backwards: this is the region (1) of
+// Fritsch and Carlson in local_velocities.cpp, times D. The same holds for V - v and V - d. The
+// polygon below is inscribed: its corners are on the edge of the region.
 
 namespace jounce::pvt_detail {
 namespace {
@@ -26,7 +26,7 @@ struct Corner {
   double alpha, beta;
 };
 
-/// On alpha^2 + alpha beta + beta^2 - 6 alpha - 6 beta + 9 = 0, from (3, 0) to (0, 3).
+/// Points on alpha^2 + alpha beta + beta^2 - 6 alpha - 6 beta + 9 = 0, from (3, 0) to (0, 3).
 std::vector<Corner> corners_of_the_region() {
   const auto branch = [](double alpha, double sign) {
     return Corner{alpha, (6 - alpha + sign * std::sqrt(3 * alpha * (4 - alpha))) / 2};
@@ -38,7 +38,8 @@ std::vector<Corner> corners_of_the_region() {
           {0, 3}};
 }
 
-/// Half planes: alpha times the first plus beta times the second is at most the third.
+/// The region as half planes: alpha times the first number plus beta times the second is at most
+/// the third.
 const std::vector<HalfPlane>& region() {
   static const std::vector<HalfPlane> planes = [] {
     const std::vector<Corner> corners = corners_of_the_region();
@@ -53,7 +54,7 @@ const std::vector<HalfPlane>& region() {
   return planes;
 }
 
-/// sign v >= -limit at every place of the piece.
+/// Adds: sign v >= -limit everywhere on the piece.
 void add_velocity(Demand& demand, double limit, double sign, double chord) {
   const double d = limit + sign * chord;
   const double slack = rounding * limit;
@@ -65,7 +66,7 @@ void add_velocity(Demand& demand, double limit, double sign, double chord) {
                     slack * (std::abs(plane.a) + std::abs(plane.b))});
 }
 
-/// |a v0 + b v1 - c| <= limit
+/// Adds: |a v0 + b v1 - c| <= limit.
 void add_band(Demand& demand, HalfPlane centre, double limit) {
   const double slack = rounding * (limit + std::abs(centre.c));
   demand.add({centre.a, centre.b, centre.c + limit + slack});

@@ -11,28 +11,28 @@
 
 namespace jounce::pvt_detail {
 
-/// The direction in which the data demand that a piece turns.
+/// The direction in which a piece must turn according to the data.
 enum class Turn { any, left, right, neither };
 
-/// Velocities such that the cubic piece of this length and chord keeps velocity, acceleration and
-/// jerk limits. All velocities kept are within the limits, to rounding. Beside a velocity limit, up to 2 % of
-/// those refused would be within them too.
+/// Velocities for which the cubic piece of this length and chord keeps the limits of velocity,
+/// acceleration and jerk. All accepted velocities keep the limits, to rounding. Near a velocity
+/// limit, up to 2 % of the rejected ones would keep the limits, too.
 Demand within_limits(const Limits& limits, double length, double chord);
 
-/// The factor by which a piece between two knots must be longer, so that its demand is kept from some
-/// velocity in `from` to some in `to`; infinite where no length is enough.
+/// The factor by which a piece between two knots must be longer, so that its demand permits some
+/// velocities in `from` and `to`; infinite if no length is sufficient.
 double needed_stretch(const Limits& limits, double length, double chord, Gap from, Gap to);
 
-/// Velocities such that the piece turns left (convex), right (concave) or, straight, neither way.
-/// `slack` is the rounding of the chord.
+/// Velocities for which the piece turns left (convex) or right (concave), or is straight. `slack`
+/// is the rounding of the chord.
 Demand turning(Turn turn, double chord, double slack);
 
-/// For each piece the direction in which the data turn at both of its knots; any where the two differ.
+/// For each piece, the direction in which the data turn at both of its knots; `any` if they differ.
 std::vector<Turn> turns_of(const Chords& chords, const std::vector<double>& rounding,
                            bool periodic);
 
-/// At each knot the velocities for which the pieces beside it are certain to be monotone: between 0
-/// and three times the smaller chord; 0 where the chords differ in sign.
+/// At each knot, the velocities for which the adjacent pieces are certainly monotone: between 0 and
+/// three times the smaller chord; 0 if the chords differ in sign.
 std::vector<Gap> monotone_gaps(const Chords& chords, bool periodic);
 
 }  // namespace jounce::pvt_detail

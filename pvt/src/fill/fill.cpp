@@ -87,7 +87,7 @@ void require_method(const FillSpec& spec) {
                      "of velocity, acceleration or jerk are needed for within_limits");
 }
 
-/// Requires sound knots: the Table of a straight run through them reports errors.
+/// Requires valid knots: the constructor of a linear Table through them throws otherwise.
 void require_knots(const FillSpec& spec) {
   (void)Table(spec.axis, Interpolation::linear, spec.outside, {spec.x, spec.p, {}, {}});
 }
@@ -140,7 +140,7 @@ EndRow open_end(std::span<const double> x, std::span<const double> p, Filling en
   return pvt_detail::not_a_knot_end(x[i + 1] - x[i], chord(i), x[j + 1] - x[j], chord(j));
 }
 
-/// Through three points: the parabola. Both conditions at the ends demand it.
+/// Three points: both conditions at the ends require the parabola.
 void parabola(std::span<const double> x, std::span<const double> p, std::span<double> v) {
   const double h0 = x[1] - x[0], h1 = x[2] - x[1];
   const double d0 = (p[1] - p[0]) / h0, d1 = (p[2] - p[1]) / h1;
@@ -149,7 +149,7 @@ void parabola(std::span<const double> x, std::span<const double> p, std::span<do
   v[2] = 2 * d1 - v[1];
 }
 
-/// Between given velocities there are separate splines.
+/// Given velocities divide the table into separate splines.
 void spline_between(const FillSpec& spec, const Given& given, Filling ends, std::span<double> v) {
   const std::span<const double> x = spec.x, p = spec.p;
   const std::size_t last = x.size() - 1;
@@ -169,7 +169,7 @@ bool any_given(const Given& given) {
   return std::any_of(given.begin(), given.end(), [](const auto& each) { return each.has_value(); });
 }
 
-/// A periodic table with given velocities is cut open at the first of them.
+/// A periodic table with given velocities is divided at the first of them.
 void spline_around(const FillSpec& spec, const Given& given, std::span<double> v) {
   const std::size_t last = spec.x.size() - 1;
   std::size_t cut = 0;
@@ -213,7 +213,8 @@ void add(Report& report, const FillSpec& spec, const char* rule, std::size_t pie
   report.findings.push_back(std::move(finding));
 }
 
-/// The pieces that turn against their chord because of given velocities, or of a seam.
+/// Reports the pieces that turn against their chord because of given velocities or of the joint
+/// between two periods.
 void report_turning_back(const FillSpec& spec, const Pieces& pieces, std::span<const double> v,
                          Report& report) {
   for (std::size_t i = 0; i < pieces.chord.size(); ++i) {
@@ -246,7 +247,8 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   spline(spec, given, around ? Filling::periodic : Filling::natural, v);
   std::vector<pvt_detail::Gap> gaps = pvt_detail::monotone_gaps(pieces.view(), around);
   fix(given, gaps);
-  if (around) {  // the seam first: follows a chain, not a ring
+  // Chooses the velocity at the joint between two periods first: follow() requires an open chain.
+  if (around) {
     const double seam = std::clamp(v[0], gaps[0].lo, gaps[0].hi);
     gaps.front() = gaps.back() = {seam, seam};
   }
@@ -262,7 +264,7 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   if (any_given(given)) report_turning_back(spec, pieces, v, report);
 }
 
-/// A bound for velocities that have no other bound.
+/// A bound for velocities that have no other limit.
 double far_beyond(const FillSpec& spec, const Pieces& pieces) {
   if (spec.limits.velocity) return *spec.limits.velocity;
   double most = 0;
@@ -276,7 +278,8 @@ std::string advice_for(double stretch, double length) {
              : "no length is sufficient: give other velocities";
 }
 
-/// The limits less the error of acceleration and jerk that rounding of a piece's positions causes.
+/// The limits, reduced by the error of acceleration and jerk that rounding of a piece's positions
+/// causes.
 Limits less_rounding(const FillSpec& spec, std::size_t i, double h) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double rounding = epsilon * std::max(std::abs(spec.p[i]), std::abs(spec.p[i + 1]));
@@ -356,7 +359,7 @@ void choose_velocities(const FillSpec& spec, const Given& given, Columns& column
   }
 }
 
-/// A spline through velocities that are all given.
+/// True if all velocities are given.
 bool is_complete(const FillSpec& spec) {
   const bool is_spline =
       spec.filling <= Filling::not_a_knot && spec.rule == Interpolation::cubic_hermite;
@@ -384,7 +387,7 @@ Filled filled(const FillSpec& spec) {
   require_seam(spec);
   Columns columns{spec.x, spec.p, std::vector<double>(spec.x.size()), {}};
   Report report;
-  if (is_complete(spec))  // a recording: millions of rows, so nothing else is stored
+  if (is_complete(spec))  // a recording with millions of rows: nothing else is stored
     std::transform(spec.v.begin(), spec.v.end(), columns.v.begin(),
                    [](const auto& v) { return *v; });
   else

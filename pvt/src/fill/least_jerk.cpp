@@ -3,8 +3,8 @@
 
 #include <vector>
 
-// The quintic piece of length h with the end states (p0, v0, a0, p1, v1, a1) has, with d = p1 - p0 and
-// u = (v0 h, a0 h^2, v1 h, a1 h^2),
+// The quintic piece of length h with the end states (p0, v0, a0, p1, v1, a1) has, with d = p1 - p0
+// and u = (v0 h, a0 h^2, v1 h, a1 h^2),
 //
 //   (1)  integral of jerk^2 = (720 d^2 - 2 d g' u + u' K u) / h^5
 //
@@ -13,16 +13,17 @@
 //                                       ( 168   24  192  -36 )
 //                                       ( -24   -3  -36    9 )
 //
-// (`cam/src/design/least_energy.cpp` has the matrix with free positions too, which smoothing splines need.
-// Here the positions are given, and the remaining blocks of 2 x 2 need no library.) The sum over all
-// pieces is least where its gradient by every free state vanishes. This is a positive definite system in
-// which a knot's two states x_i are coupled only to those of its neighbors. The first knot of a periodic table
-// is a border, eliminated last:
+// (`cam/src/design/least_energy.cpp` has the matrix for free positions as well, which smoothing
+// splines need. Here the positions are given, and the remaining 2 x 2 blocks need no library.) The
+// sum over all pieces is least if its gradient with respect to every free state vanishes. This is a
+// positive definite system in which the two states x_i of a knot are coupled only to those of its
+// neighbors. The first knot of a periodic table is a border, which is eliminated last:
 //
 //   (2)  N_(i-1)' x_(i-1) + D_i x_i + N_i x_(i+1) + B_i x_0 = r_i
 //
-// A fixed state is an equation 1 * x = value, its column carried over to the right. The system is positive
-// definite: it needs no pivots at any scale of the unknowns. The unit of length is the mean piece.
+// A fixed state is the equation 1 * x = value; its column is moved to the right side. The system is
+// positive definite, so it needs no pivots at any scale of the unknowns. The unit of length is the
+// mean piece.
 
 namespace jounce::pvt_detail {
 namespace {
@@ -57,7 +58,7 @@ Matrix inverse(const Matrix& m) {
   return {1 / m[0] - off * ratio, off, off, 1 / schur};
 }
 
-/// The part of one piece in (2): half of the gradient of (1).
+/// The contribution of one piece to (2): half of the gradient of (1).
 struct Element {
   Matrix first, coupling, second;
   Vector right_first, right_second;
@@ -81,7 +82,8 @@ struct Element {
   }
 
  private:
-  /// State k of the knot whose block is `own` takes `value`; `to_other` is its coupling by rows.
+  /// Fixes state k of the knot with the block `own` to `value`; `to_other` is its coupling, by
+  /// rows.
   static void fix(std::size_t k, double value, Matrix& own, Matrix& to_other, Vector& right,
                   Vector& other_right) {
     const std::size_t j = 1 - k;
@@ -96,7 +98,7 @@ struct Element {
   }
 };
 
-/// (2), one row a knot.
+/// One row of (2), for one knot.
 struct Row {
   Matrix diagonal{}, next{}, border{};
   Vector right{};
@@ -122,7 +124,7 @@ class System {
         }
   }
 
-  /// In the units of x.
+  /// Returns the solution, in the units of x.
   std::vector<Vector> solve() {
     for (std::size_t i = 1; i < rows_.size(); ++i) eliminate(i);
     std::vector<Vector> states(rows_.size());
@@ -159,7 +161,7 @@ class System {
     }
   }
 
-  /// Eliminates x_i from the rows i + 1 and 0, and keeps it as a function of them.
+  /// Eliminates x_i from the rows i + 1 and 0; stores it as a function of their unknowns.
   void eliminate(std::size_t i) {
     Row& row = rows_[i];
     const Matrix inverted = inverse(row.diagonal);
@@ -188,8 +190,8 @@ void close(JerkKnot& first, JerkKnot& last) {
   }
 }
 
-/// Parabolas through two points have no jerk, so one state must be given to choose among them. The
-/// straight line is the one without acceleration.
+/// True if no state is given that selects one of the parabolas through two points, all of which
+/// have no jerk. Then the straight line is chosen: it has no acceleration.
 bool undetermined(std::span<const JerkKnot> knots) {
   if (knots.size() > 2) return false;
   for (const JerkKnot& knot : knots)

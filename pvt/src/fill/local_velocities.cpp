@@ -6,23 +6,24 @@
 #include <cstddef>
 #include <limits>
 
-// Fritsch and Carlson (SIAM J. Numer. Anal. 17, 1980): with alpha = v0 / d, beta = v1 / d, the cubic
-// piece of chord d is monotone if and only if alpha, beta >= 0 and
+// Fritsch and Carlson (SIAM J. Numer. Anal. 17, 1980): with alpha = v0 / d, beta = v1 / d, the
+// cubic piece of chord d is monotone if and only if alpha, beta >= 0 and
 //
 //   (1)  2 alpha + beta <= 3   or   alpha + 2 beta <= 3
 //        or   alpha^2 + alpha beta + beta^2 - 6 alpha - 6 beta + 9 <= 0
 //
-// which contains the square [0, 3] x [0, 3]. Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984)
-// take, where the chords d0 and d1 beside a knot have one sign,
+// This region contains the square [0, 3] x [0, 3]. If the chords d0 and d1 beside a knot have the
+// same sign, Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984) use
 //
 //   (2)  v = (w0 + w1) / (w0 / d0 + w1 / d1),   w0 = 2 h1 + h0,  w1 = h1 + 2 h0
 //
-// and 0 elsewhere. v <= (w0 + w1) / w0 |d0| < 3 |d0|, and the same with d1: inside the square.
+// and otherwise 0. v <= (w0 + w1) / w0 |d0| < 3 |d0|, and the same holds for d1: the result is
+// inside the square.
 
 namespace jounce::pvt_detail {
 namespace {
 
-/// The end of the parabola through three points, inside the square.
+/// The velocity at the end of the parabola through three points, limited to the square.
 double open_end(double h0, double d0, double h1, double d1) {
   const double v = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (!(v > 0 && d0 > 0) && !(v < 0 && d0 < 0)) return 0;
@@ -35,7 +36,7 @@ double between_chords(double h0, double d0, double h1, double d1) {
   if (!(d0 > 0 && d1 > 0) && !(d0 < 0 && d1 < 0)) return 0;
   const double w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
   const double smaller = std::abs(d0) < std::abs(d1) ? d0 : d1;
-  // (2) over the smaller chord, whose reciprocal may overflow.
+  // (2) divided by the smaller chord, because its reciprocal may overflow.
   const double mean = smaller * (w0 + w1) / (w0 * (smaller / d0) + w1 * (smaller / d1));
   return std::abs(mean) < 3 * std::abs(smaller) ? mean : 3 * smaller;
 }

@@ -15,13 +15,13 @@
 //   acceleration linear to a1:  p + v T s + a T^2 s^2 / 2 + (a1 - a) T^2 s^3 / 6      (2)
 //                               and ends with v + (a + a1) T / 2                      (3)
 //
-// Velocities of the cubic rule at a point are those of the monotone filling: at most 3 times the
-// smaller slope beside it, so that neither stage overshoots.
+// The velocities of the cubic rule at points are those of the monotone filling: at most 3 times the
+// smaller adjacent slope, so neither stage overshoots.
 
 namespace jounce::pmc600 {
 namespace {
 
-/// The controller's numbers for a bad size and for a stage of no time.
+/// The controller's error numbers for a wrong size, and for a stage without duration.
 struct Errors {
   int size;
   int time;
@@ -66,10 +66,10 @@ void require_valid(const ProfileTable& table, int pairs, int error) {
   }
 }
 
-/// The stages: lengths, and the values at their ends after the axis' own, `first`.
+/// The stages: their durations, and the values at their ends. `first` is the axis' own value.
 struct Stages {
   std::vector<double> length;
-  std::vector<double> value;  // one more
+  std::vector<double> value;  // one more than stages
 };
 
 Stages stages_of(const ProfileTable& table, double first, const Errors& errors) {
@@ -86,7 +86,7 @@ Stages stages_of(const ProfileTable& table, double first, const Errors& errors) 
   return stages;
 }
 
-/// At each point; at rest at the last.
+/// The velocity at each point; the last one is 0.
 std::vector<double> velocities(const Stages& stages, double first) {
   const auto& [length, value] = stages;
   std::vector<double> v(value.size());

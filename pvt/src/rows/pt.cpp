@@ -10,13 +10,14 @@
 
 #include "pvt/src/rows/pt_link.hpp"
 
-// A rate that goes linearly from a to b covers, with u the distance from the segment's start and s = u / T,
+// A rate that changes linearly from a to b covers, with u the distance from the segment's start and
+// s = u / T,
 //
 //     f(u) = f0 + a u + (b - a) u^2 / (2 T) = f0 + (a T) s + (b - a) T/2 s^2      (1)
 //     P    = f(T) - f0 = (a + b) T / 2,   so   b = 2 P / T - a                    (2)
 //
-// and with (2) the last coefficient of (1) is (b - a) T / 2 = P - a T. This needs no quotient that would be
-// multiplied back, and f(T) = f0 + P to the rounding of the sum.
+// With (2), the last coefficient of (1) is (b - a) T / 2 = P - a T. So there is no quotient that
+// would be multiplied back, and f(T) = f0 + P to the rounding of the sum.
 
 namespace jounce {
 namespace {

@@ -8,8 +8,8 @@
 #include "jounce/pvt/warnings.hpp"
 
 // In a chain of normal segments b = 2 P/T - a: an error e of a rate becomes -e at the end of the
-// segment, +e at the end of the next, and so on without end. The rate then goes up and down from point to
-// point; four such segments in a row count as one oscillation.
+// segment, +e at the end of the next, and so on. So the rate goes up and down from point to point.
+// Four such segments in a row count as an oscillation.
 
 namespace jounce {
 namespace {
@@ -20,14 +20,15 @@ bool is_chained(PtType type) {
   return type == PtType::normal || type == PtType::continued;
 }
 
-/// Segments first to last, each of which changes the rate against the one before.
+/// Segments first to last, each of which changes the rate in the opposite direction to the previous
+/// one.
 struct Swing {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t worst = 0;
 };
 
-/// All runs of at least `least_swings` segments.
+/// All such runs of at least `least_swings` segments.
 std::vector<Swing> swings(std::span<const PtPoint> points, const std::vector<PtRate>& rates,
                           double least) {
   const auto change = [&](std::size_t i) { return rates[i].end - rates[i].start; };
@@ -63,11 +64,11 @@ Finding finding_of(const Swing& run, std::span<const PtPoint> points,
   found.margin = -std::abs(found.value) / scale;
   found.segment = run.worst;
   found.severity = Severity::warning;
-  found.advice =
-      "up and down from segment " + std::to_string(run.first + 1) + " to " +
-      std::to_string(run.last + 1) +
-      ": a normal segment passes an error of its increment on, with its sign reversed: give the "
-      "first one the increment of a start from rest, and do not round the others";
+  found.advice = "the velocity goes up and down from segment " + std::to_string(run.first + 1) +
+                 " to " + std::to_string(run.last + 1) +
+                 ": a normal segment passes the error of its increment to the next one, with the "
+                 "opposite sign. Give the first segment the increment of a start from rest, and do "
+                 "not round the others";
   return found;
 }
 
@@ -75,7 +76,7 @@ const char* advice_to(PtType type) {
   switch (type) {
     case PtType::even:
       return "an even segment runs at P/T from its first instant, which needs an infinite "
-             "acceleration: reach P/T before it, or make it normal";
+             "acceleration: let the previous segment end at P/T, or make this one normal";
     case PtType::stop:
       return "a stop segment always begins at 2P/T, which needs an infinite acceleration: choose "
              "its increment so that 2P/T equals the velocity before";
@@ -83,8 +84,8 @@ const char* advice_to(PtType type) {
     case PtType::continued:
       break;
   }
-  return "this needs an infinite acceleration: the point before must end with the velocity with "
-         "which this segment begins";
+  return "the step needs an infinite acceleration: let the previous segment end at the velocity at "
+         "which this one begins";
 }
 
 }  // namespace

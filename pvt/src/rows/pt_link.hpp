@@ -3,22 +3,24 @@
 
 #include "jounce/pvt/pt.hpp"
 
-/// One segment of a PT chain, for pt(), which makes whole curves, and for the player, which takes one at a time.
+/// One segment of a PT chain: for pt(), which makes whole curves, and for the player, which
+/// computes one segment at a time.
 namespace jounce::pvt_detail {
 
-/// A segment: its increments, and the rates by equation (2) of pt.cpp.
+/// A segment: its increments, and its rates by equation (2) of pt.cpp.
 struct PtLink {
-  double from;      // position of the point before
+  double from;      // position of the previous point
   double length;    // T
   double distance;  // P
   PtType type;
   PtRate rate;
 };
 
-/// `first` in its pass; `rate`: at the end of the segment before.
+/// Computes a link. `first`: it is the first segment of its pass. `rate`: end rate of the previous
+/// segment.
 PtLink pt_link(const PtPoint& before, const PtPoint& point, bool first, double rate);
 
-/// Equation (1) of pt.cpp.
+/// The segment by equation (1) of pt.cpp.
 Segment segment_of(const PtLink& link);
 
 }  // namespace jounce::pvt_detail

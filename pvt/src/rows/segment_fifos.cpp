@@ -6,12 +6,17 @@
 #include <cmath>
 #include <limits>
 
-// Access to a FIFO. The producer appends: it writes a slot beyond the size, then the size (release). The
-// player reads below the size it has seen (acquire). The player empties a FIFO, by storing 0, in two
-// places, and the producer uses that FIFO in neither: end_stream_fifo() runs when the other FIFO has rows, and
-// the producer moves there for good when the first is full; end_pass() runs with a switch queued, after which
-// push() refuses. The producer empties in clear(). clear() and take() exclude each other: each raises a flag
-// before it looks at the other's (sequentially consistent: one of them sees the other, and gives way).
+// Access to a FIFO. The producer appends: it writes a slot beyond the size, then the size
+// (release). The player reads below the size that it has read (acquire).
+//
+// The player empties a FIFO, by storing 0, in two functions, and the producer does not use that
+// FIFO then. end_stream_fifo() runs when the other FIFO has rows, and the producer moves there for
+// good when the first is full. end_pass() runs with a queued switch, after which push() rejects
+// rows.
+//
+// The producer empties a FIFO in clear(). clear() and take() exclude each other: each sets a flag
+// before it reads the flag of the other (sequentially consistent: one of them sees the other's
+// flag, and gives way).
 
 namespace jounce {
 
@@ -33,7 +38,7 @@ std::size_t SegmentFifos::space(int fifo) const {
   const auto left = [&](int i) { return layout_.each - size(i); };
   const std::size_t together = layout_.total - size(0) - size(1);
   if (!layout_.stream) return std::min(left(fifo), together);
-  const int other = 1 - filling_;  // it takes over where it is empty
+  const int other = 1 - filling_;  // the other FIFO is used if it is empty
   return std::min(left(filling_) + (size(other) == 0 ? layout_.each : 0), together);
 }
 
@@ -44,7 +49,7 @@ bool SegmentFifos::in_use(int fifo) const {
 
 RowPeaks SegmentFifos::peaks() const {
   std::array<double, 4> f{peaks_[0].load(), peaks_[1].load(), peaks_[2].load(), peaks_[3].load()};
-  // Read last, since the producer writes it first: it shows the peaks of a row to come.
+  // Read last, because the producer writes it first: so the peaks of a row are seen before the row.
   if (pushed_at_.load() > sight_) {
     const Slot* const last = newest();
     f = last != nullptr ? last->peaks : std::array<double, 4>{};
@@ -54,7 +59,7 @@ RowPeaks SegmentFifos::peaks() const {
 
 // ---- producer ------------------------------------------------------------------------------------
 
-/// A table that a switch has emptied begins anew.
+/// A table that a switch has emptied starts again.
 SegmentFifos::Tail SegmentFifos::tail(int fifo) const {
   if (layout_.stream) return tails_[0];
   return size(fifo) > 0 ? tails_[index(fifo)] : Tail{};
@@ -66,7 +71,8 @@ RowRule SegmentFifos::admits(int fifo, const SegmentRow& row) const {
   if (space(fifo) == 0) return RowRule::full;
   const auto [from, rate] = tail(fifo);
   if (const RowRule wrong = check(row, from); wrong != RowRule::none) return wrong;
-  if (std::isnan(rates(row, from, rate).start)) return RowRule::none;  // computed when it is played
+  // Computed when the row is played.
+  if (std::isnan(rates(row, from, rate).start)) return RowRule::none;
   RowPeaks f = jounce::peaks(row, from, rate);
   if (std::isnan(rate)) f.velocity_step = 0;
   return check(f, layout_.limits);
@@ -113,7 +119,8 @@ void SegmentFifos::note(const RowPeaks& f) {
     if (now[k] > peaks_[k].load()) peaks_[k].store(now[k]);
 }
 
-/// The reach of a FIFO's rows up to this new one; `peaks` are null where its rates are not known yet.
+/// The reach of a FIFO's rows including this new one; `peaks` is null if the rates of the row are
+/// not known yet.
 SegmentFifos::Reach SegmentFifos::reach_with(const Fifo& to, std::size_t slot,
                                              const RowPeaks* peaks) const {
   constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -151,7 +158,7 @@ bool SegmentFifos::queue_switch() {
 
 // ---- player --------------------------------------------------------------------------------------
 
-/// Stamps ascend: rows that are not there yet are at the end.
+/// Stamps ascend, so rows that are not visible yet are at the end.
 std::size_t SegmentFifos::visible(int fifo) const {
   const Fifo& of = fifos_[index(fifo)];
   std::size_t n = of.size.load();
@@ -174,7 +181,7 @@ bool SegmentFifos::switch_seen() const {
   return queued_.load() && queued_at_.load() <= sight_ && visible(1 - active()) > 0;
 }
 
-/// The number of the last row that is there: the end of a stream.
+/// The last row that is available: the end of a stream.
 const SegmentFifos::Slot* SegmentFifos::newest() const {
   const Slot* last = nullptr;
   for (const int fifo : {0, 1}) {
@@ -250,7 +257,7 @@ RowStart SegmentFifos::before(std::size_t slot) const {
   return slot > 0 ? end_of(playing().slots[slot - 1].row) : base_;
 }
 
-/// Begins a row with the rate that the one before ended with.
+/// Begins a row at the end rate of the previous one.
 void SegmentFifos::enter(std::size_t slot) {
   slot_ = slot;
   playing().slots[slot].rate = rate_;
@@ -261,8 +268,8 @@ PtRate SegmentFifos::rates_here() const {
   return rates(at.row, before(slot_), at.rate);
 }
 
-/// True if rows have been pushed behind the last one that was seen. It looks for them only when that row is
-/// at its end. The passes of a table so far were shorter than those to come.
+/// True if rows have been pushed after the last one that was seen; the function is called only at
+/// the end of this row. The previous passes of a table were then shorter than the later ones.
 bool SegmentFifos::grown() {
   const std::size_t now = visible(active());
   if (now == seen_) return false;
@@ -284,7 +291,7 @@ void SegmentFifos::next() {
     end_pass();
 }
 
-/// True if an open stream is at the end of all rows that were pushed, and more are to come.
+/// True if an open stream is at the end of all pushed rows, and more may follow.
 bool SegmentFifos::dry() const {
   return growing() && slot_ + 1 == visible(active()) && visible(1 - active()) == 0;
 }
@@ -332,11 +339,12 @@ void SegmentFifos::end_pass() {
   enter(0);
 }
 
-/// A pass that begins with the rate r ends with s r + c: s is 0 where any row has a given rate, otherwise 1 or
-/// -1. So each two passes change the rate by the same amount.
+/// Skips pairs of passes. A pass that begins at the rate r ends at s r + c; s is 0 if any row has a
+/// given rate, otherwise 1 or -1. So each pair of passes changes the rate by the same amount.
 void SegmentFifos::skip_passes(double x) {
   if (layout_.stream || switch_seen() || slot_ != 0 || known_rates_ < 3) return;
-  constexpr double countable = 9007199254740992;  // 2^53: beyond, the place in the pass is rounding
+  // 2^53: above, the position in the pass is only rounding
+  constexpr double countable = 9007199254740992;
   const double ahead = (x - origin_.x) / last_row().x_end;
   if (!(ahead >= 4)) return;
   auto passes = static_cast<std::int64_t>(std::min(ahead, countable)) - 2;
@@ -351,10 +359,11 @@ void SegmentFifos::skip_passes(double x) {
   enter(0);
 }
 
-/// Stops where the last row ends. A stream is used up; a table is kept. A switch that did not come is void.
+/// Stops at the end of the last row. The rows of a stream are then used up; those of a table are
+/// kept. A pending switch is canceled.
 void SegmentFifos::stop() {
   queued_.store(false);
-  constexpr double rounding = 1e-9;  // error of a chain of quotients where it comes to rest
+  constexpr double rounding = 1e-9;  // error of a chain of quotients at a rest
   const bool rests = std::abs(rate_) <= rounding * std::abs(rates_here().start - rate_);
   origin_.position += last_row().p_end;
   end_ = {origin_.x + last_row().x_end, origin_.position, rate_};

@@ -9,13 +9,13 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// A row of degree 2 over the length T with the increment P is (1) of pt.cpp: with s = u / T
+// A row of degree 2 over the length T with the increment P is (1) of pt.cpp. With s = u / T,
 //
 //   (1)  f = f0 + c1 s + (P - c1) s^2,   c1 = T times the rate a at its start
 //   (2)  a = 2 P / T - b  where the rate b at its end is given:  c1 = 2 P - b T
 //   (3)  b = 2 P / T - a
 //
-// (2) without the quotient lets a STOP (b = 0) begin with exactly 2 P, as pt() does.
+// (2), without the quotient, lets a STOP (b = 0) begin with exactly 2 P, as pt() does.
 
 namespace jounce {
 namespace {
@@ -24,7 +24,7 @@ bool given(double rate) {
   return !std::isnan(rate);
 }
 
-/// True if the rate at the end determines a row of degree 2.
+/// True if the end rate determines a row of degree 2.
 bool by_its_end(const SegmentRow& row) {
   return !given(row.v_start) && given(row.v_end);
 }
@@ -139,7 +139,7 @@ RowRule check(const SegmentRow& row, const RowStart& from) {
 
 RowRule check(const RowPeaks& f, const RowLimits& limits) {
   constexpr double same = 1 + 1e-9;
-  // Also without limits: a derivative may be too large for a double.
+  // Also without limits: a derivative may exceed the range of a double.
   for (const double peak : {f.velocity, f.acceleration, f.jerk})
     if (!std::isfinite(peak)) return RowRule::not_finite;
   const double stroke = f.position_max - f.position_min;
@@ -149,7 +149,7 @@ RowRule check(const RowPeaks& f, const RowLimits& limits) {
   if (!(f.velocity <= limits.velocity * same)) return RowRule::velocity;
   if (!(f.acceleration <= limits.acceleration * same)) return RowRule::acceleration;
   if (!(f.jerk <= limits.jerk * same)) return RowRule::jerk;
-  // The rounding error of a chain of quotients is no step of the rate.
+  // A step within the rounding of a chain of quotients is not a step of the rate.
   if (!(f.velocity_step <= limits.velocity_step * same + 1e-9 * f.velocity))
     return RowRule::velocity_step;
   return RowRule::none;

@@ -10,22 +10,23 @@
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// Let e(i, j) be the share of the tolerances that an interval from place i to place j uses up. Of all tables of
-// k intervals that end at place j, the best one has the greatest share
+// Let e(i, j) be the share of the tolerances that an interval from place i to place j uses. Of all
+// tables with k intervals that end at place j, the best one has the greatest share
 //
 //   (1)  E_0(0) = 0,   E_k(j) = min over i < j of max(E_(k-1)(i), e(i, j))
 //
-// This is exact over the places. Then the knots move. Around each knot are the places x - h ... x + h, and an
-// interval leads from each of them to each place around the next knot, so that (1) has one layer for
-// each knot. h is halved several times.
+// This is exact over the places. Then the knots move. The places x - h ... x + h around each knot
+// are candidates, and an interval leads from each of them to each candidate around the next knot,
+// so (1) has one layer for each knot. h is halved several times.
 //
-// No interval passes an end of a stretch that the table keeps, and no place lies inside one.
+// No interval crosses an end of a stretch that the table keeps, and no place is inside such a
+// stretch.
 namespace jounce::pvt_detail {
 namespace {
 
 constexpr int refinements = 8;
 constexpr double most_parts = 64;
-constexpr int around = 3;  ///< places on each side of a knot that moves
+constexpr int around = 3;  ///< number of places on each side of a knot to which it may move
 
 template <class Over>
 class Places {
@@ -55,7 +56,7 @@ class Places {
     return sorted(std::move(places));
   }
 
-  /// (1) with one layer for all places.
+  /// Solves (1) with all places in one layer.
   [[nodiscard]] std::optional<BestTable> best(const std::vector<Knot>& places, std::size_t most,
                                               bool fewest) const {
     const std::size_t n = places.size();
@@ -89,7 +90,7 @@ class Places {
     return table;
   }
 
-  /// (1) with a layer for each knot, around which it may move by h.
+  /// Solves (1) with one layer for each knot, which contains places at distances of h around it.
   [[nodiscard]] BestTable moved(BestTable table, double h) const {
     std::vector<std::vector<Knot>> layers;
     for (const Knot& knot : table.knots) layers.push_back(near(knot, h));
@@ -129,7 +130,7 @@ class Places {
     return std::binary_search(fixed_.begin(), fixed_.end(), x);
   }
 
-  /// The knots at x, between the ends that are fixed: two where the curve steps.
+  /// Adds the knots at x, unless x is a fixed end: two knots if the curve steps there.
   void add(std::vector<Knot>& places, double x) const {
     if (!(x > f_.start() && x < f_.end()) || is_fixed(x) || is_inside_a_stretch(x)) return;
     if (target_.x_step > 0 && !is_whole(x, target_.x_step)) return;
@@ -175,7 +176,7 @@ class Places {
   const Target& target_;
   const Tolerances& tolerances_;
   const std::vector<Straight>& kept_;
-  std::vector<double> fixed_;  ///< ends of the curve and of the stretches, ascending
+  std::vector<double> fixed_;  ///< ends of the curve and of the straight stretches, ascending
 };
 
 }  // namespace

@@ -12,22 +12,24 @@
 
 namespace jounce::pvt_detail {
 
-/// The knots of a table, and the greatest share of the tolerances that one of its intervals uses up.
+/// The knots of a table, and the greatest share of the tolerances that an interval uses.
 struct BestTable {
   std::vector<Knot> knots;
   double share = 0;  ///< at most 1
 };
 
-/// The search over places is limited to tables of so many knots, of curves of so many segments.
+/// The search over places is used only for tables of at most so many knots, and curves of at most
+/// so many segments.
 constexpr std::size_t most_searched_knots = 64;
 constexpr std::size_t most_searched_segments = 128;
 
-/// The best table over places by a dynamic programme, then with its knots moved. The places are the
-/// breaks of the curve, `known` knots and equal parts of it, or all multiples of x_step where they are
-/// few; see best_places.cpp. Nothing where no table of at most `most` knots keeps the tolerances, or where
-/// the knots or segments are more than above; nothing for quadratic pieces.
+/// The best table over places, found by dynamic programming; its knots are then moved. The places
+/// are the breaks of the curve, the `known` knots, and equal parts of the curve; or all multiples
+/// of x_step if they are few. See best_places.cpp. Returns nothing if no table of at most `most`
+/// knots keeps the tolerances, if there are more knots or segments than the constants above, and
+/// for quadratic pieces.
 ///
-/// `fewest`: the table of the fewest knots; otherwise that of the least share.
+/// `fewest`: the table with the fewest knots; otherwise the one with the least share.
 template <class Over>
 std::optional<BestTable> best_over_places(const Curve<Over>& f, const Target& target,
                                           const Tolerances& tolerances,

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
-// The velocities (v0, v1) that a piece permits are a convex polygon: the rectangle of both gaps, cut
-// by half planes one after another (Sutherland and Hodgman 1974). Its projection on an axis is the set of one
-// velocity for which the other one exists. Because each set is the exact projection, a way through
-// the last gap leads back through all of them (dynamic programming; nothing is tried twice).
+// The velocities (v0, v1) that a piece permits are a convex polygon: the rectangle of both gaps,
+// cut by half planes one after another (Sutherland and Hodgman 1974). Its projection on an axis is
+// the set of those velocities for which the other velocity exists. Because each set is the exact
+// projection, a way through the last gap leads back through all gaps (dynamic programming; nothing
+// is tried twice).
 
 namespace jounce::pvt_detail {
 namespace {
@@ -16,7 +17,7 @@ struct Corner {
   double v1 = 0;
 };
 
-/// A cut adds at most one corner.
+/// A cut by a half plane adds at most one corner.
 struct Polygon {
   std::array<Corner, 4 + Demand::most + 1> corners;
   std::size_t size = 0;

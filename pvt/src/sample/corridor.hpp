@@ -10,20 +10,20 @@
 
 namespace jounce::pvt_detail {
 
-/// lo <= v <= hi.
+/// Permitted velocities at a knot: lo <= v <= hi.
 struct Gap {
   double lo = 0;
   double hi = 0;
 };
 
-/// a v0 + b v1 <= c for the velocities at the two ends of a piece.
+/// A condition on the velocities at both ends of a piece: a v0 + b v1 <= c.
 struct HalfPlane {
   double a = 0;
   double b = 0;
   double c = 0;
 };
 
-/// The demand of one piece on the velocities at its ends: they lie in all of some half planes.
+/// The demand of one piece on the velocities at its ends: the intersection of half planes.
 class Demand {
  public:
   static constexpr std::size_t most = 28;
@@ -39,21 +39,23 @@ class Demand {
   std::size_t size_ = 0;
 };
 
-/// The velocities v1 in `to` that some v0 in `from` permits; nothing if there is none.
+/// The velocities v1 in `to` that are permitted together with some v0 in `from`; nullopt if there
+/// are none.
 std::optional<Gap> reached(const Demand& demand, Gap from, Gap to);
 
-/// The velocities v0 in `from` that permit a v1 that reached() found. Where rounding leaves none: the one
-/// with the least error.
+/// The velocities v0 in `from` that are permitted together with v1, which reached() has found. If
+/// rounding leaves none: the one with the least error.
 Gap leading_to(const Demand& demand, Gap from, double v1);
 
-/// A way through the gaps that every piece's demand permits, and the pieces without one.
+/// The velocities that the demands of all pieces permit, and the pieces whose demand cannot be met.
 struct Corridor {
-  std::vector<Gap> gaps;  ///< at each knot, the part of its gap that the knots before permit
-  std::vector<std::size_t> closed;  ///< pieces whose demand no velocity keeps: it is dropped there
+  /// For each knot, the part of its gap that is reached through the previous knots.
+  std::vector<Gap> gaps;
+  std::vector<std::size_t> closed;  ///< pieces whose demand no velocities meet; it is ignored
 };
 
-/// Follows the pieces upwards: the rest of each gap. demand_of(i) makes the Demand of piece i,
-/// between the knots i and i + 1.
+/// Restricts the gaps, piece by piece in ascending order. demand_of(i) returns the Demand of piece
+/// i, between the knots i and i + 1.
 template <class DemandOf>
 Corridor corridor(std::vector<Gap> gaps, const DemandOf& demand_of) {
   Corridor all{std::move(gaps), {}};
@@ -66,8 +68,8 @@ Corridor corridor(std::vector<Gap> gaps, const DemandOf& demand_of) {
   return all;
 }
 
-/// Replaces the velocities by a way through the corridor: from the last knot back, each by the nearest
-/// one that leads on.
+/// Replaces the velocities by permitted ones, from the last knot back: each by the nearest one from
+/// which the next velocity is permitted.
 template <class DemandOf>
 void follow(const Corridor& corridor, const DemandOf& demand_of, std::span<double> v) {
   const auto nearest = [](Gap gap, double wanted) {

@@ -8,16 +8,16 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
 
-// The difference of the table's one polynomial and the curve's segments, piece by piece, by the cheapest test
-// that decides:
+// The difference between the polynomial of the table and the segments of the curve. Each piece is
+// decided by the cheapest possible test:
 //
-//   (1)  a value of the difference anywhere is no more than its maximum: a few in the interval show
-//        most of those that are too long;
-//   (2)  a segment is at most the sum of the magnitudes of its terms, a polynomial within the hull of
-//        its Bernstein coefficients: a piece for which either is within the greatest error found so
-//        far adds nothing;
-//   (3)  otherwise the error of the piece is the greatest of its values at its ends and where its
-//        derivative vanishes.
+//   (1)  A value of the difference anywhere is at most its maximum: a few values in the interval
+//        reveal most intervals that are too long.
+//   (2)  A segment is at most the sum of the magnitudes of its terms; a polynomial is within the
+//        range of its Bernstein coefficients. A piece for which either is within the greatest error
+//        found so far adds nothing.
+//   (3)  Otherwise the error of the piece is the greatest of its values at its ends and at the
+//        zeros of its derivative.
 namespace jounce::pvt_detail {
 namespace {
 
@@ -34,7 +34,7 @@ Segment between(Interpolation rule, const Knot& a, const Knot& b) {
   return quintic(length, a.jet[0], a.jet[1], a.jet[2], b.jet[0], b.jet[1], b.jet[2]);
 }
 
-/// (2).
+/// True if (2) is within the bound.
 bool hull_within(const Segment& d, double bound) {
   if (d.sines > 0) return false;
   bool within = false;
@@ -45,7 +45,7 @@ bool hull_within(const Segment& d, double bound) {
   return within;
 }
 
-/// (3).
+/// The exact peak, by (3).
 double exact_peak(const Segment& d) {
   double peak = std::max(std::abs(value(d, 0)), std::abs(value(d, 1)));
   thread_local std::vector<double> critical;
@@ -54,14 +54,14 @@ double exact_peak(const Segment& d) {
   return peak;
 }
 
-/// The greater of `worst` and the share of its tolerance that the difference d uses up.
+/// The greater of `worst` and the share of its tolerance that the difference d uses.
 double raised(double worst, const Segment& d, double tolerance) {
   const double bound = worst * tolerance;
   if (magnitude(d) <= bound || hull_within(d, bound)) return worst;
   return std::max(worst, exact_peak(d) / tolerance);
 }
 
-/// (1).
+/// Computes (1).
 template <class Over>
 double sampled(const Curve<Over>& f, const Segment& table, double start,
                const Tolerances& allowed) {
@@ -76,7 +76,7 @@ double sampled(const Curve<Over>& f, const Segment& table, double start,
   return worst;
 }
 
-/// part(), or the segment itself where that is whole.
+/// part() of a segment; the segment itself if the part is the whole.
 Segment cut(const Segment& f, double s0, double s1) {
   return s0 == 0 && s1 == 1 ? f : part(f, s0, s1);
 }
@@ -100,11 +100,11 @@ double share(const Curve<Over>& f, Interpolation rule, const Knot& a, const Knot
     const double t0 = (x - a.x) / table.length;
     const double t1 = end == b.x ? 1 : std::min(1.0, (end - a.x) / table.length);
     x = end;
-    if (!(s0 < s1 && t0 < t1)) continue;  // shorter than the rounding of places
+    if (!(s0 < s1 && t0 < t1)) continue;  // shorter than the rounding of positions
     Segment there = cut(segment, s0, s1);
     const Segment here = cut(table, t0, t1);
     there.length = here.length;
-    const auto d = sum(here, scaled(there, -1));  // a polynomial adds no sine
+    const auto d = sum(here, scaled(there, -1));  // fits: a polynomial adds no sine
     worst = raised(worst, *d, tolerances.position);
     if (std::isfinite(tolerances.velocity))
       worst = raised(worst, derivative(*d), tolerances.velocity);

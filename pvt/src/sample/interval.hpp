@@ -6,23 +6,23 @@
 
 namespace jounce::pvt_detail {
 
-/// A knot of a table to be: its place, the side of the curve there whose limits it takes, and the
-/// numbers that the table will hold.
+/// A knot of a future table: its position, the side of the curve whose limits it has, and the
+/// numbers that the table will contain.
 struct Knot {
   double x = 0;
   Side side = Side::right;
   Jet jet{};
 };
 
-/// For position and velocity; infinite where nothing is asked.
+/// Tolerances of position and velocity; infinite: no requirement.
 struct Tolerances {
   double position = 0;
   double velocity = 0;
 };
 
-/// The share of its tolerances that the table uses up from knot a to knot b: the greater ratio of error to
-/// tolerance. It is exact (see interval.cpp) up to 1; above that it is some number above 1, at most the true
-/// one. Does not allocate beyond a scratch of the thread.
+/// The share of its tolerances that the table uses from knot a to knot b: the greater of the two
+/// ratios of error to tolerance. It is exact up to 1 (see interval.cpp). Above 1 it is a number
+/// above 1 that is at most the true share. Allocates only the scratch memory of the thread.
 template <class Over>
 double share(const Curve<Over>& f, Interpolation rule, const Knot& a, const Knot& b,
              const Tolerances& tolerances);

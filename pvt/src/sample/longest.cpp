@@ -10,23 +10,25 @@
 #include "pvt/src/sample/halves.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// The error of an interval of length h is proportional to h^k (Hermite interpolation: k = 2, 4, 6; two
-// quadratic pieces: 3). So after a length whose share of the tolerance is e, the next length tried is
+// The error of an interval of length h is proportional to h^k (Hermite interpolation: k = 2, 4, 6;
+// two quadratic pieces: 3). So after a length that uses the share e of the tolerance, the next
+// length to try is
 //
 //   (1)  h (0.99995 / e)^(1/k)
 //
-// and few are tried. Where the curve is not that smooth, bisection takes over. The search ends
-// when the share is within 1e-4 of 1, or the length is exact to 1e-6.
+// and few lengths are tried. If the curve is less smooth, bisection is used instead. The search
+// ends when the share is within 1e-4 of 1, or the length is exact to 1e-6.
 //
-// Rounded knots: with d the distance of a rounded position from the curve, the error of the interval
-// is at most the unrounded one plus d, and at least that minus d. So no interval is longer than
+// Rounded knots: if d is the distance of a rounded position from the curve, the error of the
+// interval is at most the unrounded error plus d, and at least the unrounded error minus d. So no
+// interval is longer than
 //
 //   (2)  the longest that keeps, unrounded, the tolerance plus p_step / 2
 //
-// and the knots within are tried from there down.
+// and the knots within this length are tried from its end downwards.
 //
-// No interval goes beyond the next required knot, the limit. Before a dwell or a straight line that
-// the curve enters with a step of a derivative, the last interval must be short:
+// No interval crosses the next required knot, the limit. Before a dwell or a straight line that the
+// curve enters with a step of a derivative, the last interval must be short:
 //
 //   (3)  an interval that ends just before the limit ends where the limit can be reached from.
 namespace jounce::pvt_detail {
@@ -50,7 +52,7 @@ template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side) {
   Knot knot = knot_at(f, x, side);
   knot.jet[0] = rounded_to(knot.jet[0], target.p_step);
-  // A period ends on the position of its first knot, as that one was rounded.
+  // A period ends at the rounded position of its first knot, plus the travel.
   if (target.p_step > 0 && repeats(f.outside()) && x == f.end()) {
     const double first = f.jet(f.start())[0];
     const double travel = f.jet(x, Side::left)[0] - first;
@@ -66,7 +68,7 @@ namespace {
 template <class Over>
 class Search {
  public:
-  /// Knots may be anywhere: the caller keeps the target's steps and spacing.
+  /// Knots may be anywhere; the caller observes the target's steps and spacing.
   Search(const Curve<Over>& f, const Target& target, const Knot& a, const Knot& limit,
          const Tolerances& tolerances)
       : f_(f),
@@ -91,7 +93,8 @@ class Search {
  private:
   [[nodiscard]] double lo() const { return best_ ? best_->x : a_.x; }
 
-  /// The share up to x, which is the new end of the bracket on its side of 1.
+  /// The share of the tolerances up to x. x becomes the new end of the bracket on its side of a
+  /// share of 1.
   double tried(double x) {
     const Knot b = knot_at(f_, x, x == limit_.x ? limit_.side : Side::right);
     const double e = share(f_, target_, a_, b, tolerances_);
@@ -102,7 +105,7 @@ class Search {
     return e;
   }
 
-  /// (1), within the bracket.
+  /// The next length by (1), within the bracket.
   [[nodiscard]] double next(double h, double e, int i) const {
     const double factor = std::pow(0.99995 / std::max(e, 1e-30), 1.0 / order(target_));
     if (hi_ == profiles_detail::inf) return h * std::clamp(factor, 1.01, 8.0);
@@ -114,9 +117,9 @@ class Search {
     return from + (to - from) / (from > 0 ? 2 : 8);
   }
 
-  /// A break of the curve is the better knot. At a break within the bracket the curve steps, and the interval
-  /// ends with the limits from the left. A break just behind is as good, and spares the next interval the
-  /// rest of that segment.
+  /// A break of the curve is a better knot. At a break within the bracket a derivative of the curve
+  /// steps, and the interval ends with the limits from the left. A break just after the bracket is
+  /// as good, and spares the next interval the rest of that segment.
   std::optional<Knot> at_break() {
     const auto breaks = f_.breaks();
     const double last = hi_ == profiles_detail::inf ? lo() : hi_;
@@ -137,11 +140,11 @@ class Search {
   const Knot& a_;
   const Knot& limit_;
   const Tolerances& tolerances_;
-  double hi_ = profiles_detail::inf;  ///< the least end that was found to be too far
+  double hi_ = profiles_detail::inf;  ///< the least position that is known to be too far
   std::optional<Knot> best_;
 };
 
-/// True if the curve differs to the left and to the right of x.
+/// True if the curve differs on the left and on the right of x.
 template <class Over>
 bool steps_at(const Curve<Over>& f, double x) {
   if (!std::binary_search(f.breaks().begin() + 1, f.breaks().end() - 1, x)) return false;
@@ -149,13 +152,14 @@ bool steps_at(const Curve<Over>& f, double x) {
   return !std::equal(left.begin(), left.begin() + 3, f.jet(x, Side::right).begin());
 }
 
-/// True if a knot may be at x after one at a: by their distance, and the distance from the limit.
+/// True if a knot at x is permitted after one at a: checks the spacing to a and to the limit.
 bool may_be(const Target& target, double a, double x, double limit) {
   const double least = target.spacing * (1 - 1e-12);
   return x > a && x - a >= least && (x == limit || limit - x >= least);
 }
 
-/// Places where the next knot may be, `reach` and before it, farthest first; at most some thousands.
+/// Permitted positions of the next knot: `reach` and positions before it, the farthest first; at
+/// most some thousands.
 std::vector<double> places(const Target& target, double a, double reach, double limit) {
   constexpr double many = 4096;
   std::vector<double> all;
@@ -176,7 +180,7 @@ std::vector<double> places(const Target& target, double a, double reach, double 
   return all;
 }
 
-/// The stretch that the next knot after one at x is for; null behind the last.
+/// The first stretch that ends after x; null if there is none.
 const Straight* stretch_behind(const std::vector<Straight>& stretches, double x) {
   const auto at =
       std::upper_bound(stretches.begin(), stretches.end(), x,
@@ -219,7 +223,7 @@ class Followers {
   }
 
  private:
-  /// (3): `reach`, or less.
+  /// Applies (3): returns `reach`, or a lower position.
   [[nodiscard]] double from_where_the_limit_is_reached(double reach) const {
     const double whole = limit_.x - a_.x;
     if (reach == limit_.x || limit_.x - reach > 1e-3 * whole) return reach;
@@ -230,7 +234,8 @@ class Followers {
     return reach;
   }
 
-  /// The knot at x, if it keeps the tolerances: with what the curve has to the right, or to the left.
+  /// The knot at x with the curve's numbers on the right or on the left, if it keeps the
+  /// tolerances.
   std::optional<Knot> keeping(double x) {
     if (x == limit_.x)
       return share(f_, target_, a_, limit_, tolerances_) <= 1 ? std::optional(limit_)
@@ -248,7 +253,7 @@ class Followers {
       if (const auto b = keeping(x)) return all_.push_back(*b);
   }
 
-  /// The last break before the farthest knot, and the next one behind it.
+  /// Adds the last break before the farthest knot, and the first one after it.
   void add_breaks_near(double x) {
     const auto breaks = f_.breaks();
     const auto next = std::upper_bound(breaks.begin(), breaks.end(), x);
@@ -268,7 +273,7 @@ class Followers {
   const Target& target_;
   const Knot& a_;
   Knot limit_;
-  bool is_line_;  ///< the form of the curve up to the limit
+  bool is_line_;  ///< true: the curve is a straight line up to the limit
   const Tolerances& tolerances_;
   std::vector<Knot> all_;
 };

@@ -10,25 +10,25 @@
 
 namespace jounce::pvt_detail {
 
-/// The curve's own numbers at x, from one side (at the ends from within).
+/// The curve's own numbers at x, on one side (at the ends of the curve: inside).
 template <class Over>
 Knot knot_at(const Curve<Over>& f, double x, Side side);
 
-/// The same as the target's table would hold them.
+/// The same numbers as the target's table would contain them: rounded.
 template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
-/// The knots that may follow a, so that the interval keeps the tolerances: first the farthest that the
-/// target allows, then breaks of the curve near it, from which the next interval may reach farther.
-/// None beyond the next end of a stretch, which must be a knot. None at all where no knot can follow. `guess` > 0
-/// is a length to try first, such as that of the interval before.
+/// The knots that may follow a so that the interval keeps the tolerances: first the farthest knot
+/// that the target permits, then breaks of the curve near it, from which the next interval may
+/// reach farther. No knot is beyond the next end of a stretch, which must be a knot. Empty if no
+/// knot can follow. `guess` > 0 is a length to try first, such as that of the previous interval.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,
                             double guess);
 
-/// The power of its length to which the error of an interval is proportional: 2, 4, 6; 3 for two quadratic
-/// pieces.
+/// The error of an interval is proportional to this power of its length: 2, 4, 6; 3 for two
+/// quadratic pieces.
 int order(const Target& target);
 
 }  // namespace jounce::pvt_detail

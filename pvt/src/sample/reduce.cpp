@@ -18,25 +18,27 @@
 #include "pvt/src/sample/stretches.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// An interval's error depends only on its two knots. So a table with each interval as long as
-// possible has the fewest knots: by induction its i-th knot lies at or beyond the i-th of any other table, if
+// The error of an interval depends only on its two knots. So a table in which each interval is as
+// long as possible has the fewest knots. By induction, its i-th knot is at or beyond the i-th knot
+// of any other table, if
 //
 //   (1)  an interval that keeps the tolerance keeps it from any later beginning.
 //
-// (1) holds where the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of the
-// error. It may fail where a derivative steps: an interval from just before the break is shorter than
-// one from the break. So
+// (1) holds if the k-th derivative of the curve falls or grows slowly, by the bound h^k M / C of
+// the error. It may fail if a derivative steps: an interval from just before the break is shorter
+// than one from the break. So
 //
 //   (2)  the search continues from the farthest knot and from the breaks next to it,
 //
-// from the few farthest for each number of knots. Required knots (detail/stretches.cpp) divide the curve
-// into such problems, one behind the other. Knots that can still be left out at the end are left out. With all
-// tolerances times s, the number of knots n(s) falls as s grows: the least s with n(s) <= n is the best
-// table of n knots, and bisection finds it.
+// for each number of knots from the few farthest ones. Required knots (stretches.cpp) divide the
+// curve into such problems. At the end, knots that can be omitted are removed. If all tolerances
+// are multiplied by s, the number of knots n(s) falls as s grows. The least s with n(s) <= n gives
+// the best table of n knots, and bisection finds it.
 //
-// Where (1) does not hold, the result is only near the best. So tables of few knots are also searched
+// If (1) does not hold, the result is only near the best. So tables with few knots are also
+// searched
 //
-//   (3)  over places, by a dynamic programme (detail/best_places.cpp),
+//   (3)  over places, by dynamic programming (best_places.cpp),
 //
 // and the better one is taken.
 namespace jounce {
@@ -48,18 +50,20 @@ using pvt_detail::Straight;
 using pvt_detail::Tolerances;
 
 constexpr std::size_t many = 1'000'000;
-/// Above so many knots a last interval that is too short changes the others by too little.
+/// If there are more knots than this, a too short last interval hardly changes the others.
 constexpr std::size_t worth_levelling = 200;
-constexpr std::size_t worth_keeping = 4;  ///< nodes of a layer
+constexpr std::size_t worth_keeping = 4;  ///< number of nodes that are kept in a layer
 
 struct Attempt {
   std::vector<Knot> knots;
   double scale = 0;      ///< factor of the tolerances
-  bool reaches = false;  ///< the end of the curve
-  bool stuck = false;    ///< no interval does from the last knot; otherwise there are too many
+  bool reaches = false;  ///< true if the end of the curve is reached
+  /// True if no interval from the last knot keeps the tolerances; false if too many knots are
+  /// necessary.
+  bool stuck = false;
 };
 
-/// A knot, and the one before it on the way with fewest to it.
+/// A knot, and the node before it in the sequence of fewest knots that leads to it.
 struct Node {
   Knot knot;
   std::size_t from = 0;
@@ -100,7 +104,8 @@ class Reduction {
  private:
   [[nodiscard]] int order() const { return pvt_detail::order(target_); }
 
-  /// Knots at the ends of intervals, of which quadratic pieces take twice as many, less the first.
+  /// The permitted number of ends of intervals. Quadratic pieces need two knots for each interval,
+  /// except for the first end.
   [[nodiscard]] std::size_t most_ends() const {
     const std::size_t most = target_.most.value_or(many);
     return target_.quadratic ? (most - 1) / 2 + 1 : most;
@@ -110,8 +115,8 @@ class Reduction {
     return {std::max(scale * asked_.position, floor_), scale * asked_.velocity};
   }
 
-  /// The table of fewest knots for `scale` times the tolerances, given up beyond `most`: knots in
-  /// layers, the i-th of all tables worth going on with; see (2).
+  /// The table of fewest knots for `scale` times the tolerances; stops if more than `most` knots
+  /// are necessary. Layer i contains the i-th knots of all promising tables; see (2).
   [[nodiscard]] Attempt attempt(double scale, std::size_t most) const {
     const Tolerances allowed = tolerances(scale);
     const std::vector<Straight> kept = kept_within(allowed);
@@ -134,7 +139,7 @@ class Reduction {
     return {path(nodes, first), scale, false, false};
   }
 
-  /// The best table over places, (3).
+  /// The best table from the search over places, (3).
   [[nodiscard]] std::optional<Attempt> searched(double scale, const std::vector<Knot>& known,
                                                 std::size_t most, bool fewest) const {
     const Tolerances allowed = tolerances(scale);
@@ -144,7 +149,8 @@ class Reduction {
     return Attempt{std::move(best->knots), scale * best->share, true, false};
   }
 
-  /// `found`, or a table from the search over places with fewer knots or an error smaller by a hundredth.
+  /// `found`, or a table from the search over places that has fewer knots or an error at least 1 %
+  /// smaller.
   [[nodiscard]] Attempt better(Attempt found, std::size_t most, bool any) const {
     const std::size_t n = found.knots.size();
     auto other = searched(any ? 1 : found.scale, found.knots, any ? n : most, any);
@@ -153,7 +159,7 @@ class Reduction {
     return fewer || other->scale < 0.99 * found.scale ? std::move(*other) : found;
   }
 
-  /// All dwells, and the straight lines that the rounding of their ends bends by no more than this.
+  /// All dwells, and the straight lines that keep the tolerances although their ends are rounded.
   [[nodiscard]] std::vector<Straight> kept_within(const Tolerances& allowed) const {
     std::vector<Straight> kept = stretches_;
     std::erase_if(kept, [&](const Straight& each) {
@@ -162,7 +168,7 @@ class Reduction {
     return kept;
   }
 
-  /// The few farthest of the nodes from `first` on, in this order.
+  /// Keeps only the few farthest of the nodes from `first` on, in descending order.
   static void keep_farthest(std::vector<Node>& nodes, std::size_t first) {
     const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, nodes.end(),
@@ -181,7 +187,7 @@ class Reduction {
     return knots;
   }
 
-  /// `found` with the least scale, to a hundredth, for which `most` knots are enough; `factor` < 1 is
+  /// `found` with the least scale, to 1 %, for which `most` knots are sufficient. `factor` < 1 is
   /// tried first.
   [[nodiscard]] Attempt least(Attempt found, std::size_t most, double factor) const {
     double lo = 0;
@@ -204,7 +210,7 @@ class Reduction {
     return found;
   }
 
-  /// The knots without those whose two intervals can be one.
+  /// The knots without those whose two intervals can be joined to one.
   [[nodiscard]] std::vector<Knot> needed(std::vector<Knot> knots, const Tolerances& allowed) const {
     std::vector<double> fixed;
     for (const Straight& each : kept_within(allowed))
@@ -222,7 +228,7 @@ class Reduction {
     return knots;
   }
 
-  /// The knots with those between quadratic pieces.
+  /// The knots at the ends, and those between two quadratic pieces.
   [[nodiscard]] std::vector<Knot> all_of(const std::vector<Knot>& ends) const {
     if (!target_.quadratic) return ends;
     std::vector<Knot> all{ends.front()};
@@ -259,7 +265,7 @@ class Reduction {
 
   // ---- the message for a target that cannot be met
 
-  /// A tolerance times `scale`, in three digits that are not below it.
+  /// A tolerance with three digits, rounded up.
   static std::string digits(double value) {
     const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
     return number(pvt_detail::steps(std::ceil(value / unit), unit));
@@ -274,7 +280,7 @@ class Reduction {
     return text;
   }
 
-  /// The least scale of the tolerances that `most` knots can keep; 0 if none do.
+  /// The least scale of the tolerances for which `most` knots are sufficient; 0 if there is none.
   [[nodiscard]] double scale_for(std::size_t most) const {
     double scale = 1;
     for (int i = 0; i < 40; ++i) {
@@ -285,7 +291,7 @@ class Reduction {
     return 0;
   }
 
-  /// Why no tolerance makes the table shorter.
+  /// The reason why no tolerance makes the table shorter.
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
     if (n == 0) return "";
@@ -330,7 +336,7 @@ class Reduction {
 
   const Curve<Over>& f_;
   const Target& target_;
-  std::vector<Straight> stretches_;  ///< intervals of the table
+  std::vector<Straight> stretches_;  ///< intervals that the table must contain
   Tolerances asked_;
   double floor_ = 0;  ///< least position tolerance: the rounding of the curve
 };
@@ -357,7 +363,8 @@ void require_valid(const Target& target) {
   require_not_negative("v_step", target.v_step);
 }
 
-/// The curve with ends that can be knots: where it holds outside, up to the next multiple of x_step.
+/// The curve, with ends at which knots are possible: if it holds outside, it is extended to the
+/// next multiple of x_step.
 template <class Over>
 Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
   const double x_step = target.x_step;

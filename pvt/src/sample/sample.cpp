@@ -21,7 +21,8 @@
 namespace jounce {
 namespace {
 
-/// Makes the last values of a periodic table exactly the first ones, where they differ by rounding.
+/// Sets the last values of a periodic table exactly to the first ones, if they differ only by
+/// rounding.
 void close_period(std::vector<double>& column) {
   if (column.empty()) return;
   double scale = 0;
@@ -59,13 +60,14 @@ std::vector<double> equal_parts(double from, double to, std::size_t intervals) {
   return knots;
 }
 
-/// A knot has one velocity and one acceleration. Where those of the curve step, the table has the right
-/// ones, and in the interval before it deviates by at most (greatest values of the Hermite shapes)
+/// A knot has one velocity and one acceleration. If those of the curve step, the table has the
+/// right limits. In the interval before the step, it deviates (greatest values of the Hermite
+/// shapes) by at most
 ///
 ///     (1)  cubic:   4/27 |dv| d;      quintic:   0.2 |dv| d + 0.01728 |da| d^2
 ///
-/// over an interval of length d. So that interval is made short enough for an eighth of `wanted`. A curve
-/// that repeats has at its end the values of its start.
+/// over an interval of length d. So this interval is made so short that it uses an eighth of
+/// `wanted`. At its end, a curve that repeats has the values of its start.
 template <class Over>
 std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation rule, double wanted,
                                            const std::vector<double>& knots) {
@@ -87,12 +89,12 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation r
   return all;
 }
 
-/// A knot's position is rounded to e P, P the greatest position. In an interval of length L this adds to the
-/// third derivative up to
+/// The position of a knot is rounded to e P, where P is the greatest position. In an interval of
+/// length L, this adds to the third derivative up to
 ///
 ///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
 ///
-/// which is a thousandth of the curve's third derivative at the length that this returns.
+/// This is a thousandth of the curve's third derivative at the length that this function returns.
 template <class Over>
 double noisy_length(const Curve<Over>& f, Interpolation rule) {
   const Ranges peaks = extrema(f);
@@ -109,9 +111,9 @@ std::array<double, 4> peaks_of(const Ranges& ranges) {
   return peaks;
 }
 
-/// Knots whose neighbours are not so near that the rounding of their positions shows in the jerk: near ones
-/// are left out or moved apart, where the tolerance allows it and no derivative becomes greater than the
-/// curve's greatest.
+/// Removes knots whose neighbors are so near that the rounding of their positions is visible in the
+/// jerk, or moves them apart, if the tolerance permits it and no derivative exceeds the greatest
+/// one of the curve.
 template <class Over>
 class Spread {
  public:
@@ -137,7 +139,7 @@ class Spread {
     return pvt_detail::share(f_, rule_, from, to, allowed_) <= 1 && keeps_peaks(a, b);
   }
 
-  /// (2) of this interval is what its rounding may add to the jerk, and d^2 / 12 of it to the velocity.
+  /// Rounding in this interval may add (2) to the jerk, and d^2 / 12 times (2) to the velocity.
   [[nodiscard]] bool keeps_peaks(double a, double b) const {
     constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
     const Table table(axis, rule_, Extrapolation::refuse, columns_at(f_, rule_, {a, b}));
@@ -151,7 +153,7 @@ class Spread {
     return true;
   }
 
-  /// Knot k at x, or without it; false where the tolerance does not allow it.
+  /// Moves knot k to x, or removes it (no x); returns false if the tolerance does not permit this.
   bool replaced(std::vector<double>& knots, std::size_t k, std::optional<double> x) const {
     if (k == 0 || k + 1 >= knots.size()) return false;
     const double before = knots[k - 1];
@@ -167,7 +169,7 @@ class Spread {
     return true;
   }
 
-  /// True if the interval from knot i was made longer.
+  /// Makes the interval after knot i longer; returns true if this was possible.
   bool parted(std::vector<double>& knots, std::size_t i) const {
     return replaced(knots, i + 1, {}) || replaced(knots, i, {}) ||
            replaced(knots, i + 1, knots[i] + 2 * least_) ||
@@ -201,10 +203,11 @@ double rise(const Curve<Over>& f, double a, double b) {
   return sum;
 }
 
-/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Between them, over a length
-/// d, the rounding e of the rise causes a jerk of 60 e / d^3. One of them moves to the nearby double for which e
-/// is least. Both velocities then take up the rest of e, as e / d: the interval then
-/// has the curve's derivatives, and the intervals beside it, which are long, change by far less.
+/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Over the
+/// length d between them, the rounding e of the rise causes a jerk of 60 e / d^3. One of the knots
+/// moves to the nearby double for which e is least. Both velocities then take the rest of e, as e /
+/// d. So the interval has the curve's derivatives, and the adjacent intervals, which are long,
+/// change by much less.
 template <class Over>
 class ShortIntervals {
  public:
@@ -219,7 +222,8 @@ class ShortIntervals {
   }
 
  private:
-  /// A knot at x, so that the interval between it and another one has the curve's rise but for `error`.
+  /// A position x for a knot. In the interval to another knot, the rise equals that of the curve
+  /// except for `error`.
   struct Place {
     double x = 0;
     double position = 0;
@@ -253,7 +257,7 @@ class ShortIntervals {
     all.v[i + 1] += more;
   }
 
-  /// The place of the least error among the doubles from x towards `limit`.
+  /// The position of the least error among the doubles from x towards `limit`.
   template <class At>
   static Place best(double x, double limit, At at) {
     constexpr int most = 1 << 16;
@@ -335,7 +339,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   const double wanted = std::max(tolerance, 4e-16 * std::abs(extrema(f, 0).peak().value));
   std::vector<double> knots;
   for (std::size_t i = 0; i < f.segments().size(); ++i) {
-    const Curve<Over> piece({f.segments()[i]});  // from 0: far out, short pieces have few digits
+    const Curve<Over> piece({f.segments()[i]});  // from 0: far from 0, short pieces have few digits
     const auto fits = [&](std::size_t n) {
       return sample(piece, rule, n).error.position <= wanted;
     };
@@ -360,7 +364,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
-  // An interval that kept the tolerance by its symmetry may not keep it once it is shorter.
+  // An interval that kept the tolerance because of its symmetry may exceed it when it is shorter.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
     knots.insert(above, (*(above - 1) + *above) / 2);

@@ -7,13 +7,13 @@
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
 
-// A machine relies on two properties that a tolerance does not cover: a slave that dwells stands still,
-// and one in sync keeps its ratio. So the straight parts of a curve are intervals of its table. Neighboring
-// segments on one line are one stretch. It is kept where
+// A machine relies on two properties that a tolerance does not cover: a slave that dwells stands
+// still, and a slave in step keeps its ratio. So the straight parts of a curve are intervals of its
+// table. Neighboring segments on one line are one stretch. A stretch is kept if
 //
 //   (1)  the curve is bent on one side of it: then it is part of the design;
-//   (2)  or it stands still for a part of 1/64 of the curve. Between straight lines the curve is a
-//        table itself, which may have been recorded in whole counts: its steps are no dwells.
+//   (2)  or it stands still for at least 1/64 of the curve. (Between straight lines, the curve is a
+//        table itself, which may have been recorded in whole counts: its steps are not dwells.)
 //
 // The ends move inwards to steps of x. A stretch without two such steps is not kept.
 namespace jounce::pvt_detail {
@@ -28,11 +28,11 @@ bool is_straight(const Segment& f) {
   return f.sines == 0 && bend <= rounding * magnitude(f);
 }
 
-/// Consecutive segments on one line: [first, last).
+/// Successive segments on one straight line: [first, last).
 struct Run {
   std::size_t first = 0;
   std::size_t last = 0;
-  double travel = 0;  ///< 0: a dwell
+  double travel = 0;  ///< travel; 0: a dwell
 };
 
 /// True if g continues the line of f.
@@ -71,7 +71,8 @@ bool is_kept(const Curve<Over>& f, const Run& run) {
   return bent_before || bent_behind || (run.travel == 0 && length >= least_part * f.length());
 }
 
-/// The step at x, or the next one to the right (towards = 1) or left (-1) of it.
+/// The multiple of the step at x; otherwise the next one to the right (towards = 1) or to the left
+/// (-1).
 double step_from(double x, double step, double towards) {
   if (step == 0 || is_whole(x, step)) return x;
   const double k = towards > 0 ? std::ceil(x / step) : std::floor(x / step);
@@ -85,7 +86,7 @@ Straight knots_of(const Curve<Over>& f, const Target& target, const Run& run) {
   Straight made{held_at(f, target, begin, Side::right), held_at(f, target, end, Side::left),
                 run.travel == 0};
   if (!made.dwell) return made;
-  // A dwell at the end of a period has the position that closes it.
+  // A dwell at the end of a period has the position that closes the period.
   const Knot& level = end == f.end() && begin != f.start() ? made.end : made.begin;
   made.begin.jet = made.end.jet = {level.jet[0], 0, 0, 0};
   return made;
@@ -106,7 +107,7 @@ std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target)
     const Straight made = knots_of(f, target, run);
     if (made.dwell && !all.empty() && !all.back().dwell &&
         !apart(all.back().end.x, made.begin.x, target.spacing))
-      all.pop_back();  // the dwell matters more
+      all.pop_back();  // the dwell has priority
     const double before = all.empty() ? f.start() : all.back().end.x;
     if (made.end.x > made.begin.x && apart(made.begin.x, made.end.x, target.spacing) &&
         apart(before, made.begin.x, target.spacing) && apart(made.end.x, f.end(), target.spacing))

@@ -9,16 +9,16 @@
 
 namespace jounce::pvt_detail {
 
-/// A straight line of the curve, which a reduced table keeps: from knot to knot.
+/// A straight line of the curve that a reduced table keeps exactly, from knot to knot.
 struct Straight {
   Knot begin;
   Knot end;
-  bool dwell = false;  ///< stands still
+  bool dwell = false;  ///< true: without motion
 };
 
 /// The dwells and straight lines that the target's table keeps exactly, in their order (see
-/// stretches.cpp). Their knots are on the target's steps, never outside of the stretch, and have its
-/// rate; those of a dwell have one position and stand still.
+/// stretches.cpp). Their knots are on the target's steps, never outside of the stretch, and have
+/// its rate. The knots of a dwell have equal positions and are at rest.
 template <class Over>
 std::vector<Straight> kept_stretches(const Curve<Over>& f, const Target& target);
 

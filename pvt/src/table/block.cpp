@@ -6,9 +6,9 @@
 
 #include "pvt/src/table/sample_kernel.hpp"
 
-// A block is cut where the samples enter and leave the table. Samples inside go to the widest kernel of this
-// processor. Samples outside, which are rare, go one by one to jet(), which applies the policy; so do all
-// samples of a block that does not ascend.
+// A block is divided where the samples enter and leave the table. Samples inside go to the widest
+// kernel of the processor. Samples outside, which are rare, go one by one to jet(), which applies
+// the policy. So do all samples of a block that does not ascend.
 
 namespace jounce {
 namespace {
@@ -30,7 +30,7 @@ std::size_t first_not_before(const Instants& at, double bound, std::size_t low, 
   return pvt_detail::first_after([&](std::size_t k) { return at.at(k) < bound; }, low, high, low);
 }
 
-/// `size` ascending samples.
+/// Evaluates `size` ascending samples.
 template <class Instants>
 void sample_block(const Table& table, const Instants& at, std::size_t size, Samples out,
                   void (*kernel)(const pvt_detail::KnotColumns&, Interpolation, Instants,

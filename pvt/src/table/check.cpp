@@ -14,25 +14,27 @@
 
 #include "pvt/src/table/hull_kernel.hpp"
 
-// The exact search of extrema.cpp costs some 100 ns an interval and order. Here it runs only in the intervals
-// that can change the outcome, in ascending order, so that the outcome is the same. In each chunk, with
-// U the bound of an interval (hull_kernel.hpp), B the best value so far and T a value that the chunk
-// certainly takes, an interval matters for a greatest value only if
+// The exact search of extrema.cpp takes about 100 ns for each interval and order. Here it runs only
+// in the intervals that can change the result, in ascending order, so that the result is the same.
+// For each chunk, let U be the bound of an interval (hull_kernel.hpp), B the best value so far, and
+// T a value that the chunk certainly takes. For the greatest value, an interval matters only if
 //
 //   (1)  U > B   and   U >= T - r,     r = 4 eps (|T| + |limit|)
 //
-// where r covers values that differ but leave margins that round to the same; and for a limit G also if
+// where r covers values that differ but whose margins round to the same number. If there is a limit
+// G, it also matters if
 //
 //   (2)  U > G + 0.999e-12 max(|G|, scale),
 //
-// since no smaller value breaks the limit. For least values and lower limits the same holds with -f.
+// since no smaller value breaks the limit. For least values and lower limits the same holds
+// with -f.
 
 namespace jounce {
 namespace {
 
 using pvt_detail::Hulls;
 
-/// One goal of the search: the greatest value of f (side 0) or -f (side 1) of an order.
+/// One search: the greatest value of f (side 0) or of -f (side 1) for one order of derivative.
 struct Sought {
   std::size_t order;
   std::size_t side;
@@ -56,7 +58,7 @@ bool is_finite(const Hulls& hulls) {
   });
 }
 
-/// For a bound that is NaN: the curve's own check names the segment, if there is one.
+/// Throws if a bound is NaN. If there is a segment at fault, the check of the curve names it.
 void refuse(const Table& table) {
   if (table.axis() == Domain::time)
     (void)table.curve<OverTime>();
@@ -76,15 +78,15 @@ Intervals all_of(const Table& table) {
   return {0, table.size() - 1};
 }
 
-/// Calls visit(index of the goal, range, interval) for every interval that matters to a goal; visit
-/// raises its `best`. The goals of one order are adjacent.
+/// Calls visit(index of the search, range, interval) for every interval that can matter to a
+/// search; visit raises its `best`. The searches of one order are adjacent.
 template <class Visit>
 void search(const Table& table, const Intervals& within, std::vector<Sought>& sought, Visit visit) {
   const pvt_detail::KnotColumns knots = pvt_detail::knots_of(table.columns());
   const pvt_detail::HullKernel kernel = pvt_detail::hull_kernel();
   const auto visit_interval = [&](std::size_t i, const Hulls& hulls, std::size_t k) {
     Range range;
-    std::size_t known = 4;  // the order of that range
+    std::size_t known = 4;  // the order whose range is known
     for (std::size_t b = 0; b < sought.size(); ++b) {
       const auto [order, side] = std::pair(sought[b].order, sought[b].side);
       if (!sought[b].matters(hulls.bound[order][side][k])) continue;
@@ -150,7 +152,7 @@ const std::array<const char*, 4>& names_of(const Table& table) {
   return table.axis() == Domain::time ? OverTime::names : OverMaster::names;
 }
 
-/// The largest step of every order, in one pass.
+/// The greatest step of every order, in one pass.
 class Steps {
  public:
   void consider(const Jet& before, const Jet& after, double where, std::size_t from = 0) {
@@ -181,7 +183,8 @@ std::array<Jump, 4> largest_jumps(const Table& table) {
   if (repeats(table.outside()))
     steps.consider(before, at_start(first), table.end(),
                    table.outside() == Extrapolation::wrap ? 0 : 1);
-  if (table.outside() == Extrapolation::hold) {  // from rest and to rest
+  // The table is at rest before its start and after its end.
+  if (table.outside() == Extrapolation::hold) {
     steps.consider({}, at_start(first), table.start(), 1);
     steps.consider(before, {}, table.end(), 1);
   }

@@ -10,7 +10,7 @@ namespace {
 
 using pvt_detail::horner;
 
-/// The next interval if x is in it; otherwise the one that the table finds.
+/// The interval after the previous one, if x is in it; otherwise the table searches.
 std::size_t interval_of(const Table& table, double x, std::size_t before) {
   const auto knots = table.breaks();
   const bool next = before + 2 < knots.size() && x >= knots[before + 1] && x < knots[before + 2];

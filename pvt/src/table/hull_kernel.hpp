@@ -3,39 +3,39 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// Bounds of every interval of a table, in vectors of intervals. With the coefficients c of a polynomial
-// of degree n on s in [0, 1], its Bernstein coefficients beside the first are
+// Bounds of every interval of a table, computed in vectors of intervals. Let c be the coefficients
+// of a polynomial of degree n on s in [0, 1]. Except for the first, its Bernstein coefficients are
 //
 //   (1)  b_i - c_0 = sum over 1 <= k <= i of C(i, k) / C(n, k) c_k,
 //
-// and the polynomial lies between the least and the greatest of them. The rounded results of an exact search
-// lie there too if the hull is wider by
+// The polynomial lies between the least and the greatest of them. The rounded results of an exact
+// search lie there, too, if the hull is wider by
 //
 //   (2)  e = 64 eps sum over k >= 1 of |c_k|,   eps = 2^-53,
 //
-// which covers the rounding of Horner's rule, of (1), and of the coefficients. The addition of c_0 comes
-// last in both and rounds monotonically. So the bound of a constant is exactly that constant, and none of a
-// million intervals at rest exceeds the first.
+// which covers the rounding of Horner's rule, of (1), and of the coefficients. In both, the
+// addition of c_0 comes last and rounds monotonically. So the bound of a constant is exactly this
+// constant, and none of a million intervals at rest exceeds the first.
 namespace jounce::pvt_detail {
 
-/// For at most `size` intervals, for the value and three derivatives: the bounds of f [0] and of -f [1],
-/// and the greatest values among all that are certainly taken.
+/// Results for at most `size` intervals, for the value and three derivatives: the bounds of f [0]
+/// and of -f [1]; and the greatest values that are certainly reached.
 struct Hulls {
   static constexpr std::size_t size = 256;
 
   alignas(64) double bound[4][2][size];
-  double greatest[4][2];  ///< greatest of the bounds; NaN or infinite where one is
+  double greatest[4][2];  ///< greatest of the bounds; NaN or infinite if any bound is
   double taken[4][2];
 };
 
-/// For intervals [first, first + n), 1 <= n <= Hulls::size.
+/// Computes intervals [first, first + n), 1 <= n <= Hulls::size.
 using HullKernel = void (*)(const KnotColumns&, Interpolation, std::size_t first, std::size_t n,
                             Hulls&);
 void hulls_anywhere(const KnotColumns&, Interpolation, std::size_t, std::size_t, Hulls&);
 void hulls_avx2(const KnotColumns&, Interpolation, std::size_t, std::size_t, Hulls&);
 void hulls_avx512(const KnotColumns&, Interpolation, std::size_t, std::size_t, Hulls&);
 
-/// The widest that this processor has.
+/// The kernel with the widest vectors that this processor supports.
 HullKernel hull_kernel();
 
 JOUNCE_INLINE constexpr double binomial(int n, int k) {
@@ -44,14 +44,15 @@ JOUNCE_INLINE constexpr double binomial(int n, int k) {
   return b;
 }
 
-/// The running maxima of a chunk, lane by lane; NaN stays.
+/// The running maxima of a chunk, separate for each lane; a NaN stays.
 template <class Real>
 struct Maxima {
   Real greatest[4][2];
   Real taken[4][2];
 };
 
-/// (1) and (2) for the polynomial c[0..n]: into the bounds of interval i and the maxima.
+/// Computes (1) and (2) for the polynomial c[0..n]: stores the bounds of interval i, and updates
+/// the maxima.
 template <int n, class Real>
 JOUNCE_INLINE void enclose(const Real* c, int order, std::size_t i, Hulls& out, Maxima<Real>& max) {
   Real b[n + 1];
@@ -75,15 +76,16 @@ JOUNCE_INLINE void enclose(const Real* c, int order, std::size_t i, Hulls& out, 
                       -profiles_detail::least(c[0], c[0] + (b[n] + e))};
   for (int side = 0; side < 2; ++side) {
     profiles_detail::store(out.bound[order][side] + i, bound[side]);
-    // "not less": NaN wins, and is seen.
+    // Written as "not less", so that a NaN is kept.
     max.greatest[order][side] =
         bound[side] <= max.greatest[order][side] ? max.greatest[order][side] : bound[side];
     max.taken[order][side] = profiles_detail::greatest(taken[side], max.taken[order][side]);
   }
 }
 
-/// The bounds of interval i of the table and of those in the lanes after it, `at` in the chunk. The first
-/// coefficients are divided repeatedly, as jounce::derivative does; the others are multiplied by 1/L.
+/// Computes the bounds of interval i of the table and of the intervals in the next lanes; `at` is
+/// its index in the chunk. The first coefficients are divided repeatedly, as in jounce::derivative;
+/// the others are multiplied by 1/L.
 template <class Real, int degree>
 JOUNCE_INLINE void enclose_interval(const KnotColumns& t, std::size_t i, std::size_t at, Hulls& out,
                                     Maxima<Real>& max) {
@@ -170,7 +172,7 @@ JOUNCE_INLINE void hulls(const KnotColumns& t, Interpolation rule, std::size_t f
     enclose_all<Real, 5>(t, first, n, out);
 }
 
-/// A chunk with fewer intervals than lanes is computed one interval at a time.
+/// A chunk with fewer intervals than lanes is computed interval by interval.
 template <class Real>
 JOUNCE_INLINE void hulls_in(const KnotColumns& t, Interpolation rule, std::size_t first,
                             std::size_t n, Hulls& out) {

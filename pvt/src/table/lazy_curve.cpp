@@ -8,7 +8,7 @@
 namespace jounce {
 
 struct LazyCurve::State {
-  std::optional<Table> table;  ///< none where the curve is given
+  std::optional<Table> table;  ///< empty if the curve is given
   std::once_flag once;
   std::optional<Any> curve;
 };

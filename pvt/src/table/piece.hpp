@@ -4,9 +4,10 @@
 #include "jounce/profiles/detail/lanes.hpp"
 #include "jounce/pvt/table.hpp"
 
-// One interval of a table as polynomials in s, for many instants. The operations and their order are the same
-// for one double and for a vector of them. With s = (x - x0) / L in [0, 1], h = p1 - p0,
-// m = v L and k = a L^2 (VDI 2143, the general 5th degree; a cubic has c4 = c5 = 0):
+// One interval of a table as polynomials in s, for many instants. The operations and their order
+// are the same for a double and for a vector of doubles. With s = (x - x0) / L in [0, 1], h = p1 -
+// p0, m = v L and k = a L^2 (VDI 2143, the general polynomial of degree 5; a cubic has c4 = c5 =
+// 0):
 //
 //   (1)  p = c0 + c1 s + ... + cn s^n
 //   (2)  cubic:    c = {p0, m0, 3h - 2m0 - m1, -2h + m0 + m1}
@@ -15,12 +16,12 @@
 //   (4)  v = dp/dx has the coefficients i ci / L, a those of v times i / L, the third derivative
 //        those of a; each with its first as the table gives it, where it gives it
 //
-// No operation here is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times 1/L, so
-// that a sample costs no division. There are only plain arrays and inlined functions: kernels for wide vectors
-// include this file, and a linker must find no code to share between them.
+// No operation is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times
+// 1/L, so a sample needs no division. There are only plain arrays and inlined functions: kernels
+// for wide vectors include this file, and a linker must find no code to share between them.
 namespace jounce::pvt_detail {
 
-/// The columns that a kernel reads: size knots; v and a where the rule has them.
+/// The columns that a kernel reads, `size` knots; v and a only if the rule uses them.
 struct KnotColumns {
   const double* x;
   const double* p;
@@ -38,7 +39,7 @@ JOUNCE_INLINE constexpr int degree_of(Interpolation rule) {
   return rule == Interpolation::linear ? 1 : (rule == Interpolation::cubic_hermite ? 3 : 5);
 }
 
-/// Coefficients in s of one interval and its derivatives by x.
+/// Coefficients in s of one interval, and of its derivatives with respect to x.
 template <int degree>
 struct Piece {
   double x0, per_length;
@@ -55,13 +56,13 @@ JOUNCE_INLINE Real horner(const double* c, Real s) {
   return f;
 }
 
-/// (4) from coefficient `first` on.
+/// Evaluates (4) from coefficient `first` on.
 template <int n>
 JOUNCE_INLINE void differentiate(const double* c, double per_length, int first, double* slope) {
   for (int k = first; k < n; ++k) slope[k] = static_cast<double>(k + 1) * c[k + 1] * per_length;
 }
 
-/// (2) and (3), h = p1 - p0.
+/// (2) and (3), with h = p1 - p0.
 template <class Real>
 JOUNCE_INLINE void cubic_coefficients(Real length, Real p0, Real h, Real v0, Real v1, Real* c) {
   const Real m0 = v0 * length;
@@ -113,7 +114,8 @@ JOUNCE_INLINE Piece<degree> piece(const KnotColumns& t, std::size_t i) {
   return f;
 }
 
-/// s of a place in an interval that ends at x1: held outside, and exact at both ends.
+/// s of a position x in an interval that ends at x1. Positions outside are moved to the ends, and
+/// both ends are exact.
 template <int degree>
 JOUNCE_INLINE double place(const Piece<degree>& f, double x, double x1) {
   if (!(x < x1)) return x >= x1 ? 1 : x;

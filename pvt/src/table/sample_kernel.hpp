@@ -3,17 +3,17 @@
 
 #include "pvt/src/table/piece.hpp"
 
-// Block sampling, segment by segment: the coefficients once an interval, then a loop over the samples
-// in it, in vectors of the width that the including file is compiled for. Every sample is the result of
-// the same operations, in any lane of any width.
+// Block sampling, interval by interval: the coefficients once for each interval, then a loop over
+// its samples, in vectors of the width for which the including file is compiled. Every sample is
+// the result of the same operations, in any lane of any width.
 namespace jounce::pvt_detail {
 
-/// The places of the samples: given instants, or start + k step, rounded twice.
+/// The positions of the samples: a list, or start + k step with two roundings.
 struct Listed {
   const double* x;
 
   [[nodiscard]] JOUNCE_INLINE double at(std::size_t k) const { return x[k]; }
-  /// Samples k, k + 1, ... in vectors one after another.
+  /// Samples k, k + 1, ... in successive vectors.
   template <class Real>
   struct Stream {
     const double* next;
@@ -22,7 +22,8 @@ struct Listed {
     [[nodiscard]] JOUNCE_INLINE Real get() const { return profiles_detail::load<Real>(next); }
     JOUNCE_INLINE void advance() { next += profiles_detail::lanes<Real>; }
   };
-  /// About how many samples lie between sample k and `end`, if they are as dense as the n before k.
+  /// Approximate number of samples between sample k and `end`, if they are as dense as the n
+  /// samples before k.
   [[nodiscard]] JOUNCE_INLINE double ahead(std::size_t k, std::size_t n, double end) const {
     return (end - x[k]) / (x[k] - x[k - n]) * static_cast<double>(static_cast<long long>(n));
   }
@@ -58,21 +59,22 @@ struct Samples {
   double* a;
 };
 
-/// The kernels of one width: samples [first, last), which ascend and lie in [x(0), x(size - 1)).
+/// The kernels for one width of vectors, for samples [first, last), which ascend and lie in [x(0),
+/// x(size - 1)).
 struct SampleKernels {
   void (*listed)(const KnotColumns&, Interpolation, Listed, std::size_t first, std::size_t last,
                  Samples);
   void (*uniform)(const KnotColumns&, Interpolation, Uniform, std::size_t first, std::size_t last,
                   Samples);
-  bool (*ascends)(const double* x, std::size_t size);  ///< false where one is NaN
+  bool (*ascends)(const double* x, std::size_t size);  ///< false if any is NaN
 };
 extern const SampleKernels sample_anywhere, sample_avx2, sample_avx512;
 
-/// The widest that this processor has.
+/// The kernels with the widest vectors that this processor supports.
 const SampleKernels& sample_kernels();
 
-/// The first index in [low, high] for which `before` is false, or high. `before` changes at most once, from true
-/// to false. The search goes outwards from a guess in steps that double, then by halves.
+/// The first index in [low, high] for which `before` is false, or high. `before` changes at most
+/// once, from true to false. The search starts at a guess, with steps that double; then it bisects.
 template <class Before>
 JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std::size_t high,
                                       std::size_t guess) {
@@ -100,8 +102,8 @@ JOUNCE_INLINE std::size_t first_after(const Before& before, std::size_t low, std
   return low;
 }
 
-/// The first sample after k, at most `last`, that is not before `end`; n: samples in the interval
-/// before. The guess is usually right within one: then there is no branch.
+/// The first sample after k, at most `last`, that is not before `end`. n: number of samples in the
+/// previous interval. The guess is usually right to within one, which needs no branch.
 template <class Instants>
 JOUNCE_INLINE std::size_t run_end(const Instants& at, std::size_t k, std::size_t last, double end,
                                   std::size_t n) {
@@ -126,9 +128,9 @@ JOUNCE_INLINE void sample_at(const Piece<degree>& f, Real x, std::size_t k, cons
   profiles_detail::store(out.a + k, acceleration(f, s));
 }
 
-/// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that are aligned
-/// in the first column, so that their stores cross no cache line. Samples in two vectors are stored twice, with
-/// the same value.
+/// Samples [first, last) of one interval: a vector at each end, and between them whole vectors that
+/// are aligned in the first column, so that their stores cross no cache line. Samples in two
+/// vectors are stored twice, with the same value.
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::size_t first,
                               std::size_t last, const Samples& out) {
@@ -149,8 +151,8 @@ JOUNCE_INLINE void sample_run(const Piece<degree>& f, const Instants& at, std::s
 template <class Real, int degree, class Instants>
 JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::size_t first,
                                  std::size_t last, const Samples& out) {
-  std::size_t knot = 1;  // the first after the sample
-  std::size_t n = 0;     // samples in the interval before
+  std::size_t knot = 1;  // the first knot after the sample
+  std::size_t n = 0;     // number of samples in the previous interval
   for (std::size_t k = first; k < last;) {
     const double x = at.at(k);
     knot = first_after(
@@ -164,7 +166,7 @@ JOUNCE_INLINE void sample_pieces(const KnotColumns& t, const Instants& at, std::
   }
 }
 
-/// Compares every pair of neighbors, without stopping early.
+/// Compares every pair of neighbors, without an early end.
 template <class Real>
 JOUNCE_INLINE bool all_ascend(const double* x, std::size_t size) {
   profiles_detail::Mask<Real> good = Real{} <= Real{};

@@ -18,20 +18,20 @@
 namespace jounce {
 namespace {
 
-/// The names of the columns, which depend on the axis: "time", "velocity"; "master",
+/// The names of the columns, which depend on the axis: "time", "velocity"; or "master",
 /// "geo_velocity".
 const char* column_name(Domain axis, std::size_t column) {
   if (column == 0) return name(axis);
   return axis == Domain::time ? OverTime::names[column - 1] : OverMaster::names[column - 1];
 }
 
-/// Knots are counted from 1 for people, as in a spec.
+/// In messages, knots count from 1, as in a spec.
 std::string entry(Domain axis, std::size_t column, std::size_t knot) {
   return "knot[" + std::to_string(knot + 1) + "]." + column_name(axis, column);
 }
 
-/// The first i < n that is not good; n if all are. `bad_bits(i)` has its highest bit set where i is
-/// not good. Several are gathered without a branch, and examined only where one is bad.
+/// The first i < n that is not good; n if all are good. `bad_bits(i)` has its highest bit set if i
+/// is not good. Several results are combined without a branch, and examined only if one is bad.
 template <class BadBits>
 std::size_t first_bad(std::size_t n, BadBits bad_bits) {
   const auto is_bad = [](std::uint64_t bits) { return bits >> 63U != 0; };
@@ -43,13 +43,13 @@ std::size_t first_bad(std::size_t n, BadBits bad_bits) {
   return i;
 }
 
-/// A number is finite unless its exponent is all ones: adding one to that overflows.
+/// A number is finite unless all bits of its exponent are 1; adding one to that overflows.
 std::uint64_t not_finite(double value) {
   constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, one = 0x0010'0000'0000'0000;
   return (std::bit_cast<std::uint64_t>(value) & exponent) + one;
 }
 
-/// For finite numbers. Their difference is exact where it is small: here it is negative, or a zero of either sign.
+/// For finite numbers. A small difference is exact: here it is negative, or a zero of either sign.
 std::uint64_t not_greater(double value, double than) {
   const auto difference = std::bit_cast<std::uint64_t>(value - than);
   return difference | (difference - 1);
@@ -106,10 +106,10 @@ Segment Table::segment(std::size_t i) const {
   return quintic(length, p[i], v[i], a[i], p[i + 1], v[i + 1], a[i + 1]);
 }
 
-/// Above this number of knots the columns do not fit into a processor's nearer caches.
+/// If there are more knots than this, the columns do not fit into a processor's nearer caches.
 constexpr std::size_t cached = 16384;
 
-/// Prefetches the knots beside interval i from all columns, while x is still compared.
+/// Prefetches the knots next to interval i from all columns, during the comparison of x.
 [[gnu::always_inline]] inline void Table::fetch(std::size_t i) const {
   const Columns& columns = knots_->columns;
   __builtin_prefetch(columns.p.data() + i);
@@ -177,7 +177,8 @@ template Curve<OverTime> Table::curve() const;
 template Curve<OverMaster> Table::curve() const;
 
 void require_curve(const Table& table) {
-  // No derivative up to the fourth is greater than 5! times the sum of the coefficients, over length^4.
+  // No derivative up to the fourth exceeds 5! times the sum of the coefficients, divided by
+  // length^4.
   const auto surely_finite = [](const Segment& f) {
     double sum = 0;
     for (std::size_t k = 0; k <= 5; ++k) sum += std::abs(f.c[k]);

@@ -30,20 +30,23 @@ std::array<double, 2> end_slopes(const Segment& f) {
   return slopes;
 }
 
-/// A cubic from slope a to slope b over a chord of slope m stays between its ends if 0 <= a/m, b/m <= 3.
+/// A cubic from slope a to slope b over a chord of slope m stays between its ends if
+/// 0 <= a/m, b/m <= 3.
 std::string advice_against_overshoot(const Segment& f) {
   if (f.sines > 0 || f.degree > 3) return "move the knots, or lower the velocities at them";
   const auto [a, b] = end_slopes(f);
   const double stroke = value(f, 1) - value(f, 0);
   const double mean = stroke / f.length;
-  const std::string ends = "its ends move at " + rounded(a) + " and " + rounded(b) +
-                           ", its mean is " + rounded(mean) + ": ";
-  if (mean == 0) return ends + "it must rest at both";
-  std::string advice = ends + "no overshoot with both between 0 and " + rounded(3 * mean);
+  const std::string ends = "the end velocities are " + rounded(a) + " and " + rounded(b) +
+                           ", the mean velocity is " + rounded(mean) + ": ";
+  if (mean == 0) return ends + "let both end velocities be 0";
+  std::string advice = ends +
+                       "the segment does not overshoot if both end velocities are between 0 and " +
+                       rounded(3 * mean);
   const double fastest = std::max(std::abs(a), std::abs(b));
   if (a * mean >= 0 && b * mean >= 0)
-    advice += ", or in at most " + rounded(3 * std::abs(stroke) / fastest) + " instead of " +
-              rounded(f.length);
+    advice += ", or if it takes at most " + rounded(3 * std::abs(stroke) / fastest) +
+              " instead of " + rounded(f.length);
   return advice;
 }
 
@@ -87,12 +90,14 @@ template <class Over>
 Finding end_of(const auto& f, double velocity, double scale) {
   const std::size_t last = f.breaks().size() - 2;
   Finding found = step_of<Over>("pt/end_velocity", f.end(), velocity, scale, last);
-  const std::string moving = "the table ends moving: ";
+
   if (f.outside() == Extrapolation::hold) {
-    found.advice = moving + "the axis stops abruptly there: let the last segment end at rest";
+    found.advice =
+        "the table ends at a velocity, and the axis stops abruptly there: let the last segment end "
+        "at rest";
   } else {
     found.severity = Severity::note;
-    found.advice = moving + "another motion must continue at this velocity";
+    found.advice = "the table ends at a velocity: another motion must continue at this velocity";
   }
   found.quantity = Over::names[1];
   return found;
@@ -114,8 +119,8 @@ struct TableSegments {
   [[nodiscard]] Range range(std::size_t i) const {
     return segment_range(f.segment(i), f.breaks()[i], f.breaks()[i + 1], 0);
   }
-  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: the smallest excess
-  /// that counts; half of it is left for the rounding of the coefficients.
+  /// A polynomial stays between its least and greatest Bernstein coefficient. `least`: the smallest
+  /// excess that counts; half of it is left for the rounding of the coefficients.
   [[nodiscard]] bool surely_between_ends(std::size_t i, double least) const {
     const auto& [x, p, v, a] = f.columns();
     const double low = std::min(p[i], p[i + 1]) - least / 2;
@@ -169,14 +174,17 @@ Report steps_of(const auto& segments, double scale, double tolerance) {
   };
   const auto begin = [&](std::size_t i) { return evaluate(segments.segment(i), 0)[1]; };
   const auto end = [&](std::size_t i) { return evaluate(segments.segment(i), 1)[1]; };
-  const char* infinite = "this needs an infinite acceleration: let both sides of the point agree";
+  const char* infinite =
+      "the step needs an infinite acceleration: let the velocities on both sides of the point be "
+      "equal";
   if (f.outside() == Extrapolation::hold) add("pt/velocity_step", f.start(), begin(0), 0, infinite);
   for (std::size_t i = 1; i < count && !segments.velocity_is_continuous(); ++i)
     add("pt/velocity_step", f.breaks()[i], begin(i) - end(i - 1), i, infinite);
   const double last = end(count - 1);
   if (repeats(f.outside()))
     add("pt/wrap", f.end(), begin(0) - last, 0,
-        "from each pass to the next: let the table end at the velocity of its start");
+        "the velocity steps from each pass to the next: let the table end at the velocity of its "
+        "start");
   else if (is_step(last))
     report.findings.push_back(end_of<Over>(f, last, scale));
   sort(report);

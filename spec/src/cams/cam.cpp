@@ -115,10 +115,10 @@ void read_knot_optimize(TomlReader& table, OptimizeSpec& optimize) {
   for (const auto& text : table.texts("minimize")) {
     const auto objective = objective_named(text);
     if (!objective)
-      table.fail(
-          "minimize", '"' + text + '"',
-          "must be among \"peak geo_acceleration\", \"peak geo_jerk\", \"rms geo_acceleration\"; "
-          "other figures need a free shape: give a segment free = { shape = 100 }");
+      table.fail("minimize", '"' + text + '"',
+                 "must be one or more of \"peak geo_acceleration\", \"peak geo_jerk\", \"rms "
+                 "geo_acceleration\"; for any other figure, give a segment a free shape: free = { "
+                 "shape = 100 }");
     minimize.push_back(*objective);
   }
   if (!minimize.empty()) optimize.minimize = std::move(minimize);
@@ -146,7 +146,7 @@ void read_optimize(TomlReader& top, Spec& spec) {
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)
     top.fail("optimize", "",
-             "is missing: free shapes need the figure to improve. Add [optimize] with minimize = "
+             "is missing: a free shape needs an objective. Add [optimize] with minimize = "
              "[\"peak geo_jerk\"]");
   if (!table || table->has("parameter")) return;  // read_parameters() reads [[optimize.parameter]]
   if (shapes)

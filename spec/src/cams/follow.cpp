@@ -14,7 +14,7 @@ namespace {
 const std::array<std::string, 4> types{"normal", "even", "stop", "continue"};
 const std::array<std::string, 2> forms{"smooth", "table"};
 
-/// The segments of a file, from the origin of the table.
+/// The segments of a file, counted from the origin of the table.
 std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool increments,
                                  bool googol) {
   std::vector<PtPoint> points =
@@ -33,7 +33,8 @@ std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool in
   return points;
 }
 
-/// [[segment]] with `repeat`: cumulative, or `increments` that are summed.
+/// Reads [[segment]] with `repeat`. Positions are cumulative, or increments (`increments`), which
+/// are added up.
 void read_segments(TomlReader& owner, const Units& units, bool increments, bool googol,
                    std::vector<PtPoint>& points) {
   constexpr std::size_t most = 1'000'000;
@@ -51,7 +52,9 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
       segment.fail("repeat", std::to_string(repeat),
                    "needs increments = true: add it, or leave repeat out");
     if (increments && !(master > 0))
-      segment.fail("master", number(master), "must be greater than 0: it is an increment");
+      segment.fail(
+          "master", number(master),
+          "must be greater than 0: with increments = true it counts from the previous segment");
     if (repeat < 1 || repeat > most - points.size())
       segment.fail("repeat", std::to_string(repeat),
                    "must be at least 1, and make at most 1e6 segments");
@@ -66,7 +69,7 @@ void read_segments(TomlReader& owner, const Units& units, bool increments, bool 
   }
 }
 
-/// loops, end, increments and the segments.
+/// Reads loops, end, increments, and the segments.
 FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& units, bool googol) {
   FollowTable table;
   table.loops = keys.optional_whole("loops").value_or(1);
@@ -77,8 +80,9 @@ FollowTable read_table(TomlReader& keys, TomlReader& segments, const Units& unit
   }
   read_segments(segments, units, increments, googol, table.segments);
   if (const std::size_t n = table.segments.size(); googol && n > googol::follow_fifo)
-    segments.fail(segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
-                  "must be at most 512 in a table, the size of the FIFO of memory 1");
+    segments.fail(
+        segments.has("points") ? "points" : "segment", std::to_string(n) + " segments",
+        "must be at most 512 in a table: the FIFO of the controller holds no more (memory 1)");
   return table;
 }
 
@@ -125,9 +129,9 @@ Law read_law(TomlReader& follow) {
   if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists them");
   const Ends ends = info(*law).ends;
   if (ends != Ends::given && ends != Ends::moving)
-    follow.fail(
-        "law", '"' + *text + '"',
-        "must have a ratio and no acceleration at its ends, as quintic and modified_sine have");
+    follow.fail("law", '"' + *text + '"',
+                "must be a law that begins and ends at a velocity without acceleration, such as "
+                "quintic or modified_sine");
   return *law;
 }
 

@@ -43,7 +43,7 @@ GearSpec read_for_ever(TomlReader& gear, const Units& units) {
   return spec;
 }
 
-/// A clutch of [gear], or of a [[gear.change]].
+/// Reads a clutch: of [gear], or of a [[gear.change]].
 RatioChange read_change(TomlReader& reader, const Units& units, double at) {
   RatioChange change;
   change.at = at;

@@ -17,7 +17,8 @@ std::optional<double> factor(const std::string& from, const std::string& to) {
   }
 }
 
-/// Slave units of a revolution: by the unit for an angle, the circumference for a length, otherwise `turn`.
+/// Slave units of one revolution: from the unit if it is an angle; the circumference if it is a
+/// length; otherwise `turn`.
 double read_turn(TomlReader& knife, const Units& units, double diameter) {
   if (const auto given = knife.optional_number("turn", units.position)) return *given;
   if (const auto angle = factor("rev", units.position)) return *angle;

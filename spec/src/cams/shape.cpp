@@ -41,7 +41,7 @@ void read_ceilings(TomlReader& table, const ShapeWords& words, ShapeSpec& shape)
     const ShapeFigureSpec figure = read_figure(each, words);
     if (figure.times_length)
       each.fail("figure", '"' + figure.name + '"',
-                "cannot be limited: limit \"motor heating\" instead");
+                "cannot have a limit: limit \"motor heating\" instead");
     const double at_most = each.number("at_most", figure.unit);
     if (!(at_most > 0)) each.fail("at_most", number(at_most), "must be greater than 0");
     shape.ceilings.push_back({figure.figure, computed(figure, at_most)});
@@ -56,7 +56,7 @@ std::optional<Edge> read_edge(TomlReader& each, const char* key, const std::stri
   return Edge{ends->first, ends->second};
 }
 
-/// `value` within `tolerance`; default: exactly.
+/// Reads `value` and `tolerance`; without a tolerance the value is exact.
 void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
   const auto value = read_edge(each, "value", unit);
   const double tolerance = each.optional_number("tolerance", unit).value_or(0);
@@ -67,7 +67,7 @@ void read_value(TomlReader& each, const std::string& unit, Corridor& corridor) {
     return;
   }
   if (corridor.lower || corridor.upper)
-    each.fail("value", "", "needs either value, or lower and upper: give one of the two");
+    each.fail("value", "", "cannot be combined with lower or upper: give the value, or the bounds");
   corridor.lower = Edge{value->at_from - tolerance, value->at_to - tolerance};
   corridor.upper = Edge{value->at_from + tolerance, value->at_to + tolerance};
 }
@@ -88,7 +88,8 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   }
   if (corridor.from > corridor.to)
     each.fail("from", number(corridor.from),
-              "must not be above to: write a corridor over the end of a periodic cam as two");
+              "must be at most to = " + number(corridor.to) + " " + words.units.x +
+                  ": write a corridor across the end of a periodic cam as two corridors");
   corridor.lower = read_edge(each, "lower", named.unit);
   corridor.upper = read_edge(each, "upper", named.unit);
   read_value(each, named.unit, corridor);
@@ -106,7 +107,7 @@ bool is_list_of_tables(TomlReader& table) {
   return table.has("minimize") && table.holds_tables("minimize");
 }
 
-/// { jerk = "free" } or { jerk = 0 }.
+/// Reads { jerk = "free" } or { jerk = 0 }.
 EndJerk read_end_jerk(TomlReader& ends) {
   EndJerk jerk = EndJerk::as_given;
   if (ends.is_text("jerk")) {

@@ -77,7 +77,7 @@ const LoadSpec& linear_load_for(TomlReader& reader, const char* key, const std::
   const LoadSpec& load = load_for(reader, key, name, words);
   if (!is_linear(load))
     reader.fail(key, '"' + name + '"',
-                "needs a load without coulomb and lever: limit \"peak torque\"");
+                "is not possible for a load with coulomb or lever: use \"peak torque\" instead");
   return load;
 }
 
@@ -94,7 +94,7 @@ std::optional<std::size_t> index_of(const std::array<std::string, 5>& names,
   return std::nullopt;
 }
 
-/// The quantity `name`, which is a part of the text `said` of the spec.
+/// The quantity called `name`, which is a part of the spec's text `said`.
 std::optional<NamedQuantity> found(TomlReader& reader, const char* key, const std::string& name,
                                    const std::string& said, const ShapeWords& words) {
   const auto rate = [&](const std::string& x, std::size_t k) {
@@ -158,7 +158,7 @@ ShapeFigureSpec loss_named(TomlReader& reader, const char* key, const std::strin
   return figure;
 }
 
-/// A figure that needs a drive, which is not given yet.
+/// A figure of a drive; the drive is not known yet.
 ShapeFigureSpec driven(TomlReader& reader, const char* key, DriveFigure figure,
                        const ShapeWords& words) {
   speed_for(reader, key, name(figure), words);
@@ -199,17 +199,19 @@ ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::str
 }
 
 ShapeFigureSpec read_figure(TomlReader& table, const ShapeWords& words) {
-  const std::string name = table.text("figure");
+  const std::string name = table.text("figure", "FIGURE");
   if (name != "residual") return figure_named(table, "figure", name, words);
   const double speed = speed_for(table, "figure", name, words) / words.seconds;
   const auto at = table.optional_range("at", "Hz");
-  if (!at) table.fail("at", "", "is missing: the frequency, \"17 Hz\", or a band of two");
+  if (!at)
+    table.fail("at", "", "is missing: give a frequency, such as \"17 Hz\", or a band of two");
   const auto damping = table.optional_range("damping", "1").value_or(std::pair{0., 0.});
   if (!(at->first > 0 && at->first <= at->second))
-    table.fail("at", number(at->first), "must be greater than 0, and a band must ascend");
+    table.fail("at", number(at->first),
+               "must be greater than 0, and a band must be [lowest, highest]");
   if (!(damping.first >= 0 && damping.first <= damping.second && damping.second < 1))
     table.fail("damping", number(damping.first),
-               "must be 0 <= damping < 1, and a band must ascend");
+               "must be at least 0 and less than 1, and a range must be [lowest, highest]");
   const ResidualOf residual{at->first / speed, at->second / speed, damping.first, damping.second};
   const std::string shown = at->first == at->second
                                 ? number(at->first) + " Hz"

@@ -8,20 +8,20 @@
 #include "jounce/spec/shape_spec.hpp"
 #include "jounce/spec/spec.hpp"
 
-/// From the words of [optimize] on shapes to figures over the master.
+/// Converts the texts of [optimize] about shapes to figures over the master.
 namespace jounce::spec_detail {
 
-/// Data for figures beside their own words.
+/// Data for figures in addition to their text.
 struct ShapeWords {
   Units units;
   std::string time_unit;
-  std::optional<double> speed;     ///< speed of the master, x a time unit
-  double seconds = 1;              ///< a time unit
-  const LoadSpec* load = nullptr;  ///< nullptr: none
+  std::optional<double> speed;     ///< speed of the master: master units in one unit of time
+  double seconds = 1;              ///< length of a unit of time, s
+  const LoadSpec* load = nullptr;  ///< nullptr: no load
 };
 
-/// A quantity at one place and its unit: "slave", "geo_jerk", "velocity", "torque". `reader` and `key`
-/// give its place for messages.
+/// A quantity at one place, and its unit: "slave", "geo_jerk", "velocity", "torque". `reader` and
+/// `key` are its place in the document, for messages.
 struct NamedQuantity {
   LinearQuantity quantity;
   std::string unit;
@@ -29,11 +29,11 @@ struct NamedQuantity {
 NamedQuantity quantity_named(TomlReader& reader, const char* key, const std::string& name,
                              const ShapeWords& words);
 
-/// A figure by its name alone: "peak torque", "rms geo_jerk", "motor heating".
+/// The figure with a name alone: "peak torque", "rms geo_jerk", "motor heating".
 ShapeFigureSpec figure_named(TomlReader& reader, const char* key, const std::string& name,
                              const ShapeWords& words);
 
-/// The same from a table with `figure`, and `at` and `damping` of a residual.
+/// The same from a table with the key `figure`; for a residual vibration, also `at` and `damping`.
 ShapeFigureSpec read_figure(TomlReader& table, const ShapeWords& words);
 
 }  // namespace jounce::spec_detail

@@ -8,7 +8,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-/// Slave units that are one master unit, where both are lengths.
+/// Slave units in one master unit, if both are lengths.
 double ratio_of(TomlReader& shear, const Units& units) {
   if (const auto ratio = shear.optional_number("ratio", rate_unit(units.position, units.x, 1)))
     return *ratio;
@@ -25,7 +25,8 @@ double angle_of(TomlReader& shear) {
   const double angle = shear.optional_number("angle", "deg").value_or(0);
   if (!(angle > -90 && angle < 90))
     shear.fail("angle", number(angle),
-               "must be between -90 and 90 deg: the guide follows the line");
+               "must be greater than -90 and less than 90 deg: otherwise the carriage does not "
+               "move with the line");
   return angle * std::numbers::pi / 180;
 }
 

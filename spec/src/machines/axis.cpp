@@ -64,7 +64,7 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
 
 namespace {
 
-/// The three rates, with their names as keys, per `x`.
+/// Reads the three rates under these keys, in units per `x`.
 void read_rates(TomlReader& table, Limits& limits, const std::array<const char*, 4>& names,
                 const std::string& position, const std::string& x) {
   const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};

@@ -10,9 +10,9 @@ namespace {
 
 const std::array<std::string, 3> types{"null", "simulated", "shared_memory"};
 
-/// The model from another file, of kind "drive".
+/// Reads the model from another file, of kind "drive".
 Drive read_model_file(TomlReader& table, const Units& units) {
-  const std::filesystem::path given(table.text("spec"));
+  const std::filesystem::path given(table.text("spec", "FILE.toml"));
   const auto folder = std::filesystem::path(table.document().name).parent_path();
   const std::string path = (given.is_relative() ? folder / given : given).string();
   const Spec spec = [&] {

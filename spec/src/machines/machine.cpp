@@ -18,7 +18,7 @@ using spec_detail::TomlReader;
 const std::vector<std::string> sides{"setpoint", "actual"};
 
 MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& folder) {
-  MachineSpec::Axis axis{.spec = reader.text("spec"), .key = reader.path("spec")};
+  MachineSpec::Axis axis{.spec = reader.text("spec", "FILE.toml"), .key = reader.path("spec")};
   axis.key.erase(axis.key.rfind('.'));
   if (const std::filesystem::path given(axis.spec); given.is_relative())
     axis.spec = (folder / given).string();

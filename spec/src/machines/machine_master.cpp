@@ -26,8 +26,8 @@ double positive(TomlReader& reader, const char* key, const std::string& unit) {
   return value;
 }
 
-/// A time of the filter, at most a minute: a master that moves an axis is measured many times a second, and a longer
-/// time would stop the axis too late.
+/// A time of the filter, at most a minute: a master that moves an axis is measured many times a
+/// second, and a longer time would stop the axis too late.
 constexpr double longest = 60;
 
 void may_last(TomlReader& reader, const char* key, double& seconds) {
@@ -75,7 +75,7 @@ MachineMasterSpec::Encoder read_encoder(TomlReader& reader, const std::string& u
 }
 
 MachineMasterSpec::FromTable read_from_table(TomlReader& reader, const std::string& unit) {
-  MachineMasterSpec::FromTable table{.file = reader.text("file")};
+  MachineMasterSpec::FromTable table{.file = reader.text("file", "FILE")};
   const auto folder = std::filesystem::path(reader.document().name).parent_path();
   if (const std::filesystem::path given(table.file); given.is_relative())
     table.file = (folder / given).string();

@@ -10,7 +10,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-// In the order of Sync.
+// In the order of the enum Sync.
 const std::vector<std::string> syncs{"none", "time", "phase", "time_if_moving", "phase_or_time"};
 static_assert(static_cast<int>(Sync::phase) == 2 && static_cast<int>(Sync::phase_or_time) == 4);
 
@@ -51,7 +51,7 @@ std::vector<double> optional_rates(TomlReader& table, const char* key,
   return table.has(key) ? table.numbers(key, rate_units(axes, order)) : std::vector<double>{};
 }
 
-/// The bounds of the axes; the limits of a stretch replace them.
+/// Reads the bounds of the axes in a stretch; they replace those of the axes.
 std::vector<Bounds> read_stretch(TomlReader limits, const std::vector<AxisPart>& parts,
                                  const std::vector<AxisMove>& axes) {
   const auto velocity = optional_rates(limits, "velocity", parts, 1);
@@ -89,20 +89,21 @@ ViaNorm read_norm(TomlReader& top, const std::vector<AxisPart>& parts) {
   return norm;
 }
 
-/// [[point]] of a spline whose times are computed: positions only.
+/// Reads [[point]] of a spline whose times are computed: positions only.
 std::vector<std::vector<double>> read_positions(TomlReader& top,
                                                 const std::vector<AxisPart>& parts) {
   std::vector<std::vector<double>> points;
   for (TomlReader& point : top.tables("point")) {
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     points.push_back(point.numbers("position", rate_units(parts, 0)));
     point.finish();
   }
   return points;
 }
 
-/// [[point]]: a position for each axis. The first and the last may have rates. From the second on, a point may have
-/// limits for the stretch before it.
+/// Reads [[point]]: a position for each axis. The first and the last point may have rates. From the
+/// second on, a point may have limits for the stretch before it.
 void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& axes) {
   std::vector<TomlReader> points = top.tables("point");
   std::vector<Bounds> own;
@@ -110,18 +111,20 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
   bool limited = false;
   for (std::size_t k = 0; k < points.size(); ++k) {
     TomlReader& point = points[k];
-    if (!point.has("position")) point.fail("position", "", "is missing");
+    if (!point.has("position"))
+      point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
     axes.points.push_back(point.numbers("position", rate_units(parts, 0)));
     const bool end = k == 0 || k + 1 == points.size();
     for (const char* key : {"velocity", "acceleration"})
       if (!end && point.has(key))
-        point.fail(key, "", "is free between the first point and the last: leave it out");
+        point.fail(key, "", "applies only to the first and the last point: leave it out here");
     const ViaRates rates{optional_rates(point, "velocity", parts, 1),
                          optional_rates(point, "acceleration", parts, 2)};
     if (end) (k == 0 ? axes.via.start : axes.via.end) = rates;
     if (k == 0 && point.has("limits"))
       point.fail("limits", "",
-                 "apply to the travel to a point, which the first point has not: leave them out");
+                 "apply to the travel from the previous point, so the first point has none: leave "
+                 "them out");
     limited = limited || point.has("limits");
     if (k > 0)
       axes.via.stretches.push_back(

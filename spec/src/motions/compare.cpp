@@ -18,7 +18,7 @@ const std::vector<std::string> mode_names{"equal",  "less",       "greater", "fi
 
 const std::vector<std::string> sources{"position", "actual"};
 
-/// The number of points on a line, 1 to 1e7.
+/// Reads the number of points on a line, 1 to 1e7.
 std::int64_t count_of(TomlReader& compare) {
   const std::int64_t count = compare.whole("count");
   if (count < 1 || count > 10'000'000)
@@ -26,7 +26,7 @@ std::int64_t count_of(TomlReader& compare) {
   return count;
 }
 
-/// position; or start, increment and count; or [[compare.point]].
+/// Reads position; or start, increment and count; or [[compare.point]].
 std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, CompareMode mode) {
   if (mode == CompareMode::linear) {
     const double start = compare.number("start", units.position);
@@ -48,15 +48,16 @@ std::vector<ComparePoint> read_points(TomlReader& compare, const Units& units, C
   return points;
 }
 
-/// key = [x, y]: one number for each of two axes. Required.
+/// Reads key = [x, y]: one number for each of two axes. Required.
 std::vector<double> read_pair(TomlReader& reader, const char* key,
                               const std::vector<std::string>& units) {
   if (!reader.has(key)) reader.refuse_misspelt(key);
-  if (!reader.has(key)) reader.fail(key, "", "is missing: a zone needs [x, y]");
+  if (!reader.has(key)) reader.fail(key, "", "is missing: a zone needs two numbers, [x, y]");
   return reader.numbers(key, units);
 }
 
-/// Modes "zone" and "zone_equal" of two axes: axes, band and [[compare.point]] with at and output.
+/// Reads the modes "zone" and "zone_equal" of two axes: axes, band, and [[compare.point]] with at
+/// and output.
 PlaneCompare read_zone(TomlReader& compare, const std::vector<AxisPart>& parts,
                        std::array<std::string, 2>& axes) {
   const std::vector<std::string> names = compare.texts("axes");
@@ -90,7 +91,7 @@ double read_pulse(TomlReader& compare, const Spec& spec) {
   return pulse;
 }
 
-/// The unit of the position that is compared.
+/// The unit of the compared position.
 Units compared_units(TomlReader& compare, const Spec& spec, const std::string& axis) {
   for (const AxisPart& part : spec.parts())
     if (part.name == axis) return part.units;

@@ -235,7 +235,7 @@ MoveSpec read_pmc600_ls_velocity(MotionFields& f) {
   return s;
 }
 
-/// Two numbers: of the first move, and of the second.
+/// Reads two numbers: one for the first move, and one for the second.
 void read_both(MotionFields& f, const char* key, int order, std::array<double, 2>& values) {
   const std::string unit = rate_unit(f.units().position, f.units().x, order);
   const std::array units{unit, unit};

@@ -19,7 +19,8 @@ const std::vector<std::string> fillings{"natural",      "clamped",      "periodi
                                         "minimum_jerk", "within_limits"};
 const std::vector<std::string> objectives{"shortest"};
 
-/// A derivative of a knot. It may be left out only if `velocities` names the rule that fills it in.
+/// Reads a derivative of a knot. It may be omitted only if `velocities` names the rule that
+/// computes it.
 std::optional<double> derivative_of(TomlReader& knot, const char* key, const std::string& unit,
                                     bool may_be_missing) {
   if (!knot.has(key)) knot.refuse_misspelt(key);
@@ -120,7 +121,7 @@ Table with_finite_segments(Table table) {
     if (!error.key().starts_with(begin)) throw;
     const int segment = std::stoi(error.key().substr(begin.size()));
     throw InputError("knot[" + std::to_string(segment + 1) + "]", "",
-                     "ends a segment whose " + error.rule());
+                     "is the end of a segment whose " + error.rule());
   }
   return table;
 }
@@ -136,7 +137,7 @@ Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
   return points ? placed_in(*points, table) : table();
 }
 
-/// The table with the knots of a cubic spline. It is exact, also as a quintic table.
+/// The cubic spline as a table with its knots. It is exact, also as a quintic table.
 Table table_of(const Trajectory& spline, Interpolation rule) {
   Columns columns;
   for (const double x : spline.breaks()) {
@@ -150,12 +151,12 @@ Table table_of(const Trajectory& spline, Interpolation rule) {
 }
 
 void refuse_beside_times(TomlReader& reader, const char* key) {
-  if (reader.has(key)) reader.fail(key, "", "is found by times = \"shortest\": leave it out");
+  if (reader.has(key)) reader.fail(key, "", "is computed by times = \"shortest\": leave it out");
 }
 
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
-    top.fail("times", "\"shortest\"", "needs the rule cubic_hermite or quintic_hermite");
+    top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
   refuse_beside_times(top, "velocities");
   if (top.has("points"))
     top.fail("points", "",

@@ -20,8 +20,9 @@ MoveSpec read_trapezoid(MotionFields& f) {
   return t;
 }
 
-/// The jerk, or the parameter of controllers in its place: the time in which the acceleration builds up. In each half
-/// jerk = acceleration / smoothing (Googol smoothTime, HMPL SetSmoothTime).
+/// Reads the jerk, or the parameter that some controllers use instead: the time in which the
+/// acceleration increases from 0. In each half, jerk = acceleration / smoothing (Googol smoothTime,
+/// HMPL SetSmoothTime).
 void read_jerk(MotionFields& f, SCurveSpec& s) {
   const auto jerk = f.optional("jerk", 3);
   const auto smoothing = f.optional_time("smoothing");
@@ -81,8 +82,8 @@ MoveSpec read_point_to_point(MotionFields& f) {
   if (const auto direction = move.optional_choice("direction", direction_names)) {
     if (!s.period)
       move.fail("direction", '"' + direction_names[*direction] + '"',
-                "needs the period of the axis, because only a modulo axis has a choice of "
-                "direction: add it, or leave direction out");
+                "needs period, because only a modulo axis has a choice of direction: add period, "
+                "or leave direction out");
     s.direction = directions[*direction];
   }
   return s;

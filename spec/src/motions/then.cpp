@@ -133,7 +133,7 @@ Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
         {reference.number("base", grid), reference.number("interval", grid), count_of(reference)});
     points *= s.table.axes.back().count;
     if (points > 1'000'000)
-      then.fail("reference", "", "makes a grid of more than 1e6 points: use fewer");
+      then.fail("reference", "", "makes a grid of more than 1e6 points: lower the counts");
     reference.finish();
   }
   if (s.references.empty())

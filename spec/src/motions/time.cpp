@@ -7,7 +7,8 @@ namespace jounce::spec_detail {
 
 namespace {
 
-/// Stops and supervision of the axis. A key that is left out is off, or has the default of the executor.
+/// Reads the stops and the supervision of the axis. A function whose key is omitted is off, or has
+/// the executor's default.
 void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
   const auto read = [&](const char* key, const std::string& unit, double& value) {
     const auto given = axis.optional_number(key, unit);
@@ -26,7 +27,8 @@ void read_watch(TomlReader& axis, const Units& units, AxisSpec& spec) {
   read("in_position_time", "s", spec.in_position_time);
 }
 
-/// The longest permitted delay of a cycle, and the longest time without a heartbeat of the owner of the axis.
+/// Reads the longest permitted delay of a cycle, and the longest time without a heartbeat of the
+/// axis' owner.
 void read_patience(TomlReader& axis, AxisSpec& spec) {
   if (const auto gap = axis.optional_number("longest_gap", "s")) {
     if (!(*gap >= spec.cycle && *gap <= 1e6 * spec.cycle))

@@ -21,7 +21,8 @@ const std::vector<std::string> point_types{"normal", "even", "stop", "continue"}
 const std::vector<std::string> quantities{"position", "velocity", "acceleration"};
 const std::vector<std::string> position_rules{"cubic", "linear"};
 
-/// Points count from the origin of the table, increments from the point before.
+/// Reads points, which count from the origin of the table, or increments, which count from the
+/// previous point.
 std::vector<PtPoint> read_points(TomlReader& top, const Units& units, bool increments,
                                  std::span<const std::string> permitted) {
   std::vector<PtPoint> points;
@@ -69,8 +70,9 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
         pt.optional_number("start_velocity", rate_unit(units.position, units.x, 1)).value_or(0);
   }
   if (spec.loops == 0 && pt.has("outside"))
-    pt.fail("outside", "",
-            "does not apply to loops = 0, a table without end: leave one of them out");
+    pt.fail(
+        "outside", "",
+        "does not apply to loops = 0, because such a table has no end: leave one of the two out");
   spec.outside = read_outside(pt, false);
   if (const auto file = read_point_file(top, "point", {"time", "position", "type"}))
     return with_points(std::move(spec), *file, units, increments, permitted);
@@ -90,7 +92,8 @@ bool is_whole_ms(double t) {
   const bool vanishes = t != 0 && std::round(ms) == 0;
   return !vanishes && std::abs(ms - std::round(ms)) <= 1e-9 * std::max(1.0, std::abs(ms));
 }
-constexpr const char* whole_ms_rule = "must be a whole number of ms, the resolution of TIME";
+constexpr const char* whole_ms_rule =
+    "must be a whole number of ms, the resolution of the data type TIME";
 
 /// Reads a point; its value has the name of the quantity as its key.
 pmc600::ProfilePoint read_profile_point(TomlReader& point, const char* quantity,

@@ -59,7 +59,7 @@ void append(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
 }
 
-/// Appends the findings of `part` with this rule.
+/// Appends the findings of `part` that have this rule.
 void append(Report& all, Report part, const char* rule) {
   std::erase_if(part.findings, [&](const Finding& f) { return f.rule != rule; });
   append(all, std::move(part));

@@ -13,7 +13,8 @@
 namespace jounce::spec_detail {
 namespace {
 
-/// The new names of keys that the first version of format 1 had. The error for an old key names the new one.
+/// The new names of keys that the first version of format 1 had. The error for an old key names the
+/// new one.
 constexpr std::array<std::pair<const char*, const char*>, 12> moved{{
     {"motor_inertia", "inertia in [drive.motor]"},
     {"motor_friction", "friction = { viscous = ... } in [drive.motor]"},

@@ -19,7 +19,7 @@ bool measures(const std::string& unit, const char* as) {
   }
 }
 
-/// Meters or radians per slave unit. A pulse is neither.
+/// Meters or radians in one slave unit; 0 for a unit that is neither, such as a pulse.
 double si(const std::string& unit) {
   if (measures(unit, "m")) return conversion(unit, "m");
   return measures(unit, "rad") ? conversion(unit, "rad") : 0;

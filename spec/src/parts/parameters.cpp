@@ -20,16 +20,15 @@ std::string unit_of(TomlReader& parameter, const std::string& key) {
   std::vector<std::string> known;
   for (const auto& [name, unit] : units) known.push_back(name);
   const std::string hint = nearest(key, known);
-  parameter.fail(
-      "key", '"' + key + '"',
-      "is not a number of this spec" +
-          (hint.empty() ? std::string("; if the spec leaves it out, write it there first")
-                        : ": did you mean \"" + hint + "\"?"));
+  parameter.fail("key", '"' + key + '"',
+                 "names no number in this spec" +
+                     (hint.empty() ? std::string("; if the spec omits the key, add it there first")
+                                   : ": did you mean \"" + hint + "\"?"));
 }
 
 SpecParameter read_parameter(TomlReader& table) {
   SpecParameter parameter;
-  parameter.key = table.text("key");
+  parameter.key = table.text("key", "KEY");
   parameter.unit = unit_of(table, parameter.key);
   const auto range = table.optional_pair("range", parameter.unit);
   if (!range) table.fail("range", "", "is missing: add range = [least, greatest]");
@@ -42,7 +41,7 @@ SpecParameter read_parameter(TomlReader& table) {
 }
 
 FigureBound read_bound(TomlReader& table) {
-  FigureBound bound{table.text("figure")};
+  FigureBound bound{table.text("figure", "FIGURE")};
   bound.at_least = table.optional_quantity("at_least");
   bound.at_most = table.optional_quantity("at_most");
   if (!bound.at_least && !bound.at_most)

@@ -13,7 +13,8 @@ std::optional<double> positive(TomlReader& table, const std::string& key, const 
   return value;
 }
 
-/// The numbers of the controller, with its resolution of the first column, and its rule unless the spec names one.
+/// Reads the requirements of the controller. Its resolution of the first column, and its rule,
+/// apply unless the spec states others.
 Target read_controller(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
   const std::string resolution = spec_key(axis, "x_step");
   const auto x_step = positive(table, resolution, units.x);

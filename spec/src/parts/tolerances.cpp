@@ -13,7 +13,7 @@ namespace {
 
 NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
   NumberTolerance tolerance;
-  tolerance.key = table.text("key");
+  tolerance.key = table.text("key", "KEY");
   const std::vector<DriveNumber> known = numbers(drive);
   const auto number = std::find_if(known.begin(), known.end(),
                                    [&](const DriveNumber& n) { return n.key == tolerance.key; });
@@ -23,7 +23,7 @@ NumberTolerance read_tolerance(TomlReader& table, Drive& drive) {
     const std::string meant = nearest(tolerance.key, keys);
     table.fail(
         "key", tolerance.key,
-        "is not a number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
+        "names no number of this drive" + (meant.empty() ? "" : ": did you mean " + meant + "?"));
   }
   if (!table.has("share") && !table.has("absolute"))
     table.fail("share", "", "is missing: give share = \"10 %\", or absolute");

@@ -15,12 +15,12 @@ const std::vector<std::string> command_types{"line",   "arc",     "ellipse",
                                              "spline", "bspline", "dwell"};
 const std::vector<std::string> rotations{"clockwise", "counterclockwise"};
 
-/// Positions count from the start of a relative command, from 0 otherwise.
+/// The point from which positions count: the start of a relative command, otherwise 0.
 Point base(const Point* origin) {
   return origin != nullptr ? *origin : Point{};
 }
 
-/// The rates of a command along the path; without them those of [path.limits].
+/// Reads the rates of a command along the path; omitted rates are those of [path.limits].
 void read_rates_along(TomlReader& command, const PathAxes& axes, PathSettings& settings) {
   if (const auto a = read_magnitude(command, "acceleration", axes.unit(2)))
     settings.acceleration = settings.deceleration = *a;
@@ -68,7 +68,8 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
                    : arc_about(from, center, to, plane, rotation, turns);
 }
 
-/// By one of its definitions. finish() then refuses the keys of the others, which were not read.
+/// Reads an arc by one of its definitions. finish() then rejects the keys of the others, which were
+/// not read.
 Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point* origin) {
   if (command.has("via")) {
     const Point via = read_position(command, "via", axes, base(origin));
@@ -104,7 +105,7 @@ PathCurve read_ellipse(TomlReader& command, const PathAxes& axes, const Point& f
   return ellipse(from, center, to, plane, major, ratio, rotation, axes.size(), read_turns(command));
 }
 
-/// The start and each [[command.point]].
+/// Reads the start and each [[command.point]].
 std::vector<Point> read_curve_points(TomlReader& command, const PathAxes& axes, const Point& from,
                                      const Point* origin) {
   std::vector<Point> points{from};
@@ -130,7 +131,8 @@ PathCurve read_b_spline(TomlReader& command, const PathAxes& axes, const Point& 
   return over_length(curve, tolerance.value_or(1e-9 * size), axes.path_axes);
 }
 
-/// The spline through the start and each point; with a tolerance over its arc length.
+/// Makes the spline through the start and each point; with a tolerance, as a function of its arc
+/// length.
 PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& from,
                       const Point* origin) {
   const std::vector<Point> points = read_curve_points(command, axes, from, origin);

@@ -20,7 +20,8 @@ struct Kinematics {
   std::vector<std::string> units;
 };
 
-/// The map reads the first axes of the path, which have these units; no units: the path has other axes.
+/// Requires that the first axes of the path, which the map uses, have these units. An empty list of
+/// units means that the path has other axes.
 void require_axes(TomlReader& table, const PathAxes& axes, const std::vector<std::string>& units,
                   const std::string& needed) {
   const bool fits = !units.empty() && axes.size() >= units.size() &&

@@ -16,12 +16,13 @@
 
 namespace jounce::spec_detail {
 
-/// Names and units of the axes of a path. The first `path_axes` measure its length, the others follow.
+/// Names and units of the axes of a path. The first `path_axes` axes determine its length, the
+/// others follow.
 struct PathAxes {
   Units units;  ///< units of the path axes
   std::vector<std::string> names = {};
   std::vector<std::string> position_units = {};
-  std::vector<double> modulo = {};  ///< > 0: a rotary axis
+  std::vector<double> modulo = {};  ///< one for each axis; > 0: period of a rotary axis
   std::size_t path_axes = 0;
 
   [[nodiscard]] std::size_t size() const { return names.size(); }
@@ -30,30 +31,33 @@ struct PathAxes {
   }
 };
 
-/// key = [a, b, ...]: one number for each axis, counted from `origin`. Required.
+/// Reads key = [a, b, ...]: one number for each axis, counted from `origin`. Required.
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin);
 
-/// `to`: absolute positions of rotary axes are the nearest ones that show them.
+/// Reads `to`. For rotary axes, the absolute positions are moved by whole periods to those nearest
+/// to the start.
 Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, const Point* origin);
 
-/// A number greater than 0.
+/// Reads a number greater than 0.
 std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit);
 
-/// velocity, corner, junction: of [path], and of a command from which on they hold.
+/// Reads velocity, corner and junction: of [path], or of a command, from which on they hold.
 void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& settings);
 
-/// [[command]].
+/// Reads one [[command]].
 void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
                        Program& program);
 
-/// offset, and rotation or zyz: of [frame], or of G54 to G59.
+/// Reads offset, and rotation or zyz: of [frame], or of G54 to G59.
 Frame read_frame(TomlReader frame, const PathAxes& axes);
 
-/// [kinematics] and [[joint]]: joints go behind the axes of the path in spec.axes. `taken`: names of the axes.
+/// Reads [kinematics] and [[joint]]. The joints are appended to spec.axes, after the axes of the
+/// path. `taken`: names of the axes.
 std::optional<JointSpace> read_kinematics(TomlReader& top, const PathAxes& axes, Spec& spec,
                                           std::set<std::string>& taken);
 
-/// [[command]], points, or [gcode] with a file. Without any of them the path is a machine for a program.
+/// Reads [[command]], points, or [gcode] with a file. Without any of them, the path is a machine
+/// for programs.
 void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path);
 
 }  // namespace jounce::spec_detail

@@ -12,12 +12,12 @@ namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> corners{"stop"};
-// In the order of Junction.
+// In the order of the enum Junction.
 const std::vector<std::string> junctions{"buffered",      "blending_low",  "blending_previous",
                                          "blending_next", "blending_high", "look_ahead"};
 static_assert(static_cast<int>(Junction::look_ahead) == 5);
 
-/// True for a follower.
+/// Reads an axis; returns true if it is a follower.
 bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::string>& taken) {
   const AxisPart& part = spec.axes.emplace_back(read_axis_part(axis, spec.units, taken));
   const bool follower = axis.optional_flag("follower").value_or(false);
@@ -71,7 +71,7 @@ PathLimits read_path_limits(TomlReader limits, const PathAxes& axes) {
   return read;
 }
 
-/// corner = "stop", or a table with the one key that limits the corner.
+/// Reads corner = "stop", or a table with the one key that limits the corner.
 void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
   if (owner.is_text("corner")) {
     (void)owner.choice("corner", corners);
@@ -101,12 +101,14 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
                "average");
 }
 
-/// overlap of [path], instead of corners.
+/// Reads overlap of [path], which replaces the corners.
 std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axes) {
   auto overlap = path.optional_table("overlap");
   if (!overlap) return std::nullopt;
   if (path.has("corner"))
-    path.fail("corner", "", "cannot be combined with overlap, which makes all corners");
+    path.fail(
+        "corner", "",
+        "cannot be combined with overlap, which rounds all corners: leave one of the two out");
   OverlapOptions read;
   if (const auto d = read_magnitude(*overlap, "deviation", axes.unit(0))) read.deviation = *d;
   read.share = overlap->optional_number("share", "1").value_or(1);
@@ -116,7 +118,7 @@ std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axe
   return read;
 }
 
-/// [[override]]: the ranges are those of played().
+/// Reads [[override]]; the ranges are those of played().
 std::vector<FactorRequest> read_override(TomlReader& top, const PathAxes& axes) {
   std::vector<FactorRequest> steps;
   for (TomlReader& step : top.tables("override")) {
@@ -165,7 +167,7 @@ Frame read_frame(TomlReader frame, const PathAxes& axes) {
   const Point offset = frame.has("offset") ? read_position(frame, "offset", axes, {}) : Point{};
   const auto rotation = frame.optional_number("rotation", "deg");
   if (frame.has("zyz")) {
-    if (rotation) frame.fail("zyz", "", "cannot be combined with rotation");
+    if (rotation) frame.fail("zyz", "", "cannot be combined with rotation: give one of the two");
     const std::vector<double> zyz = frame.number_list("zyz", "deg");
     if (zyz.size() != 3) frame.fail("zyz", std::to_string(zyz.size()), "must be three angles");
     if (axes.path_axes < 3) frame.fail("zyz", "", "needs three axes that are not followers");
@@ -201,7 +203,9 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   }
   path.joints = read_kinematics(top, axes, spec, taken);
   if (path.overlap && path.joints)
-    top.fail("kinematics", "", "cannot be combined with an overlap, which moves the axes alone");
+    top.fail("kinematics", "",
+             "cannot be combined with overlap, which plans the axes without joints: leave one of "
+             "the two out");
   machine.path_axes = axes.path_axes;
   machine.second = conversion("s", spec.time_unit);
   path.program = Program(axes.size(), machine.start, axes.path_axes);
@@ -209,7 +213,9 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   read_program(top, axes, machine.settings, path);
   path.override_steps = read_override(top, axes);
   if (path.overlap && !path.override_steps.empty())
-    top.fail("override", "", "cannot be combined with an overlap: its path depends on the time");
+    top.fail("override", "",
+             "cannot be combined with overlap, because the path of overlapping lines depends on "
+             "the time: leave one of the two out");
   table.finish();
   return path;
 }

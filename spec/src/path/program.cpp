@@ -31,8 +31,8 @@ std::vector<std::string> columns_of(TomlReader& top, const PathAxes& axes) {
     for (const std::string& other : columns)
       if (other == column_of(name))
         top.fail("points", "",
-                 "needs another name of the axis " + name + ": its column would be " + other +
-                     ", which another one is");
+                 "is not possible: the column of axis " + name + " would be " + other +
+                     ", the name of another column: rename the axis");
     columns.push_back(column_of(name));
   }
   return columns;
@@ -49,8 +49,8 @@ std::vector<Point> positions_of(const Points& points, const PathAxes& axes) {
   return all;
 }
 
-/// Lines through the points of a file; the first point is the start. A column "velocity" has the feed of the line
-/// to its point.
+/// Lines through the points of a file; the first point is the start. A column "velocity" contains
+/// the feed of the line that ends at the point.
 Program program_of(const Points& points, const PathAxes& axes, PathSettings settings) {
   const std::vector<Point> positions = positions_of(points, axes);
   std::vector<double> feeds;
@@ -71,15 +71,15 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
   return program;
 }
 
-/// G54 = [x, y, ...], or a table as [frame].
+/// Reads G54 = [x, y, ...], or a table with the keys of [frame].
 Frame read_frame_of(TomlReader& gcode, const char* key, const PathAxes& axes) {
   if (!gcode.is_table(key)) return {.offset = read_position(gcode, key, axes, {})};
   return read_frame(*gcode.optional_table(key), axes);
 }
 
-/// Records of MoveSequence; RoundDiameter is the least diameter of a corner.
+/// Reads records of MoveSequence; RoundDiameter is the least diameter of a corner.
 void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
-  const std::string file = records.text("file");
+  const std::string file = records.text("file", "FILE.csv");
   if (const auto diameter = read_magnitude(records, "round_diameter", axes.unit(0))) {
     path.machine.settings.corner = Corner::curvature;
     path.machine.settings.value = 2 / *diameter;
@@ -91,7 +91,7 @@ void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
   path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
 }
 
-/// [gcode]; returns the name of the program's file, "" without one.
+/// Reads [gcode]; returns the name of the program file, or "".
 std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine& machine) {
   auto gcode = top.optional_table("gcode");
   if (!gcode) return "";
@@ -156,9 +156,8 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
     return command.kind != Program::Kind::dwell;
   });
   if (!moves)
-    throw InputError(
-        "G-code", "",
-        "moves no axis: the program needs at least one G0, G1, G2 or G3 with a position")
+    throw InputError("program", "",
+                     "moves no axis: add at least one G0, G1, G2 or G3 with a position")
         .at(document, 1);
   path.program = std::move(made.program);
   path.events = std::move(made.events);

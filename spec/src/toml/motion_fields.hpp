@@ -10,8 +10,9 @@
 
 namespace jounce::spec_detail {
 
-/// One table of the document whose keys are positions and their rates. Each is read, by the order of its derivative (0:
-/// position), into the field of its struct.
+/// Reads the numbers of one table of the document whose keys are positions and their rates. Each
+/// number goes into a field of the table's struct; the order of its derivative (0: position)
+/// determines its unit.
 class MotionFields {
  public:
   MotionFields(TomlReader& reader, const Units& units) : reader_(&reader), units_(&units) {}
@@ -19,14 +20,14 @@ class MotionFields {
   void need(const char* key, int order, double& value);
   void may(const char* key, int order, double& value);
   std::optional<double> optional(const char* key, int order);
-  /// In the unit of time of the spec, or of the controller.
+  /// Reads a time, in the unit of time of the spec or of the controller.
   std::optional<double> optional_time(const char* key);
   void may_in(const char* key, const char* unit, double& value);
 
-  /// from, from_velocity, from_acceleration (or to...); default: 0.
+  /// Reads from, from_velocity, from_acceleration (or to, ...); default: 0.
   MotionState state(const std::string& prefix);
-  /// velocity, acceleration, jerk (magnitudes), each with ..._down for another value in the negative
-  /// direction; position_min, position_max. A key that is left out is not limited.
+  /// Reads velocity, acceleration, jerk (magnitudes); each with ..._down for another value in the
+  /// negative direction; position_min, position_max. An omitted key is no limit.
   Bounds bounds();
 
   [[nodiscard]] TomlReader& reader() { return *reader_; }

@@ -51,7 +51,8 @@ std::vector<std::size_t> types_of(const Points& points, std::span<const std::str
     if (at != words.end()) continue;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), types[i]);
     if (error != std::errc() || end != word.data() + word.size() || types[i] >= words.size())
-      fail(points, i, "type", word, "must be one of " + listed(words) + ", or its number from 0");
+      fail(points, i, "type", word,
+           "must be one of " + listed(words) + ", or its number, counted from 0");
   }
   return types;
 }

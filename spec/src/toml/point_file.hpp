@@ -12,17 +12,19 @@
 
 namespace jounce::spec_detail {
 
-/// Reads the CSV file that the key `points` names, relative to the document, with these columns only. Returns nullopt
-/// if the key is left out. Throws InputError if `rows`, which the file replaces, is given too.
+/// Reads the CSV file that the key `points` names, relative to the document, with these columns
+/// only. Returns nullopt if the key is left out. Throws InputError if `rows`, which the file
+/// replaces, is given too.
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                                       const std::vector<std::string>& columns);
 
-/// The index in `words` of the column "type" of each point, given as a word or as a number; 0 without such a column.
+/// The index in `words` of the column "type" of each point, given as a word or as a number; 0
+/// without such a column.
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words);
 
-/// The result of `make` for the points. An error for "knot[3].time", with any word before the bracket, gets the line of
-/// the third point. Points of a PT or follow table, from the origin of the table; `increments` are summed. Throws
-/// InputError with the place if x does not ascend.
+/// The result of `make` for the points. An error for "knot[3].time", with any word before the
+/// bracket, gets the line of the third point. Points of a PT or follow table count from the origin
+/// of the table; `increments` are summed. Throws InputError with the place if x does not ascend.
 struct PointQuantity {
   const char* name;
   const std::string& unit;

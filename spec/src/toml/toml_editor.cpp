@@ -40,7 +40,7 @@ void TomlEditor::add(const toml::table& table, const char* beside, const char* k
   }
   const std::size_t brace = text_.rfind('}', offset(table.source().end) - 1);
   const std::size_t last = text_.find_last_not_of(" \t", brace - 1) + 1;
-  edits_.push_back({last, last, ", " + std::string(key) + " = " + value});  // never the first
+  edits_.push_back({last, last, ", " + std::string(key) + " = " + value});  // never the first entry
 }
 
 void TomlEditor::erase_tables(const toml::array& tables) {
@@ -71,8 +71,8 @@ void TomlEditor::erase(const toml::table& table, const char* key) {
     if (after < text_.size() && text_[after] == ',')
       end = text_.find_first_not_of(" \t", after + 1);
     else
-      begin = text_.find_last_of(',', begin);  // the last of several
-  } else {                                     // the line, a comment at its end included
+      begin = text_.find_last_of(',', begin);  // the last of several entries
+  } else {                                     // the whole line, with a comment at its end
     begin = text_.find_last_of('\n', begin) + 1;
     end = std::min(text_.find('\n', end), text_.size() - 1) + 1;
   }

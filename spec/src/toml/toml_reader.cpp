@@ -33,6 +33,12 @@ std::string rule_of_choice(std::span<const std::string> permitted, const std::st
   return "must be one of " + join(permitted) + meant;
 }
 
+/// "; `jounce new cam` writes an example", for the section that a kind of spec requires.
+std::string example_of(const toml::table& top, const std::string& section) {
+  const auto kind = top["kind"].value<std::string>();
+  return kind && *kind == section ? "; `jounce new " + section + "` writes an example" : "";
+}
+
 }  // namespace
 
 std::string shown(const toml::node& node) {
@@ -81,7 +87,8 @@ void TomlReader::report(const InputError& error) const {
   errors_->add(error);
 }
 
-/// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder returned.
+/// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder
+/// returned.
 template <class Value, class Read>
 Value TomlReader::or_else(Value placeholder, Read read) {
   try {
@@ -206,8 +213,8 @@ std::optional<bool> TomlReader::optional_flag(const char* key) {
   });
 }
 
-std::string TomlReader::text(const char* key) {
-  require(key, std::string(key) + " = \"TEXT\"");
+std::string TomlReader::text(const char* key, const char* word) {
+  require(key, std::string(key) + " = \"" + word + '"');
   return *optional_text(key);
 }
 
@@ -222,7 +229,7 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
 }
 
 std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
-  require(key, std::string(key) + " = \"WORD\"; it must be one of " + join(permitted));
+  require(key, std::string(key) + " = \"WORD\", where WORD is one of " + join(permitted));
   const std::string given = *optional_text(key);
   for (std::size_t i = 0; i < permitted.size(); ++i)
     if (permitted[i] == given) return i;
@@ -239,7 +246,7 @@ std::optional<std::size_t> TomlReader::optional_choice(const char* key,
 TomlReader TomlReader::table(const char* key, const std::string& example) {
   require(key, !example.empty()
                    ? example
-                   : "the section [" + path(key) + "]; `jounce new` writes an example");
+                   : "the section [" + path(key) + "]" + example_of(*table_, path(key)));
   return *optional_table(key);
 }
 

@@ -33,7 +33,8 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find('\n'));
 }
 
-/// The `key = value` in which a place of a line lies. Without an = before the place, both are empty.
+/// The `key = value` in which a place of a line lies. Without an = before the place, both are
+/// empty.
 struct Pair {
   std::string key, value;
 };
@@ -65,7 +66,7 @@ std::string rule_of_value(const Pair& pair) {
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const char* word : {"true", "false", "yes", "no", "on", "off"})
-    if (lower == word) return "must be true or false, in small letters";
+    if (lower == word) return "must be true or false, in lower case";
   if (is_decimal_comma(value)) {
     std::string point = value;
     point[point.find(',')] = '.';
@@ -99,17 +100,17 @@ InputError syntax_error(const Document& document, int line, int column,
     return error(pair.key, pair.value, "the closing quote is missing");
   if (has("cannot redefine existing table"))
     return error(printable(std::string(trimmed(text))), "",
-                 "is here a second time: keep one section, with the keys of both");
+                 "is given twice: keep one section, with the keys of both");
   if (has("cannot redefine"))
-    return error(pair.key, pair.value, "is here a second time: remove one of the two");
+    return error(pair.key, pair.value, "is given twice: remove one of the two");
   if (has("expected value") && pair.value.empty() && !pair.key.empty())
     return error(pair.key, "", "has no value: write " + pair.key + " = VALUE");
   if (has("expected '='") || (has("key-value pair") && has("end-of-file")))
     return error(printable(std::string(trimmed(text.substr(0, at)))), "",
-                 "needs = between key and value");
+                 "needs a = between the key and its value");
   if (has("table header") && has("expected ']'"))
     return error(printable(std::string(trimmed(text))), "",
-                 "the header of a section needs a closing ]");
+                 "needs a closing ] at the end of the section header");
   if (has("closing '}'") && at_end)
     return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
                  "needs its closing } on the same line");
@@ -119,11 +120,12 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("expected comma or closing ']'"))
     return error(pair.key, "", "needs a comma or the closing ] after a value");
   if (has("end-of-file"))
-    return error(pair.key, "", "the file ends here: a closing quote or bracket is missing");
+    return error(pair.key, "",
+                 "is not complete: the file ends before the closing quote or bracket");
   const std::string prefix = "Error while parsing ";
   return error(
       "", "",
-      "is not TOML: " +
+      "is not valid TOML, the format of a spec: " +
           (description.starts_with(prefix) ? description.substr(prefix.size()) : description));
 }
 

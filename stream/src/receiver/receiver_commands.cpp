@@ -77,7 +77,7 @@ void Receiver::take(const wire::Start& start) {
     if (queue == nullptr || !queue->intake.filled(bank)) {
       return settle(command_, {wire::Refusal::prefill_missing,
                                "queue " + std::to_string(index) +
-                                   " has fewer rows than its prefill: send more rows first"});
+                                   " has too few rows to start: send more rows first"});
     }
   }
   events_.emplace_back(

@@ -45,7 +45,7 @@ CallOutcome play_banks(Client& client, const BankPlan& plan, const BankOptions& 
   for (;;) {
     if (options.cancelled && options.cancelled()) return client.stop();
     const auto level = queue.level();
-    if (!level) return {StreamError::contact_lost, {}, 0, "the executor does not answer any more"};
+    if (!level) return {StreamError::contact_lost, {}, 0, "the executor has stopped answering"};
     if (options.progress) options.progress(*level);
     if (const auto end = ended(*level)) return *end;
     if (is_reached(options.until, *level)) return {};

@@ -21,7 +21,8 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   bool cancelled = false;
   for (const Nanos begin = clock();;) {
     if (clock() - begin > options.total)
-      sender.fail(StreamError::out_of_time, "the bound on the total time was reached");
+      sender.fail(StreamError::out_of_time,
+                  "the time that the caller permits is over: permit more (--patience)");
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
     if (options.progress) options.progress(sender.outcome().progress);
     if (sender.done()) return sender.outcome();

@@ -218,7 +218,8 @@ std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan>
   bool cancelled = false;
   for (const Nanos begin = clock();;) {
     if (!all.started() && clock() - begin > options.total)
-      all.fail(StreamError::out_of_time, "the bound on the total time was reached");
+      all.fail(StreamError::out_of_time,
+               "the time that the caller permits is over: permit more (--patience)");
     for (const auto& message : all.poll(clock())) send_message(link, message, options.key);
     if (all.ended()) return all.outcomes();
     drain(link, options.period, options.key, rejects,

@@ -136,8 +136,8 @@ void Sender::check_patience(Nanos now) {
                                            milliseconds(options_.command_patience));
   } else if (stage() == StreamStage::downloading &&
              now - progressed_ > options_.progress_patience) {
-    fail(StreamError::stalled,
-         "the executor confirmed no chunk for " + milliseconds(options_.progress_patience));
+    fail(StreamError::stalled, "the executor has confirmed no part of the table for " +
+                                   milliseconds(options_.progress_patience));
   }
 }
 

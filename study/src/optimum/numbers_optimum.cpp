@@ -21,7 +21,7 @@ std::string figures_text(const TuneOutcome& outcome, bool maximize) {
   std::string text;
   for (std::size_t i = 0; i < outcome.figures.size(); ++i) {
     const TunedFigure& f = outcome.figures[i];
-    std::string wanted = i > 0 ? "" : maximize ? "as large as can be" : "as small as can be";
+    std::string wanted = i > 0 ? "" : maximize ? "maximized" : "minimized";
     if (f.at_least) wanted += "at least " + number(*f.at_least);
     if (f.at_most) wanted += (f.at_least ? ", at most " : "at most ") + number(*f.at_most);
     text += fmt::format("  {:<28} {:>12} {:>12} {:<10} {}\n", f.name,

@@ -99,8 +99,8 @@ const SpecNumbers::Place& SpecNumbers::place(const std::string& key) const {
   for (const auto& [name, place] : numbers_) known.push_back(name);
   const std::string hint = nearest(key, known);
   throw InputError(key, "",
-                   "is not a number of this file" +
-                       (hint.empty() ? "; if the file leaves it out, write it there first"
+                   "names no number in this file" +
+                       (hint.empty() ? "; if the file omits the key, add it there first"
                                      : ": did you mean " + hint + "?"))
       .at(document_.name);
 }

@@ -91,7 +91,7 @@ UniformSpread read_tolerance(TomlReader& table, double given) {
 
 SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
   SweepParameter p;
-  p.key = table.text("key");
+  p.key = table.text("key", "KEY");
   double given = 0;
   try {
     given = base.value(p.key);
@@ -105,7 +105,8 @@ SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
     if (table.has(way)) named.push_back(way);
   if (named.size() != 1)
     table.fail("key", '"' + p.key + '"',
-               "needs exactly one of values, from (with to and count), tolerance, uniform, normal");
+               "needs exactly one of the keys values, from (with to and count), tolerance, "
+               "uniform, normal");
   const std::string way = named.front();
   if (way == "values") p.how = read_list(table, p.unit);
   if (way == "from") p.how = read_grid(table, p.unit);
@@ -298,7 +299,7 @@ SweepSpec read_sweep(const std::string& path) {
   const std::array<std::string, 1> kinds{"sweep"};
   (void)top.choice("kind", kinds);
   std::string name = top.optional_text("name").value_or("");
-  const std::string file = top.text("spec");
+  const std::string file = top.text("spec", "FILE.toml");
   const std::string base =
       (std::filesystem::path(path == "-" ? "." : path).parent_path() / file).string();
   SweepSpec spec{{},

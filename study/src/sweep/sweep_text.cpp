@@ -43,7 +43,7 @@ std::string heading(const SweepSpec& spec, const SweepSummary& s) {
                         percent(s.yield->low), percent(s.yield->high));
   else if (s.yield)
     text += fmt::format(" ({})", percent(s.yield->value));
-  if (s.broken > 0) text += fmt::format(", {} beyond one", s.broken);
+  if (s.broken > 0) text += fmt::format(", {} beyond a limit", s.broken);
   if (s.impossible > 0) text += fmt::format(", {} impossible", s.impossible);
   return text + "\n";
 }

@@ -15,7 +15,7 @@ namespace {
 void require_column(const char* key, const std::vector<double>& values, std::size_t samples) {
   if (values.size() != samples)
     throw InputError(key, std::to_string(values.size()) + " samples",
-                     "must be as many as of time: " + std::to_string(samples));
+                     "must be as many as those of time, " + std::to_string(samples));
   for (const double value : values) require_finite(key, value);
 }
 
@@ -73,7 +73,7 @@ DriveNumber numbered(Drive& drive, const std::string& key) {
     if (number.key == key) return number;
     all += (all.empty() ? "" : ", ") + number.key;
   }
-  throw InputError("fit", key, "is not a number of this drive; possible numbers: " + all);
+  throw InputError("fit", key, "names no number of this drive; possible numbers: " + all);
 }
 
 void require_valid(const IdentifySpec& spec) {

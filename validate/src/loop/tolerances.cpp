@@ -44,7 +44,7 @@ class Draw {
 double& number_of(Drive& drive, const std::string& key) {
   for (const DriveNumber& n : numbers(drive))
     if (n.key == key) return *n.value;
-  throw InputError("tolerances.key", key, "is not a number of this drive");
+  throw InputError("tolerances.key", key, "names no number of this drive");
 }
 
 /// The varied numbers: middle and half width of each.

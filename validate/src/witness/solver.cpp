@@ -17,7 +17,9 @@ namespace {
 
 void set_up(int flag) {
   if (flag == CV_MEM_FAIL) throw std::bad_alloc();
-  if (flag < 0) throw std::runtime_error("CVODES returned an error: flag " + std::to_string(flag));
+  if (flag < 0)
+    throw std::runtime_error("the solver CVODES failed with its error number " +
+                             std::to_string(flag));
 }
 
 template <class Handle>

@@ -173,8 +173,8 @@ struct Home {
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"offset", Quantity::position, FieldRange::given, "offset",
-          "home: the position value of the home position; default: [homing] of the spec of the "
-          "axis. The same holds for the next options"},
+          "home: the position value of the home position; default, also of the next home options: "
+          "[homing] in the spec of the axis"},
     c.offset);
   f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
     c.method);
@@ -186,10 +186,10 @@ constexpr void each_field(C& c, F f) {
     c.index_velocity);
   f(acceleration, c.acceleration);
   f(Field{"timeout", Quantity::time, FieldRange::positive, "timeout",
-          "home: fault after this time"},
+          "home: end with a fault after this time"},
     c.timeout);
   f(Field{"distance", Quantity::position, FieldRange::positive, "distance",
-          "home: fault if one search is longer than this"},
+          "home: end with a fault if one search goes further than this"},
     c.distance);
 }
 
@@ -339,13 +339,13 @@ constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
   f(Field{"master sync position", Quantity::master, FieldRange::finite, "master-sync",
-          "gear-in-pos: master position from which both run in step"},
+          "gear-in-pos: master position from which the axis is in step"},
     c.master_sync_position);
   f(Field{"slave sync position", Quantity::position, FieldRange::finite, "slave-sync",
-          "gear-in-pos: position of the axis there"},
+          "gear-in-pos: position of the axis at --master-sync"},
     c.slave_sync_position);
   f(Field{"master start distance", Quantity::master, FieldRange::finite, "start-distance",
-          "gear-in-pos: master distance before it, in which the axis engages"},
+          "gear-in-pos: master distance before --master-sync, in which the axis engages"},
     c.master_start_distance);
   f(Field{"avoid reversal", Quantity::none, FieldRange::flag, "avoid-reversal",
           "gear-in-pos: reject a motion against the direction of the gear"},

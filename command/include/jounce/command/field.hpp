@@ -61,10 +61,9 @@ struct Fields {
 /// Fields that several commands have in common.
 namespace jounce::command {
 
-inline constexpr Field velocity{
-    "velocity", Quantity::velocity, FieldRange::positive, "velocity",
-    "Greatest velocity of the move; default: the limit of the axis. The same holds for the next "
-    "options"};
+inline constexpr Field velocity{"velocity", Quantity::velocity, FieldRange::positive, "velocity",
+                                "Greatest velocity of the move; default, also of the next three "
+                                "options: the limit of the axis"};
 inline constexpr Field acceleration{"acceleration", Quantity::acceleration, FieldRange::positive,
                                     "acceleration", "Acceleration"};
 inline constexpr Field deceleration{"deceleration", Quantity::acceleration, FieldRange::positive,

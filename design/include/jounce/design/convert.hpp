@@ -12,55 +12,59 @@
 
 namespace jounce {
 
-/// Contents of a converted table.
+/// Requirements for a converted table.
 struct Conversion {
-  Interpolation rule = Interpolation::cubic_hermite;
-  std::optional<Target> target = {};  ///< new knots, as few as keep the target; its rule is `rule`
-  std::size_t intervals = 0;          ///< new knots at this number of equal intervals; 0: not so
-  Units units = {};  ///< units to convert to, or those that the file does not name; "": unchanged
-  bool periodic = false;              ///< the motion repeats, although the file does not state it
+  Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the result
+  /// New knots, as few as the target permits; its rule is `rule` above.
+  std::optional<Target> target = {};
+  std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
+  Units units = {};  ///< units of the result, or units that the file does not state; "": unchanged
+  bool periodic = false;  ///< true: the motion repeats, although the file does not state it
   const CamFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
 
-/// A converted table, and its distance from the input.
+/// A converted table, and its difference from the input.
 struct Converted {
-  TableFile file;
-  std::optional<SampleError>
-      error;  ///< in the units of the input; nullopt: bit for bit the knots of the input
+  TableFile file;  ///< the table, with its units and names
+  /// In the units of the input; nullopt: the knots of the input, bit for bit.
+  std::optional<SampleError> error;
 };
 
-/// The table of an input with other knots, another interpolation, or other units. Knots are kept unless the rule or the
-/// target requires others. If the controller joins the knots by a spline (KnotJoin), the error is that of this spline,
-/// with numbers rounded as in the file, and a tolerance holds for it. A spline whose ends are not documented is taken
-/// as natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target ("tolerance",
-/// "x_step", ...), or "master_unit", "position_unit" for a unit that is unknown or measures something else.
+/// Returns the table of an input with other knots, another interpolation, or other units. The knots
+/// stay, unless the rule or the target requires others. If the controller joins the knots by a
+/// spline (KnotJoin), the error is that of this spline, with the numbers rounded as in the file,
+/// and a tolerance applies to it. If the ends of the spline are not documented, they count as
+/// natural, or as periodic if the cam repeats. Throws InputError with the name of a member of
+/// Target ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is
+/// unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 
-/// The parts of the input that a file in this format does not contain, one phrase each.
+/// The parts of the input that a file in this format does not contain, one phrase for each.
 std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
-/// The certified error of a conversion as a sentence. Without an error: that the numbers are unchanged, or only
-/// converted between units.
+/// The certified error of a conversion as a sentence. Without an error, it states that the numbers
+/// are unchanged, or only converted to other units.
 std::string error_text(const Converted& made, const Labels& labels);
 
-/// The form in which a table is written.
+/// The form of a file.
 struct TableForm {
-  std::string name =
-      "csv";  ///< "csv", "json", "points" (segments with types, CSV), or the name of the format
-  const CamFormat* format = nullptr;  ///< format of a controller
+  /// "csv", "json", "points" (CSV of segments with types), or the name of `format`.
+  std::string name = "csv";
+  const CamFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };
 
-/// The form of this name, or, if it is empty, by the end of the path; CSV if nothing else.
+/// The form with this name; if the name is empty, the form for the extension of `path`, by default
+/// CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
 /// The text of a file in this form. Throws InputError like exchange_text() and points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
-/// The answer of `jounce convert`: input, form, knots, error and the losses, one a line.
+/// The output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
-/// The same as a JSON object; `path` is the name of the file.
+/// The same as a JSON object; `path` is the name of the output file.
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
                             const std::vector<std::string>& losses);
 

@@ -12,30 +12,32 @@
 
 namespace jounce {
 
-/// A spec of cuts over its cut length, with all other values fixed: the fastest line for each; and
-/// the characteristic lengths, master unit.
+/// A spec of cuts as a function of its cut length; all other values are fixed. Lengths are in the
+/// master unit.
 ///
-/// The cam of a knife does not depend on the speed. The run-up and return of a shear follow from
-/// the line speed: its cam is made again for each.
+/// The cam of a rotary knife does not depend on the line speed. The run-up and the return of a
+/// shear do, so its cam is made again for each speed.
 struct CutLengths {
-  /// If no such cut is possible, the limit is "length" or "reversal", and the speed 0.
+  /// Returns the fastest line for a length. If such a cut is impossible, the speed is 0 and the
+  /// limit "length" or "reversal".
   std::function<CutSpeed(double length, const CutLimits&)> fastest;
-  /// The shortest cut at that speed, if there is one; for a knife, among cuts up to the synchronous
-  /// length.
+  /// Returns the shortest cut that is possible at a speed, if there is one. For a knife, only cuts
+  /// up to the synchronous length count.
   std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
+  /// A length with a special meaning.
   struct Mark {
-    double length = 0;
+    double length = 0;      ///< master unit
     std::string name = {};  ///< "synchronous", "longest without a stop"
   };
-  std::vector<Mark> marks = {};
-  double turns_back =
-      std::numeric_limits<double>::infinity();  ///< longer cuts need a dwell, which is not set
-  double from = 0;                              ///< a range that shows all of them
-  double to = 0;
+  std::vector<Mark> marks = {};  ///< all such lengths, ascending
+  /// Cuts above this length need a dwell that the spec does not permit.
+  double turns_back = std::numeric_limits<double>::infinity();
+  double from = 0;  ///< start of a range that contains all these lengths
+  double to = 0;    ///< end of this range
 };
 
-/// Throws InputError, placed in the document, for a kind without a cut length, and for a shear
-/// whose sync follows from the stroke: at its fastest line speed it would be 0.
+/// Throws InputError, with the place in the document, for a kind without a cut length, and for a
+/// shear whose sync follows from the stroke, because the sync would be 0 at its fastest line speed.
 CutLengths cut_lengths(const Spec& spec);
 
 }  // namespace jounce

@@ -7,11 +7,12 @@
 
 namespace jounce {
 
-/// The answer of `jounce design` for one axis: number of knots, error against the exact curve, residual vibration, the
-/// worst finding of `report` (check_all(), add_not_limited()), and the hash of the table.
+/// The output of `jounce design` for one axis: number of knots, error against the exact curve,
+/// residual vibration, the worst finding of `report` (which check_all() and add_not_limited()
+/// make), and the hash of the table.
 std::string design_text(const Input& input, const Report& report);
 
-/// The same as a JSON object, every number in full; `file` is the name of the table.
+/// The same as a JSON object; numbers have all their digits. `file` is the name of the table.
 std::string design_json(const Input& input, const Report& report, const std::string& file);
 
 }  // namespace jounce

@@ -9,44 +9,47 @@
 
 namespace jounce {
 
-/// The disc of a spec with [disc], in the spec's units. Throws InputError, placed in the document,
-/// even if the spec has no [disc].
+/// Makes the disc of a spec with [disc], in the spec's units. Throws InputError, with the place in
+/// the document, also if the spec has no [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
 
-/// check() of it, with the units of its findings.
+/// check() of the disc; the findings have their units.
 Report check_disc(const Spec& spec, const Cam& cam);
 
-/// True if the report of check_disc() excludes that the contour can be cut: the contour crosses itself, or the cutter
-/// does not reach it.
+/// True if the report of check_disc() shows that the contour cannot be cut: the contour crosses
+/// itself, or the cutter does not reach a part of it.
 bool cannot_be_cut(const Report& report);
 
-/// Extremes of the pressure angle, deg, and the sharpest radii of the profile, in lines, each with its place.
+/// Lines with the extremes of the pressure angle (deg) and the least radii of the profile, each
+/// with its place.
 std::string extremes_text(const Spec& spec, const Disc& disc);
 
-/// Drawing of a disc, in mm for every unit of its spec, in its position at master 0.
+/// Drawing of a disc in mm, for a cam at master 0.
 struct DiscDrawing {
   std::string name;
   Contour profile;
-  Contour pitch;   ///< empty if the roller has no radius
-  Contour cutter;  ///< the path of the cutter's centre; empty without a cutter
-  double tolerance = 0;
-  double base_radius = 0;
-  std::optional<double> hub_radius;
-  double roller_radius = 0;
-  Place roller;                ///< its centre at the cam's start
-  std::optional<Place> pivot;  ///< pivot of the arm
+  Contour pitch;                     ///< pitch curve; empty if the roller has radius 0
+  Contour cutter;                    ///< path of the cutter's center; empty without a cutter
+  double tolerance = 0;              ///< mm, greatest distance of contours from their curves
+  double base_radius = 0;            ///< mm
+  std::optional<double> hub_radius;  ///< mm
+  double roller_radius = 0;          ///< mm
+  Place roller;                      ///< center of the roller at the cam's start
+  std::optional<Place> pivot;        ///< pivot of the arm, for an oscillating follower
 };
+/// The drawing of a disc.
 DiscDrawing drawing_of(const Spec& spec, const Disc& disc);
 
-/// DXF R12 (ASCII), in mm: closed polylines with arcs on the layers CAM, PITCH and CUTTER, circles on
-/// BASE, HUB and ROLLER. Coordinates are rounded to 1e-9 mm.
+/// The drawing as DXF R12 (ASCII), in mm: closed polylines with arcs on the layers CAM, PITCH and
+/// CUTTER, circles on BASE, HUB and ROLLER. Coordinates are rounded to 1e-9 mm.
 std::string contour_dxf(const DiscDrawing& drawing);
 
-/// The same as an SVG document that prints 1:1.
+/// The drawing as an SVG document that prints at scale 1:1.
 std::string contour_svg(const DiscDrawing& drawing);
 
-/// The profile as points for a controller without arcs: CSV with master position (spec's unit), x,
-/// y (mm); the last equals the first. Straight lines between them keep the spec's tolerance.
+/// The profile as points, for a controller without arcs: CSV with the master position (spec's
+/// unit), x and y (mm). The last point equals the first. Straight lines between the points keep the
+/// spec's tolerance.
 std::string contour_csv(const Spec& spec, const Disc& disc);
 
 }  // namespace jounce

@@ -8,8 +8,9 @@
 
 namespace jounce {
 
-/// The input's table through the [drive] of its spec, which must exist. Findings name their part
-/// ("drive"), in seconds and with their units. Throws InputError if a cam has no [master].
+/// Simulates the input's table with the [drive] of its spec, which must exist. The findings name
+/// their part ("drive"), have times in s, and have their units. `samples`: number of points of the
+/// result; 0: none. Throws InputError if a cam has no [master].
 DriveResult driven(const Input& input, std::size_t samples = 0);
 
 }  // namespace jounce

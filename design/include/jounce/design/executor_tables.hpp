@@ -7,14 +7,14 @@
 
 namespace jounce {
 
-/// The tables that an executor needs to play an input. Their axis is the time in seconds; that of a cam's slave is its
-/// master.
+/// The tables with which an executor plays an input. Their axis is the time in s; the axis of a
+/// cam's slave is its master.
 struct ExecutorTables {
-  TableFile slave;
-  std::optional<TableFile> master;  ///< for a cam: position of the master, in its unit
+  TableFile slave;                  ///< position over time; of a cam: slave over master
+  std::optional<TableFile> master;  ///< for a cam: position of the master over time, in its unit
 };
 
-/// Throws InputError for a cam whose spec has no [master].
+/// Makes the tables. Throws InputError for a cam whose spec has no [master].
 ExecutorTables executor_tables(const Input& input);
 
 }  // namespace jounce

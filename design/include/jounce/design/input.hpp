@@ -12,77 +12,81 @@
 
 namespace jounce {
 
-/// An input of the verbs: one axis of a spec, which is made first, or a finished table.
+/// The input of a command: one axis of a spec with its curve and table, or a table from a file.
 struct Input {
-  std::optional<Spec> spec;
-  LazyCurve curve;
-  TableFile table;
-  std::optional<SampleError>
-      error;      ///< error of the table against the curve; none if there is no other curve
-  Limits limits;  ///< limits of the spec; none for a table
-  Labels labels;
-  std::string name;           ///< the spec's name with the axis', or the file's
-  std::string axis;           ///< name if there are several axes; otherwise ""
-  TableOptions options = {};  ///< by which the table was made
-  std::optional<DriveSpec> drive = {};
-  std::vector<Residual> residuals = {};
-  std::vector<SyncZone> zones = {};
-  std::optional<Binding> binding = {};    ///< binding of a table of fewest knots
-  std::vector<std::string> unread = {};   ///< other content of its file
-  std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
-  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
+  std::optional<Spec> spec;  ///< the spec; nullopt for a table
+  LazyCurve curve;           ///< the exact curve; of a table from a file: its own
+  TableFile table;           ///< the table with its units
+  /// Error of the table against the curve; nullopt if the curve is that of the table.
+  std::optional<SampleError> error;
+  Limits limits;              ///< limits of the spec; none for a table
+  Labels labels;              ///< names and units for reports
+  std::string name;           ///< name of the spec, with that of the axis; or name of the file
+  std::string axis;           ///< name of the axis if there are several; otherwise ""
+  TableOptions options = {};  ///< options with which the table was made
+  std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
+  std::vector<Residual> residuals = {};  ///< residual vibration of each mode of an operator
+  std::vector<SyncZone> zones = {};      ///< sync zones
+  /// For a table of fewest knots: the requirement that determines their number.
+  std::optional<Binding> binding = {};
+  std::vector<std::string> unread = {};   ///< content of the file that was not read
+  std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
+  /// For kind "path" with overlapping lines: their motion, instead of a plan.
+  std::shared_ptr<const Overlapped> overlap = {};
 };
 
-/// Calls `act` with the input's curve, or with its table if there is no other curve: the table
-/// needs less time and memory.
+/// Calls `act` with the input's curve, or with its table if the curve is that of the table: the
+/// table needs less time and memory.
 template <class Act>
 auto of_motion(const Input& input, const Act& act) {
   return input.error ? std::visit(act, *input.curve) : act(input.table.table);
 }
 
-/// Positions of slave and master at the start of a coupling. By default, the slave rests at the
-/// cam's first value; the master is at the start of the cam, at the velocity of [master] (0 without
-/// one).
+/// Positions of slave and master when a coupling engages. Omitted: the slave rests at the first
+/// value of the cam, and the master is at the start of the cam with the velocity of [master] (0 if
+/// there is none). u is the slave's unit, m the master's.
 struct EngageState {
   std::optional<double> slave = {};            ///< u
   std::optional<double> master = {};           ///< m
   std::optional<double> master_velocity = {};  ///< m/s
 };
 
-/// Everything that can be checked without integration: limits and joints of the curve, the table's
-/// error, limits that the table alone breaks, the effect of engaging a coupling in the given state,
-/// and a [drive] whose loop is unstable.
+/// Checks everything that needs no integration: limits and joints of the curve, the error of the
+/// table, limits that only the table breaks, the engagement of a coupling in the state `at`, and
+/// the stability of the loop of a [drive].
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
-/// Adds the peak of each derivative that the input does not limit in [limits] or, over time, in
-/// [limits.slave]: notes `unlimited/velocity` and so on, without those that are 0 throughout.
+/// Adds a note (`unlimited/velocity`, ...) with the peak of each derivative that has no limit in
+/// [limits] or, over time, in [limits.slave]. Derivatives that are 0 everywhere get no note.
 void add_not_limited(Report& report, const Input& input);
 
-/// Adds the warning `warning/no_limits` to a report that compares the motion with no limit of the machine.
+/// Adds the warning `warning/no_limits` if the report compares the motion with no limit of the
+/// machine.
 void add_no_limits(Report& report);
 
 /// Greatest permitted error of the table, in the unit of the position: the requested tolerance; for
 /// a requested number of intervals, a millionth of the stroke; for a requested number of knots, the
-/// actual error. None if there is no curve besides the table.
+/// actual error. nullopt if the curve is that of the table.
 std::optional<double> table_tolerance(const Input& input);
 
-/// Content of a table file, or result of a spec: one input for each axis. `path` names it if the
-/// spec has no name.
+/// The content of a table file as an input.
 Input input_of(TableFile file, const std::string& path);
+/// Makes the motion of a spec: one input for each axis. `path` names it if the spec has no name.
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 
-/// Reads a spec, a table file or a table in the format of a controller (exchange.hpp), recognized by its content; "-"
-/// is standard input. One input for each axis of a spec, or for each cam of a file. `decimal_comma` reads 0,5 as 0.5 in
-/// a controller's table. Throws InputError with file, line, key, value and rule.
+/// Reads a spec, a table file, or a table in the format of a controller (exchange.hpp); the content
+/// decides which. "-" is standard input. Returns one input for each axis of a spec, or for each cam
+/// of a file. `decimal_comma`: reads 0,5 as 0.5 in a controller's table. Throws InputError with
+/// file, line, key, value and rule.
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
 /// True if the text is a table of Jounce or of a controller.
 bool is_finished_table(const std::string& text);
-/// The same for the text of such a table.
+/// read_inputs() for the text of such a table.
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
                                 bool decimal_comma = false);
 
-/// A G-code program on a machine: `machine` is a path spec without commands, `path` the program. One input for each
-/// axis. Throws InputError, placed.
+/// Reads a G-code program (file `path`) for a machine (file `machine`: a path spec without
+/// commands). Returns one input for each axis. Throws InputError, with the place in the document.
 std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine);
 
 }  // namespace jounce

@@ -7,29 +7,32 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/laws/law.hpp"
 
-/// The guide to choosing a law: generated from the data of design(), so both always agree.
+/// The guide to motion laws. It is generated from the data of design(), so both agree.
+
 namespace jounce {
 
-/// The shape of the law in the guide: its own, or for `scca` one in the middle of its family.
+/// The form of a law that the guide shows: its default form; for `scca`, one in the middle of the
+/// family.
 LawForm shown_form(Law law);
 
-/// The laws that have characteristic values: a rise of their own from 0 to 1.
+/// The laws that have characteristic values, because they have a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
+/// The characteristic values of such a law.
 Characteristics characteristics(Law law);
 
-/// Permitted ends of the law, as text.
+/// The permitted ends of a law, as text.
 const char* ends_in_words(Ends ends);
 
-/// One line for each law: its word, its ends, its characteristic values.
+/// A table with one line for each law: name, permitted ends, characteristic values.
 std::string law_table();
 
-/// One law, in full.
+/// The full description of one law.
 std::string law_text(Law law);
 
-/// The law as a JSON object: its words, and its characteristic values (null where they are infinite).
+/// The description as a JSON object with the characteristic values (null if infinite).
 std::string law_json(Law law);
 
-/// docs/laws.md.
+/// The text of docs/laws.md.
 std::string laws_markdown();
 
 }  // namespace jounce

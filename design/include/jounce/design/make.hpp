@@ -15,57 +15,58 @@
 
 namespace jounce {
 
-/// Residual vibration of a mode at the end of the motion: predicted for each mode that an operator
-/// of the spec was made for, in the unit of the position.
+/// Predicted residual vibration of a mode at the end of the motion, in the unit of the position.
+/// There is one for each mode for which the spec has an operator.
 struct Residual {
-  Mode mode;          ///< Hz
-  double before = 0;  ///< before: of the motion without its operators
-  double after = 0;   ///< after: of the finished motion
+  Mode mode;          ///< the mode, frequency in Hz
+  double before = 0;  ///< vibration of the motion without its operators
+  double after = 0;   ///< vibration of the finished motion
 };
 
-/// Result of a spec for one axis: the exact curve, the table for a controller, and their greatest
-/// difference.
+/// The result of a spec for one axis: the exact curve, and the table for a controller with its
+/// error.
 struct Made {
-  AxisPart part;  ///< the axis of this result
-  LazyCurve curve;
-  std::vector<std::string>
-      segments;  ///< a name for each segment of the curve, for reports; none: 1, 2, ...
-  Sampled sampled;
-  std::vector<Residual> residuals = {};
-  std::vector<SyncZone> zones =
-      {};  ///< in which the slave is in sync, if its generator reports them
-  std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
-  std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
+  AxisPart part;    ///< the axis
+  LazyCurve curve;  ///< the exact curve
+  /// Name of each segment of the curve, for reports; empty: segments have numbers from 1.
+  std::vector<std::string> segments;
+  Sampled sampled;                       ///< the table and its error
+  std::vector<Residual> residuals = {};  ///< one for each mode of an operator
+  std::vector<SyncZone> zones = {};      ///< sync zones of the slave, if its generator reports them
+  std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
+  /// For kind "path" with overlapping lines: their motion, instead of a plan.
+  std::shared_ptr<const Overlapped> overlap = {};
 };
 
-/// Spec -> generator -> operators -> curve -> table; one per axis, all over the same time. Throws
-/// InputError, placed in the spec's document.
+/// Makes a spec: the generator, then the operators, then the table. Returns one result for each
+/// axis, all over the same time. Throws InputError, with the place in the document.
 std::vector<Made> make_axes(const Spec& spec);
 
-/// The same for one axis; several are an InputError.
+/// The same for a spec of one axis. Throws InputError if there are several.
 Made make(const Spec& spec);
 
-/// Warnings for a valid time table (kinds "pt" and "pvt", before any operator): steps, swings and
-/// overshoot; for a polydyne cam: steps of its acceleration. Empty for all others.
+/// Warnings for a valid time table (kinds "pt" and "pvt", without operators): steps, oscillation
+/// and overshoot. For a polydyne cam: steps of its acceleration. Empty for all other specs.
 Report table_warnings(const Spec& spec);
 
-/// The master's motion of a cam spec over time in *seconds*. Throws InputError, which names the
-/// section to add, if there is no [master].
+/// The motion of a cam's master over time in *seconds*. Throws InputError, which names the section
+/// to add, if there is no [master].
 Trajectory make_master(const Spec& spec);
 
-/// Length of the time unit of the spec, s.
+/// Length of the spec's unit of time, s.
 double seconds_per_unit(const Spec& spec);
 
-/// [limits.slave] as limits by master, which runs at full speed. Throws InputError
-/// (`limits.slave.velocity`, ...) if there is such a limit, but no [master].
+/// [limits.slave] converted to limits per master unit, for a master at full speed. Throws
+/// InputError (`limits.slave.velocity`, ...) if there is such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
-/// The optimization problem of a cam spec, under [limits] and [limits.slave] at full speed. Throws
-/// InputError, placed in the document, unless it is well posed.
+/// The optimization problem of a cam spec, with [limits], and with [limits.slave] at full speed.
+/// Throws InputError, with the place in the document, unless it is well posed.
 CamProblem make_problem(const Spec& spec);
 
-/// The same for a spec with free shapes: spec.optimize.shape. Figures of a drive have no function
-/// yet (jounce/spec/drive_figures.hpp): they throw unless `against_a_drive`.
+/// The same for a spec with free shapes (spec.optimize.shape). A figure of a drive has no function
+/// until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
+/// `against_a_drive`.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 
 }  // namespace jounce

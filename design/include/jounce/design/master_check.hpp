@@ -8,23 +8,25 @@
 
 namespace jounce {
 
-/// A cam of a spec against [limits.slave], the limits of the slave over time.
+/// True if a cam spec has [limits.slave], the limits of the slave over time.
 bool has_slave_limits(const Spec& spec);
 
-/// Motion of the master of the spec, in addition to its speed; at rest if there is none.
+/// Acceleration and jerk of the spec's master, in addition to its speed; 0 if there is no [master].
 MasterRates master_rates(const Spec& spec);
 
-/// Unit of the `order`th derivative of the master by time.
+/// Unit of the derivative of this order of the master's position with respect to time.
 std::string master_rate_unit(const Spec& spec, int order);
 
-/// True if the master's own acceleration breaks a limit of the slave already at its start: a slower
-/// master would not help.
+/// True if the acceleration of the master alone breaks a limit of the slave, already at its start,
+/// so that a slower master would not help.
 bool master_accelerates_too_fast(const Cam& cam, const Spec& spec);
 
-/// Its limit at the speed of [master] of the spec, if any; otherwise at any speed.
+/// The greatest acceleration of the master, at the speed of [master] if there is one, otherwise at
+/// any speed.
 MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec);
 
-/// True if the spec's [master] is slow enough for the slave.
+/// The finding that compares the speed of the spec's [master] with the greatest speed at which the
+/// slave keeps its limits.
 Finding master_finding(const Cam& cam, const Spec& spec);
 
 }  // namespace jounce

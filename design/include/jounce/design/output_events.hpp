@@ -8,29 +8,31 @@
 
 namespace jounce {
 
-/// A change of one output along the motion of a spec.
+/// A change of one output during the motion of a spec.
 struct OutputEvent {
-  double time = 0;
+  double time = 0;     ///< time of the change
   std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
-  bool on = false;
-  double position =
-      0;  ///< position at that time of the axis that the output stands on, or length of the path
+  bool on = false;     ///< true: the output goes on
+  /// At that time, the position of the axis to which the output belongs, or the length along the
+  /// path.
+  double position = 0;
 };
 
-/// The outputs of a spec along its motion.
+/// The changes of all outputs of a spec during its motion.
 struct OutputEvents {
-  std::vector<OutputEvent> all;  ///< by time for each kind of output
-  std::string time, position;    ///< their units
-  Report report;                 ///< broken if a point does not fire, or the device is too slow
-  Labels labels;                 ///< labels of the report
+  std::vector<OutputEvent> all;  ///< for each kind of output in order of time
+  std::string time, position;    ///< units of time and position
+  Report report;                 ///< broken if a point does not fire, or if the device is too slow
+  Labels labels;                 ///< names and units for the report
 };
 
-/// The edges of [compare], or of a cam's [[switch]] while its [master] runs: exact times. Of a path without
-/// [compare]: where its lines begin, and the words of a G-code program that move nothing. `axes` are the inputs of
-/// one spec (inputs_of). Throws InputError for a table, and for a spec with neither.
+/// Returns the edges of [compare], or those of a cam's [[switch]] while its [master] moves, at
+/// exact times. For a path without [compare], it returns the starts of its lines, and the words of
+/// a G-code program that do not move axes. `axes` are all inputs of one spec (inputs_of()). Throws
+/// InputError for a table, and for a spec without any of these.
 OutputEvents output_events(const std::vector<Input>& axes);
 
-/// A line for each edge, and the same as JSON.
+/// The edges as CSV, one line for each, and as JSON.
 std::string to_csv(const OutputEvents& events);
 std::string to_json(const OutputEvents& events);
 

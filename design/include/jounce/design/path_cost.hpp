@@ -13,42 +13,43 @@ namespace jounce {
 
 /// Cause of a local minimum of the speed along a path.
 enum class LossCause : std::uint8_t {
-  start,
-  end,
-  stop,    ///< a rest at a corner
+  start,   ///< start of the path
+  end,     ///< end of the path
+  stop,    ///< a stop at a corner
   corner,  ///< a rounded corner
-  curve,   ///< an arc or another curve, by its curvature
-  limit,   ///< a slower command, or a direction in which an axis is slow
-  dwell,
+  curve,   ///< the curvature of an arc or another curve
+  limit,   ///< a command with a lower feed, or a direction in which an axis is slow
+  dwell,   ///< a dwell
 };
-constexpr std::size_t loss_causes = 7;
-const char* name(LossCause cause);
+constexpr std::size_t loss_causes = 7;  ///< number of causes
+const char* name(LossCause cause);      ///< the cause as a word
 
-/// Time that a plan loses at one place against full speed.
+/// A place where a plan is slower than full speed, and the time that it loses there. u is the unit
+/// of length of the program, q the position on the path.
 struct SpeedLoss {
   LossCause cause = LossCause::start;
-  std::int32_t line = 0;                   ///< line of the source
+  std::int32_t line = 0;                   ///< source line
   double where = 0;                        ///< q of the least speed
-  double time = 0;                         ///< s, when
-  double velocity = 0;                     ///< the least speed
-  double loss = 0;                         ///< s
-  std::optional<std::size_t> corner = {};  ///< index into the corners
+  double time = 0;                         ///< s, time of the least speed
+  double velocity = 0;                     ///< u/s, least speed
+  double loss = 0;                         ///< s, lost time
+  std::optional<std::size_t> corner = {};  ///< index of the corner in Plan::corners()
 };
 
-/// Duration of a plan as a sum: duration = at_full_speed + the losses.
+/// The duration of a plan as a sum: at_full_speed + the losses.
 ///
-/// **Full speed** of a piece is the least of its feed, the path's limit of velocity, and the speed at which one of its
-/// axes reaches its limit of velocity. **A loss** belongs to a local minimum of the speed: it counts from the
-/// fastest place before it to the fastest place behind it.
+/// **Full speed** of a piece is the least of its feed, the path's limit of velocity, and the speed
+/// at which one of its axes reaches its limit of velocity. **A loss** belongs to a local minimum of
+/// the speed; it extends from the local maximum of the speed before it to the one after it.
 struct PathCost {
-  double at_full_speed = 0;       ///< s
-  std::vector<SpeedLoss> losses;  ///< along the path
+  double at_full_speed = 0;       ///< s, duration at full speed
+  std::vector<SpeedLoss> losses;  ///< in the order of the path
 
   /// Sum of the losses with this cause, s.
   [[nodiscard]] double of(LossCause cause) const;
 };
 
-/// `corners`: those of the plan.
+/// Computes the sum. `corners`: plan.corners().
 PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corners);
 
 }  // namespace jounce

@@ -16,51 +16,54 @@ namespace jounce {
 /// Place of a word of a G-code program that does not move the axes.
 struct EventPlace {
   GcodeEvent event;
-  double where = 0;  ///< q
-  double time = 0;   ///< when the axes get there and, after a dwell, when it ends
-  Point position{};
+  double where = 0;  ///< q of the place
+  double time = 0;   ///< s, time at which the axes reach the place and preceding dwells have ended
+  Point position{};  ///< position of the axes
 };
 
-/// Statements of a check about a planned path as a whole.
+/// Results of a check for a planned path as a whole. Durations are in the spec's unit of time,
+/// lengths in its unit of length.
 struct PathSummary {
   double duration = 0;                ///< without the override
-  std::optional<double> played = {};  ///< duration under [[override]], if the spec has it
+  std::optional<double> played = {};  ///< duration with [[override]], if the spec has it
   double stop_duration = 0;           ///< duration with a stop at each corner
-  double lower_bound = 0;             ///< proven; the jerk is not limited there
-  double length = 0;                  ///< length of the path, with its corners
-  PathCost cost;
-  std::vector<CornerRecord> corners;
-  std::vector<EventPlace> events;
-  Report along;                    ///< path_report()
-  std::optional<MapFit> fit = {};  ///< joints: how far their motion is from the kinematics
+  double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
+  double length = 0;       ///< length of the path, corners included
+  PathCost cost;           ///< time lost against full speed
+  std::vector<CornerRecord> corners;  ///< one for each joint of the plan with a corner or a note
+  std::vector<EventPlace> events;     ///< places of the words of a G-code program
+  Report along;                       ///< result of path_report()
+  std::optional<MapFit> fit = {};     ///< for joints: distance of their motion from the kinematics
 };
 
-/// The motion along the path, under the override of the spec, within [path.limits] and the limits of the commands:
-/// check_along().
+/// Checks the motion along the path, with the override of the spec, against [path.limits] and the
+/// limits of the commands; see check_along().
 Report path_report(const Spec& spec, const Plan& played);
 
-/// The places of events, which are in the order of the program: where the first command in or behind the line of an
-/// event begins, and when, after the dwells before that line.
+/// The places of events, which are in the order of the program. The place of an event is the start
+/// of the first command in or after its line. Its time includes the dwells before this line.
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
-/// The same of each line of the program with a command: where the axes begin to follow it.
+/// The same for each line of the program with a command: the place where the axes begin the
+/// command.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
-/// `spec` is of kind "path", and `plan` was made of it. Under an override the events are those of `plan`; all other
-/// numbers are those of the plan without it.
+/// The results for a plan of a spec of kind "path". All numbers, and the places of events, are
+/// those of `plan`, without the override.
 PathSummary summary_of(const Spec& spec, const Plan& plan);
 
-/// The summary for people: times, costs, and the ten places that cost most.
+/// The results as text: durations, lost time, and the ten places that lose most.
 std::string path_text(const Spec& spec, const PathSummary& summary);
 
-/// The same in full: {"duration": ..., "corners": [...], ...}.
+/// All results as JSON: {"duration": ..., "corners": [...], ...}.
 std::string path_json(const Spec& spec, const PathSummary& summary);
 
-/// Durations and lengths of two plans, and their differences: a line for people.
+/// One line with the durations and lengths of two plans, and their differences.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
 
-/// Duration of lines that overlap, and overlap and deviation at each corner: for people, and as JSON.
+/// The result of overlapping lines as text and as JSON: the duration, and overlap and deviation of
+/// each corner.
 std::string overlap_text(const Spec& spec, const Overlapped& motion);
 std::string overlap_json(const Spec& spec, const Overlapped& motion);
 

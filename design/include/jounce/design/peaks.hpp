@@ -11,18 +11,18 @@ namespace jounce {
 
 /// The peak of a derivative of an axis in two versions of a spec.
 struct PeakChange {
-  std::string name;  ///< "geo_jerk"; of several axes "x jerk"
+  std::string name;  ///< "geo_jerk"; with several axes "x jerk"
   std::string unit;
-  std::optional<double> given;  ///< none: the given spec makes no curve
-  double optimized = 0;
-  std::optional<double> limit;
+  std::optional<double> given;  ///< peak in the given spec; nullopt if that spec makes no curve
+  double optimized = 0;         ///< peak in the optimized spec
+  std::optional<double> limit;  ///< limit, if the spec has one
 };
 
-/// The peaks of every derivative of every axis of the optimized spec: the cost of an optimum.
-/// Without them, a lower peak acceleration hides a jerk that has no limit.
+/// The peaks of all derivatives of all axes of an optimized spec. They show the cost of an optimum:
+/// without them, a lower peak acceleration may hide a higher jerk that has no limit.
 std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
 
-/// A table for people, and the same as a JSON list with null for a missing number.
+/// The peaks as a text table, and as a JSON list with null for a missing number.
 std::string peaks_text(const std::vector<PeakChange>& peaks);
 std::string peaks_json(const std::vector<PeakChange>& peaks);
 

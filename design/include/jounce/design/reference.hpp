@@ -9,22 +9,23 @@
 
 namespace jounce {
 
-/// The slave's motion over time in seconds: the trajectory itself, or a cam behind its master.
+/// The slave's motion over time in seconds: a trajectory, or a cam behind its master.
 using Reference = std::variant<Trajectory, Followed>;
 
-/// The exact curve.
+/// The exact motion of an input.
 Reference exact_reference(const Input& input);
 
-/// The interpolated table, as in the executor.
+/// The motion of the interpolated table, as the executor plays it.
 Reference table_reference(const Input& input);
 
-/// The master that a cam follows, over seconds. Throws InputError if its motion is not given.
+/// The motion of the master of a cam over seconds. Throws InputError if it is not given.
 Trajectory master_of(const Input& input);
 
-/// The slave's exact motion over the spec's unit of time: the trajectory itself; for a cam the
-/// curve behind its master, exact or within 1e-9 of the stroke (cf. composed_within).
+/// The slave's exact motion over the spec's unit of time: the trajectory, or the curve of a cam
+/// behind its master. Exact, or within 1e-9 of the stroke (see composed_within()).
 Trajectory motion_over_time(const Input& input);
 
+/// A view, the duration (s), and the motion at t (s) of a reference.
 SignalView view(const Reference& reference);
 double duration(const Reference& reference);
 Motion at(const Reference& reference, double t);

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// The cam of such a spec. Throws InputError with the document's keys.
+/// Makes the cam of a synchronous slave. Throws InputError with the keys of the document.
 SyncCam sync_cam_of(const SyncSpec& spec);
 
 }  // namespace jounce

@@ -9,24 +9,25 @@
 
 namespace jounce {
 
-/// Findings of a synchronous slave besides its limits: those of its generator, with their units.
-/// Empty for all other kinds of spec.
+/// The findings of the generator of a synchronous slave, with their units; they do not depend on
+/// its limits. Empty for all other kinds of spec.
 Report check_sync(const Spec& spec);
 
-/// A number of such a spec for a report: its name, its value with the unit, and its meaning.
+/// A figure of a synchronous slave for a report.
 struct SyncFigure {
-  std::string name;  ///< "longest cut"
-  double value = 0;
-  std::string unit;
-  std::string meaning;  ///< "without a stop"; may be empty
+  std::string name;     ///< name, such as "longest cut"
+  double value = 0;     ///< in `unit`
+  std::string unit;     ///< unit of the value
+  std::string meaning;  ///< explanation, such as "without a stop"; may be empty
 };
+/// The figures of a synchronous slave.
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
-/// True if the slave's cam follows from one speed of the master (a shear's does): for another speed
-/// another cam would do.
+/// True if the slave's cam is made for one speed of the master, as for a shear. Another speed needs
+/// another cam.
 bool is_made_for_a_speed(const Spec& spec);
 
-/// True if the slave of this spec stays in gear beyond its table, behind a live master.
+/// True if the slave stays in gear beyond the end of its table, behind a live master.
 bool stays_in_gear(const Spec& spec);
 
 }  // namespace jounce

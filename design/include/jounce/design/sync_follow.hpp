@@ -5,9 +5,10 @@
 
 namespace jounce {
 
-/// Findings of a spec of kind "follow" besides its limits: those of its tables or of its plan
-/// ("follow/..."), and when it begins, if it waits for its [master] to pass a place. That master
-/// starts from rest at 0. Empty for other kinds.
+/// The findings of the tables or the plan of a spec of kind "follow" ("follow/..."); they do not
+/// depend on its limits. If the slave waits for its [master] to pass a position, there is a finding
+/// with the time at which it begins. This master starts from rest at 0. Empty for all other kinds
+/// of spec.
 Report check_follow(const Spec& spec);
 
 }  // namespace jounce

@@ -10,13 +10,13 @@
 
 namespace jounce {
 
-/// An input as a version for compare(), with the segments of its spec as knots; `path` names it, as
-/// two versions of one cam have one name.
+/// An input as a version for compare(), with the segments of its spec as knots. `path` names it,
+/// because two versions of a cam often have the same name.
 Version version_of(const Input& input, const std::string& path);
 
-/// The axes of two files, in pairs: the only axis of each, or axes of the same name. Throws
-/// InputError (key "axis") if an axis has no partner; `before_path` and `after_path` name the
-/// files.
+/// Pairs the axes of two files: the only axis of each, or axes of the same name. Throws InputError
+/// (key "axis") if an axis has no partner; `before_path` and `after_path` name the files in
+/// messages.
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,

@@ -13,8 +13,8 @@
 
 namespace jounce {
 
-/// Fastest line for each cut length, and its binding limit: of a rotary knife, a flying
-/// shear, or any cam that can be made for a length.
+/// The fastest line for each cut length, and the limit that determines it: for a rotary knife, a
+/// flying shear, or any cam that can be made for a length.
 ///
 ///     const CamOfLength cams = [](double length) -> std::optional<Cam> { ... };
 ///     const CutLimits limits{{.velocity = 40, .acceleration = 400}, 20};   // slave; line, m/s
@@ -22,56 +22,61 @@ namespace jounce {
 ///     map[3].speed, map[3].limit;                                          // 17.2, "acceleration"
 ///     const auto shortest = shortest_length(cams, limits, 20, 1, 9.42);    // at 20 m/s
 ///
-/// **Exact.** A speed is that of greatest_master_velocity (jounce/cam/coupling/master_limits.hpp): nothing is
-/// sampled over the cam. Lengths are found by roots, to 1e-13 of themselves, and not from the grid.
+/// **Exact.** The speed is that of greatest_master_velocity()
+/// (jounce/cam/coupling/master_limits.hpp), which does not sample the cam. Lengths are roots, found
+/// to 1e-13 of the length, independent of the given grid.
 ///
-/// m: unit of the web; u: of the slave; s: of time.
+/// Units: m for the web (the material), u for the slave, s for time.
 
-/// Returns the cam of one cut of that length, over one length of the web; nullopt if it is
+/// Makes the cam of one cut of the given length, over this length of the web; nullopt if it is
 /// impossible.
 using CamOfLength = std::function<std::optional<Cam>(double length)>;
 
+/// Limits of a cut.
 struct CutLimits {
-  Limits slave = {};  ///< velocity, acceleration, jerk over time
-  double line_speed = std::numeric_limits<double>::infinity();  ///< m/s that the line itself does
+  Limits slave = {};  ///< u/s, u/s^2, u/s^3: limits of the slave over time
+  /// m/s, greatest speed of the line itself; default: no limit.
+  double line_speed = std::numeric_limits<double>::infinity();
 };
 
-/// The greatest line speed at one length.
+/// The greatest line speed for one length.
 struct CutSpeed {
   double length = 0;  ///< m
-  double speed = 0;   ///< m/s; 0 without a cam, infinite without a limit
-  /// "velocity", "acceleration", "jerk" of the slave; "line"; "length" without a cam; "" without a
-  /// limit. Some kinds add their own rules: "reversal", "stroke".
+  double speed = 0;   ///< m/s; 0 if no cam exists, infinite if nothing limits it
+  /// The limit that determines the speed: "velocity", "acceleration" or "jerk" of the slave;
+  /// "line"; "length" if no cam exists; "" if nothing limits it. Some machines have their own
+  /// rules: "reversal", "stroke".
   std::string limit = {};
-  double where = 0;  ///< m: the place of the cam at which it is met
+  double where = 0;  ///< m, position on the cam where the limit is reached
 };
+/// The greatest line speed for a length.
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
-/// The same without a cam, for a shear that is designed for every speed.
+/// Computes the speed without a cam, for a shear that is designed anew for every speed.
 using CutSpeedOfLength = std::function<CutSpeed(double length)>;
 
-/// The same for every length, in their order.
+/// fastest_cut() for every length, in their order.
 std::vector<CutSpeed> cut_length_map(const CutSpeedOfLength& fastest,
                                      std::span<const double> lengths);
 std::vector<CutSpeed> cut_length_map(const CamOfLength& cams, std::span<const double> lengths,
                                      const CutLimits& limits);
 
-/// A length at which another limit takes over.
+/// A length at which another limit begins to determine the speed.
 struct LimitChange {
-  double length = 0;
-  std::string before = {};
-  std::string after = {};
+  double length = 0;        ///< m
+  std::string before = {};  ///< limit of shorter lengths
+  std::string after = {};   ///< limit of longer lengths
 };
-/// Between the map's neighbors whose limits differ; a limit that comes and goes between two of them
-/// is not seen.
+/// Returns the changes between successive entries of a map whose limits differ. A limit that
+/// determines the speed only between two entries is not found.
 std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
                                        std::span<const CutSpeed> map);
 std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
                                        const CutLimits& limits);
 
-/// Lmin: the shortest length in [from, to] that can be cut at `speed`, if every longer one in the
-/// interval can be cut, too (for a knife: to = its synchronous length). nullopt if not even `to`
-/// can.
+/// Lmin: the shortest length in [from, to] that can be cut at `speed` (m/s), provided that all
+/// longer lengths in the interval can be cut, too (for a knife: to = its synchronous length).
+/// nullopt if `to` cannot be cut.
 std::optional<double> shortest_length(const CamOfLength& cams, const CutLimits& limits,
                                       double speed, double from, double to);
 

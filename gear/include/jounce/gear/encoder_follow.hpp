@@ -8,57 +8,61 @@
 
 namespace jounce {
 
-/// A virtual axis that follows an encoder, such as a handwheel (PMC600 LS_Encoder_SetAxisMove, manual 5.2.4).
+/// A virtual axis that follows an encoder, such as a handwheel (PMC600 manual 5.2.4:
+/// LS_Encoder_SetAxisMove). Its parameters and error numbers are those of the manual.
 struct EncoderFollowSpec {
   std::int64_t numerator = 1;    ///< Ratio_Num, 1 to 10000
-  std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; error 5000 if it is 0
-  int filter = 2;                ///< FilterPara, 1 to 100 cycles, larger is smoother; error 5002
+  std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; 0 is error 5000
+  /// FilterPara, 1 to 100 cycles, a larger value is smoother; out of range is error 5002.
+  int filter = 2;
 };
 
-/// An encoder that is followed, cycle by cycle, in exact counts.
+/// Follows an encoder cycle by cycle, in exact counts.
 ///
 ///     const EncoderFollow follow({.numerator = 3, .denominator = 2, .filter = 8});
 ///     EncoderFollow::State state;
-///     slave += follow.step(state, encoder_increment);      // deltaPulseUnit
-///     follow.add(state, 500, 100);                         // PosAdditive: 500 pulses in 100 cycles
+///     slave += follow.step(state, encoder_increment);      // returns deltaPulseUnit
+///     follow.add(state, 500, 100);                        // PosAdditive: 500 pulses in 100 cycles
 ///
-/// The filter is the moving average over `filter` cycles: it is the smoothest filter with its
-/// delay, (filter - 1) / 2 cycles, and unlike a first order lag it ends. Its sum is kept in whole
-/// counts and divided once, so no count is lost: `filter` - 1 cycles after the encoder has stopped,
-/// the slave has moved exactly by floor(encoder * ratio) and the pulses of add(). The manual does
-/// not define the filter. The caller reports the third error, 5001 (another function block has the
-/// axis).
+/// The filter is the moving average over `filter` cycles, with a delay of (filter - 1) / 2 cycles.
+/// The manual does not define the filter; this one is the smoothest with its delay, and it ends,
+/// unlike a first-order lag. The sum of the window is kept in whole counts and divided once, so no
+/// count is lost: `filter` - 1 cycles after the encoder has stopped, the slave has moved by exactly
+/// floor(encoder * ratio), plus the pulses of add(). The caller reports error 5001 (another
+/// function block controls the axis).
 ///
-/// Pure: `State` is a value; step() and add() do not allocate.
+/// `State` is a value; step() and add() do not allocate.
 class EncoderFollow {
  public:
-  static constexpr int max_filter = 100;
+  static constexpr int max_filter = 100;  ///< greatest filter, cycles
 
-  /// Throws InputError for a value out of range, with the PMC600's number.
+  /// Throws InputError for a value out of range; the error has the number of the PMC600.
   explicit EncoderFollow(const EncoderFollowSpec& spec);
 
+  /// State from cycle to cycle.
   struct State {
     std::array<std::int64_t, max_filter> window{};  ///< the last `filter` increments
-    int next = 0;
-    std::int64_t sum = 0;  ///< sum of the window
-    Gear::State gear{};
-    std::int64_t additive = 0;  ///< pulses still to be added ...
-    std::int64_t cycles = 0;    ///< ... in so many cycles
-    std::int64_t pulses = 0;    ///< pulses of the last add() ...
-    std::int64_t over = 1;      ///< ... in so many cycles
-    std::int64_t part = 0;      ///< part of a pulse, in 1/over
+    int next = 0;                                   ///< index of the oldest increment
+    std::int64_t sum = 0;                           ///< sum of the window
+    Gear::State gear{};                             ///< remainder of the gear
+    std::int64_t additive = 0;                      ///< pulses of add() that remain, ...
+    std::int64_t cycles = 0;                        ///< ... to be added in this number of cycles
+    std::int64_t pulses = 0;                        ///< pulses of the last add() ...
+    std::int64_t over = 1;  ///< ... which are spread over this number of cycles
+    std::int64_t part = 0;  ///< remainder of a pulse, in 1/over
   };
 
-  /// Slave pulses in this cycle.
+  /// Returns the pulses of the slave in this cycle, for the increment of the encoder (counts).
   std::int64_t step(State& state, std::int64_t encoder_increment) const;
 
-  /// PosAdditive_Trig: pulses (not times the ratio) spread evenly over the next `cycles` >= 1 cycles:
-  /// floor(k pulses / cycles) after k of them, never a pulse from the line, all after the last. The rest
-  /// of an earlier addition is spread with them. Throws InputError "cycles".
+  /// PosAdditive_Trig: adds pulses to the slave, independent of the ratio, spread evenly over the
+  /// next `cycles` >= 1 cycles. After k of these cycles, floor(k pulses / cycles) pulses have been
+  /// added: always less than one pulse from a straight line. The rest of an earlier add() is spread
+  /// together with them. Throws InputError "cycles".
   static void add(State& state, std::int64_t pulses, std::int64_t cycles);
 
  private:
-  Gear gear_;  // gear of the window's sum: ratio / filter
+  Gear gear_;  // applied to the sum of the window: ratio / filter
   int filter_;
 };
 

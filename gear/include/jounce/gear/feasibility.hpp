@@ -7,26 +7,26 @@
 
 namespace jounce {
 
-/// Motion of the master of a gear: at up to `velocity` (m/s, > 0, either way), while its acceleration
-/// and jerk stay within `rates`.
+/// Motion of the master of a gear: velocities up to `velocity` (m/s, > 0, in either direction),
+/// with acceleration and jerk up to `rates`. m is the master's unit.
 struct MasterRange {
-  double velocity = 0;
-  MasterRates rates = {};
+  double velocity = 0;     ///< m/s
+  MasterRates rates = {};  ///< m/s^2, m/s^3
 };
 
-/// True if a slave in step with its master keeps its limits over time, at every speed of the master
-/// up to the greatest one.
+/// Checks whether a slave in step with its master keeps its limits over time, at every speed of the
+/// master in the range.
 ///
 ///     const SyncCam slave = gear_course(course);
 ///     Report report = feasibility(slave.cam, {.velocity = 50, .acceleration = 0.1}, {.velocity = 100});
 ///     for (const Finding& f : report.findings)
-///       if (f.broken) ...       // f.quantity "acceleration", f.where 0 m, f.advice "at most 44.7 m/s"
+///       if (f.broken) ...   // f.quantity "acceleration", f.where 0 m, f.advice "at most 44.7 m/s"
 ///
-/// One finding "feasible/velocity", "feasible/acceleration", "feasible/jerk" for each given limit:
-/// `value` is the master's greatest velocity, `limit` the greatest one that keeps this limit alone,
-/// `where` the master position at which it binds. Exact (jounce/cam/coupling/master_limits.hpp).
-/// Each term grows with the speed of the master, so only the greatest speed counts. Throws
-/// InputError for limits or a range that are out of range.
+/// There is one finding for each given limit: "feasible/velocity", "feasible/acceleration",
+/// "feasible/jerk". `value` is the master's greatest velocity, `limit` the greatest velocity that
+/// keeps this limit, `where` the master position at which the limit is reached. Exact
+/// (jounce/cam/coupling/master_limits.hpp). All terms grow with the master's speed, so the greatest
+/// speed decides. Throws InputError if a limit or the range is out of range.
 Report feasibility(const Cam& cam, const Limits& slave, const MasterRange& master);
 
 }  // namespace jounce

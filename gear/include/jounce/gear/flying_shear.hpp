@@ -11,91 +11,97 @@
 
 namespace jounce {
 
-/// A flying shear: a carriage that runs up to moving material, goes along with it while it is cut (or
-/// sealed, printed, filled), brakes, and returns for the next piece.
+/// A flying shear: a carriage that accelerates to the speed of moving material, moves with it while
+/// it cuts (or seals, prints, fills), brakes, and returns for the next piece.
 ///
 ///     FlyingShear shear{.cut_length = 1000, .line_speed = 1000, .sync_time = 0.15};     // mm, s
 ///     shear.limits = {.velocity = 2000, .acceleration = 10000};
 ///     SyncCam cam = flying_shear(shear);         // periodic over 1000 mm of the line
-///     ShearPlan plan = shear_plan(shear);        // 187.5 + 150 + 187.5 + 475; stroke 337.5
+///     ShearPlan plan = shear_plan(shear);        // lengths 187.5, 150, 187.5, 475; stroke 337.5
 ///     ShearBound least = least_cut_length(shear);        // 966.4 mm, "return acceleration"
 ///     ShearBound fastest = greatest_line_speed(shear);   // at this length
 ///
-/// **Vocabulary.** The master m is the material's travel, the slave u the carriage's along its guide.
-/// The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, *wait* (at home, where
-/// `return_length` leaves any). It begins at home at rest, u = 0, and ends there exactly.
+/// **Vocabulary.** The master m is the travel of the material, the slave u that of the carriage
+/// along its guide. The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, and
+/// *wait* at home if the return ends early. It begins at home (u = 0) at rest, and ends there
+/// exactly. The letters m and u also stand for their units.
 ///
-/// **Omitted values are computed.** The run-up and the braking are as short as the limits allow,
-/// times `safety`; the return takes the rest. The default sync is the longest that the stroke and
-/// the return allow.
+/// **Omitted values are computed.** Accelerating and braking are as short as the limits permit,
+/// times `safety`. The return takes the rest of the cycle. The default sync is the longest that the
+/// stroke and the return permit.
 ///
-/// **Throws** InputError for invalid numbers, and if no such motion is within the limits: it names
-/// the binding limit and the least cut length, or the fastest line, that works.
+/// **Throws** InputError for invalid numbers, and if no such motion is within the limits. The error
+/// then names the limit, and the least cut length or the fastest line that is possible.
 struct FlyingShear {
-  double cut_length = 0;  ///< m > 0: one cycle of the master
-  double line_speed = 0;  ///< m/s > 0: at which the limits are to hold
+  double cut_length = 0;  ///< m, > 0: one cycle of the master
+  double line_speed = 0;  ///< m/s, > 0: line speed at which the limits must hold
 
-  /// Time or distance for which carriage and material are in step. Give one of them, or neither:
-  /// then it follows from the stroke.
-  std::optional<double> sync_time = {};    ///< s > 0
-  std::optional<double> sync_length = {};  ///< m > 0
-  std::optional<double> stroke = {};       ///< u > 0: greatest distance from home
+  /// Time or distance for which carriage and material are in step. Give at most one; if both are
+  /// omitted, the sync follows from the stroke.
+  std::optional<double> sync_time = {};    ///< s, > 0
+  std::optional<double> sync_length = {};  ///< m, > 0
+  std::optional<double> stroke = {};       ///< u, > 0: greatest distance from home
 
-  /// m of the line while the carriage runs up, brakes, and returns.
+  /// Travel of the line (m) while the carriage accelerates, brakes, and returns. Omitted: computed.
   std::optional<double> acceleration_length = {};
   std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
 
-  /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set `stroke`.
+  /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set
+  /// `stroke`.
   Limits limits = {};
-  double safety = 1;  ///< >= 1: factor of a run-up that is computed from the limits
+  double safety = 1;  ///< >= 1: factor of ramp lengths that are computed from the limits
 
-  /// The speed of the ramps follows this law from 0 to 1: line (constant acceleration),
-  /// simple_sine, poly345, poly4567, ... any symmetric one.
+  /// Law of the carriage's speed in both ramps, from 0 to 1: line (constant acceleration),
+  /// simple_sine, poly345, poly4567, ...; any symmetric law.
   Law ramp = Law::poly345;
-  Law return_law = Law::poly345;  ///< any from rest to rest
-  /// Example: scca with straight = 0.5 and shares 0, 1, 0 is the 1/4-1/2-1/4 trapezoid.
+  Law return_law = Law::poly345;  ///< law of the return: any law from rest to rest
+  /// Shape of the return law. Example: scca with straight = 0.5 and shares 0, 1, 0 is the
+  /// 1/4-1/2-1/4 trapezoid.
   LawForm return_form = {};
 
-  double ratio = 1;  ///< u/m > 0: of the line's travel, e.g. 1000 for m to mm
-  double angle = 0;  ///< rad, |angle| < pi/2: between guide and line; not 0: a diagonal saw
+  double ratio = 1;  ///< u/m, > 0: unit factor of the line's travel, such as 1000 for m to mm
+  /// rad, |angle| < pi/2: angle between guide and line; not 0 for a diagonal saw.
+  double angle = 0;
 };
 
-/// The intervals of the cycle, in m; they sum to cut_length exactly (to the bit).
+/// The intervals of the cycle, in m; their sum is exactly cut_length.
 struct ShearPlan {
   double accelerate = 0;
   double sync = 0;
   double decelerate = 0;
-  double back = 0;
+  double back = 0;  ///< the return
   double wait = 0;
-  double ratio = 1;   ///< k in u/m: of the carriage along its guide while in step
-  double stroke = 0;  ///< u
+  double ratio = 1;   ///< k, u/m: ratio of the carriage along its guide in the sync zone
+  double stroke = 0;  ///< u, greatest distance from home
 };
 
-/// Greatest value of a quantity, and the binding limit: "sync velocity", "ramp acceleration", "ramp
-/// jerk", "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
-/// length"; "" if nothing.
+/// A bound, and the limit that determines it: "sync velocity", "ramp acceleration", "ramp jerk",
+/// "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
+/// length"; "" if none.
 struct ShearBound {
-  double value = 0;
-  std::string quantity = {};
+  double value = 0;           ///< m or m/s
+  std::string quantity = {};  ///< the limit
 };
 
+/// The intervals of the cycle. Throws as described above.
 ShearPlan shear_plan(const FlyingShear& shear);
+/// The cam of one cycle. Throws as described above.
 SyncCam flying_shear(const FlyingShear& shear);
 
-/// The shear for another cut length, made for the fastest line that this length allows, at most
-/// `line_speed`. nullopt if no speed works. Throws InputError if the sync follows from the stroke:
-/// at the fastest line it would shrink to zero.
+/// The cam for another cut length, at the fastest line speed that this length permits, but at most
+/// `line_speed`. nullopt if no speed is possible. Throws InputError if the sync follows from the
+/// stroke, because the sync would shrink to zero at the fastest line.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 
-/// The shortest piece that can be cut at `line_speed`; cut_length is ignored. Infinite if no length
-/// works. If the sync follows from the stroke, only longer pieces can be cut: at the bound the sync
-/// is zero. Exact: closed form.
+/// The least cut length (m) that is possible at `line_speed`; shear.cut_length is not used.
+/// Infinite if none is possible. If the sync follows from the stroke, the sync is zero at the
+/// bound, so only longer pieces can be cut. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
-/// The fastest line for which `cut_length` is possible, independent of `line_speed`. Infinite
-/// without a limit; 0 if no speed works. Bisected to the last digit: every requirement grows with
-/// the speed.
+/// The greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed is not used.
+/// Infinite if nothing limits it; 0 if no speed is possible. Bisected to the last digit, because
+/// every requirement grows with the speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

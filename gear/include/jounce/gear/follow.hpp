@@ -11,78 +11,83 @@
 
 namespace jounce {
 
-/// Nominal end of a follow table, as a check sum of increments typed by hand.
+/// Nominal end of a follow table. It is a check sum for increments that were typed by hand. u is
+/// the slave's unit, m the master's.
 struct FollowEnd {
-  double master = 0;
-  double slave = 0;
+  double master = 0;  ///< m
+  double slave = 0;   ///< u
 };
 
-/// A follow table: PT over master travel. The slave's ratio (its speed over its master's) is linear
-/// within a segment, so its position is quadratic; the rules of the types are those of PtType.
+/// A follow table: a PT table over the master's travel. Within a segment, the slave's ratio (its
+/// speed divided by the master's) is linear, so its position is quadratic. The types of segments
+/// are those of PtType.
 struct FollowTable {
-  /// Cumulative from the table's origin: x is the master's travel.
+  /// Ends of the segments, cumulative from the table's origin: x is the master's travel (m), the
+  /// position is the slave's (u).
   std::vector<PtPoint> segments = {};
-  std::int64_t loops = 1;  ///< passes; below 1: endless
-  std::optional<FollowEnd> end = {};
+  std::int64_t loops = 1;             ///< number of passes; below 1: endless
+  std::optional<FollowEnd> end = {};  ///< nominal end, checked by check()
 };
 
-/// Follow tables one after another, as a controller plays them by switching between its FIFOs.
+/// Follow tables that are played one after another, as a controller does by switching between its
+/// FIFOs.
 ///
 ///     const FollowTable shear{{{1000, 1000, PtType::continued}, {4000, 3400}, {6000, 4600},
-///                              {9000, 7000}, {10000, 8000}}, 0};        // manual, example 7-6
-///     const FollowSpec spec{{{{{5000, 2500}}}, shear}};                 // catch up, then endless
+///                              {9000, 7000}, {10000, 8000}}, 0};        // Googol example 7-6
+///     const FollowSpec spec{{{{{5000, 2500}}}, shear}};                // synchronize, then repeat
 ///     const SyncCam slave = follow(spec);
 ///     const Report report = check(spec);
 ///
 /// **Vocabulary.** A *pass* is one run through a table. Its *origin* is the position of master and
-/// slave when it begins: at the start, at the end of the pass before, at the switch of tables. So
-/// the slave's position is continuous by construction, and every table is relative.
+/// slave when the pass begins: at the start, at the end of the previous pass, or at the switch to
+/// another table. So the slave's position is always continuous, and every table is relative.
 ///
-/// **The ratio from pass to pass.** A `continued` first segment begins with the end ratio of the
-/// pass before, of another table or of the same one; a `normal` first one begins at 0 in every
-/// pass, so its ratio steps if the pass before ended at another ratio. The very first continued
-/// segment begins with `start_ratio`.
+/// **The ratio at the beginning of a pass.** If the first segment is `continued`, it begins with
+/// the end ratio of the previous pass, of the same or of another table. The first pass of all
+/// begins with `start_ratio`. If the first segment is `normal`, the ratio begins at 0, so it steps
+/// if the previous pass ended at another ratio.
 ///
-/// **Over the end.** An endless table repeats, and continues from its end (the cam advances; it
-/// wraps if the slave comes back). If its first pass differs from the later ones, or other tables
-/// precede it, the cam has all passes that differ and one more, and rejects queries beyond. A table
-/// that ends at a ratio is a finding: a controller holds the slave there, which stops it at once;
-/// an axis of Jounce brakes. Backwards the slave retraces its path as a function of its master's
-/// position.
+/// **Over the end.** An endless table repeats and continues from its end (the cam advances; it
+/// wraps if the slave returns to its start). If the first pass differs from later passes, or if
+/// other tables precede the endless one, the cam contains all passes that differ and one more, and
+/// refuses positions beyond. It is a finding if a table ends at a ratio: a controller stops the
+/// slave there at once, while an axis of Jounce brakes. If the master moves backwards, the slave
+/// moves back along its path.
 ///
-/// Throws InputError like pt(), with the table's number before the key if there are several; also
-/// for no table, an endless table before another one, more than 1e6 segments in all passes. Source:
-/// Googol iDEABOX Pro manual 7.6.
+/// Throws InputError like pt(); if there are several tables, the key begins with the table's
+/// number. Also throws if there is no table, if an endless table is not the last, or if all passes
+/// together have more than 1e6 segments. Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
-  std::vector<FollowTable> tables = {};
-  double start_ratio = 0;  ///< start ratio of the slave to its master before: u/m
+  std::vector<FollowTable> tables = {};  ///< in the order in which they are played
+  double start_ratio = 0;                ///< u/m, ratio of the slave before the first table
 };
 
-/// The cam from the first table's origin (0, 0); zones are intervals of constant ratio.
+/// The cam, which begins at the origin of the first table, (0, 0). Its zones are the intervals of
+/// constant ratio.
 SyncCam follow(const FollowSpec& spec);
 
-/// Start and end ratio of each segment of the cam that follow() makes.
+/// The ratio at the start and at the end of each segment of the cam of follow().
 std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
-/// Errors that a controller plays without a message. Each rule reports its worst place, with the
-/// number of places; steps count above 1e-9 of the greatest ratio:
-///
-///     follow/ratio_step   the ratio steps within a table: an even or stop segment, or at the start
-///     follow/wrap_step    from the end of a pass to the start of the next
-///     follow/switch_step  from one table to the next: its first segment is not continued
-///     follow/open_end     the last table ends at a ratio: a controller stops the slave at once
-///     follow/reversal     the slave runs against its own segment; travel that no neighbor has is
-///                         named, for it may be a misprint. The first place of a chain is reported: what
-///                         follows in it is its consequence
-///     follow/wrap_ratio   in an endless table, the ratio differs from pass to pass: broken if it grows, a
-///                         warning if it alternates
-///     follow/end          the table does not end at its nominal end
-///
-/// `segment` is that of the cam. Throws like follow().
+/// Finds errors that a controller plays without a message. Each rule reports its worst place and
+/// the number of places. A step of the ratio counts above 1e-9 of the greatest ratio. `segment` is
+/// that of the cam. Throws like follow().
+/// - follow/ratio_step: the ratio steps within a table, at an even or a stop segment, or at the
+///   start.
+/// - follow/wrap_step: the ratio steps from the end of a pass to the start of the next.
+/// - follow/switch_step: the ratio steps from one table to the next, whose first segment is not
+///   continued.
+/// - follow/open_end: the last table ends at a ratio; a controller then stops the slave at once.
+/// - follow/reversal: the slave moves against its own segment. A travel that no neighbor has is
+///   named, because it may be a misprint. Of a chain of reversals, the first is reported: it causes
+///   the others.
+/// - follow/wrap_ratio: the ratio of an endless table differs from pass to pass. Broken if it
+///   grows, a warning if it alternates.
+/// - follow/end: the table does not end at its nominal end.
 Report check(const FollowSpec& spec);
 
-/// The master position after which the slave repeats its motion; nullopt if the motion ends, or
-/// rejects queries beyond.
+/// The travel of the master after which the motion of the slave repeats; nullopt if the motion
+/// ends, or the cam refuses positions beyond.
 std::optional<double> master_period(const FollowSpec& spec);
 
 }  // namespace jounce

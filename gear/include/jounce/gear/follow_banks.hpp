@@ -10,18 +10,20 @@
 
 namespace jounce {
 
-/// Follow tables as the two FIFOs of an axis play them: the first bank once, then the second `loops` times.
+/// Follow tables as rows for the two FIFOs (banks) of an axis. The axis plays the first bank once,
+/// then the second one `loops` times.
 ///
 ///     const FollowBanks banks = follow_banks(spec, 1U << 20U);
 ///     ... fill bank 0 with banks.first, bank 1 with banks.second; queue the switch; start
 ///
-/// The first bank holds all tables but the last, their passes one after another, and of the last one the
-/// pass that differs from the later ones (FollowSpec::start_ratio). Where nothing precedes the last
-/// table, `second` is empty and the first bank itself is played `loops` times.
+/// The first bank contains all tables but the last, with all their passes. If the first pass of the
+/// last table differs from its later passes (FollowSpec::start_ratio), it contains this pass as
+/// well. If there is nothing before the last table, `second` is empty, and the first bank is played
+/// `loops` times.
 struct FollowBanks {
-  std::vector<SegmentRow> first = {};
-  std::vector<SegmentRow> second = {};
-  std::int64_t loops = 1;  ///< below 1: endless
+  std::vector<SegmentRow> first = {};   ///< rows of the first bank
+  std::vector<SegmentRow> second = {};  ///< rows of the second bank
+  std::int64_t loops = 1;               ///< below 1: endless
 };
 
 /// Throws InputError like follow(), and "loops" if a bank would have more than `most` rows.

@@ -6,33 +6,36 @@
 
 namespace jounce {
 
-/// Player of follow tables with a live master: its start, direction and progress. A value; the rows
-/// are in SegmentFifos, over the master's travel since following began.
+/// Plays follow tables with a live master: start event, direction and progress. A value. The rows
+/// are in SegmentFifos, over the master's travel since following began. u is the slave's unit, m
+/// the master's.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};
 ///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);
-///     every cycle: slave = step(run, fifos, before, now)[0];     // samples of the master
+///     // in each cycle, with the samples of the master in the previous and in this cycle:
+///     slave = step(run, fifos, before, now)[0];
 ///
 /// Source: Googol iDEABOX Pro manual 7.6 (GT_SetFollowEvent, GT_PrfFollow).
 struct FollowRun {
-  FollowStart event = {};
-  /// 0: both directions of the master; 1, -1: only that one. While the master runs against it, and
-  /// until it is back, the slave stands still.
+  FollowStart event = {};  ///< start event
+  /// Direction of the master that the slave follows: 1, -1, or 0 for both. With 1 or -1 the slave
+  /// stands still while the master moves against it, and until the master is back.
   int dir = 0;
 
-  bool waiting = false;  ///< for its event
-  double slave = 0;      ///< u, its position while it waits
-  double origin = 0;     ///< m, the master's position when following began
-  double furthest = 0;   ///< m, travel reached in the one direction
+  bool waiting = false;  ///< true while it waits for its event
+  double slave = 0;      ///< u, position of the slave while it waits
+  double origin = 0;     ///< m, position of the master when following began
+  double furthest = 0;   ///< m, greatest travel in the direction `dir`
 };
 
-/// Begins at once, or arms the run for its event. The FIFO was taken before.
+/// Begins at once, or waits for the event of the run. Call fifos.take() before. `master` (m) and
+/// `slave` (u) are the present positions.
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
-/// The slave's position and its derivatives by the master, for the master's samples of two cycles.
-/// Before the event, after the end, and while the master runs against the only direction: its
-/// standing position, with derivatives of 0. A master that is not finite is lost
-/// (SegmentFifos::State). Does not allocate.
+/// Returns the slave's position and its derivatives with respect to the master, for the samples of
+/// the master in two successive cycles. The slave stands still, with derivatives of 0, before the
+/// event, after the end, and while the master moves against `dir`. If the master is not finite, the
+/// state becomes SegmentFifos::State::lost. Does not allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
 
 }  // namespace jounce

@@ -8,31 +8,32 @@ namespace jounce {
 /// An exact electronic gear: slave counts = master counts * numerator / denominator, rounded down.
 ///
 ///     const Gear gear = Gear::ratio(4000, 3072);      // reduced to 125/96
-///     std::int64_t slave = gear.slave(master);        // from the count itself: cannot drift
+///     std::int64_t slave = gear.slave(master);        // from the count: cannot drift
 ///
-///     Gear::State state;                               // or from increments, cycle by cycle:
-///     slave += gear.advance(state, master_increment); // the remainder is carried
+///     Gear::State state;                               // or from increments, each cycle:
+///     slave += gear.advance(state, master_increment); // `state` carries the remainder
 ///
-/// Both ways agree bit for bit after any number of counts, forward and back and through zero,
-/// because the division is an integer one that rounds towards minus infinity. Exact for every
-/// 64-bit master count whose slave count fits 64 bits; outside that the result is not
-/// defined (asserted in debug builds).
+/// Both ways agree bit for bit after any number of counts, forwards, backwards and through zero,
+/// because the integer division rounds towards minus infinity. Exact for every 64-bit master count
+/// whose slave count fits in 64 bits. Otherwise the result is undefined (asserted in debug builds).
 class Gear {
  public:
-  /// Throws InputError if the denominator is 0 or less (PMC600 error 675). A numerator of 0 holds
-  /// the slave still.
+  /// A gear of the given ratio, reduced. Throws InputError if the denominator is 0 or less (PMC600
+  /// error 675). With a numerator of 0 the slave stands still.
   static Gear ratio(std::int64_t numerator, std::int64_t denominator);
 
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }
   [[nodiscard]] std::int64_t denominator() const { return denominator_; }
 
+  /// Slave count for a master count.
   [[nodiscard]] std::int64_t slave(std::int64_t master) const;
 
-  /// Slave increment for a master increment; `state` carries the remainder of the division.
+  /// State from cycle to cycle.
   struct State {
-    std::int64_t remainder =
-        0;  ///< in 1/denominator of a slave count, 0 <= remainder < denominator
+    /// Remainder of the division, in 1/denominator of a slave count; from 0 to denominator - 1.
+    std::int64_t remainder = 0;
   };
+  /// Returns the slave increment for a master increment.
   std::int64_t advance(State& state, std::int64_t master_increment) const;
 
  private:

@@ -8,59 +8,65 @@
 
 namespace jounce {
 
-/// A gear that is engaged in flight, within limits over time: MC_GearIn (PLCopen; PMC600 manual 6.1).
+/// A gear that engages in motion, within limits over time: MC_GearIn (PLCopen; PMC600 manual 6.1).
 ///
 ///     const GearInSpec spec{.numerator = 1, .denominator = 2, .acceleration = 20000};
 ///     const GearedIn gear = gear_in(spec, slave, master.jet(0), 0);    // at t = 0
 ///     const Jet now = point(gear, master.jet(t), t);                   // each cycle
 ///     if (in_gear(gear, t)) ...                                        // InGear
-///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);   // re-trigger: replaces it
-///     const Released out = cam_out(now, t);                            // GearOut keeps the velocity
+///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);  // a new trigger replaces it
+///     const Released out = cam_out(now, t);                          // GearOut keeps the velocity
 ///
-/// From the state it is in, the slave ramps to the velocity that the gear gives it, k x'; from then on
-/// it goes k for every unit of its master. It never makes up the distance lost (or gained) in the ramp:
+/// From its present state the slave ramps to the velocity of the gear, k x'. From then on it moves
+/// by k for every unit of the master. It does not recover the distance lost (or gained) in the
+/// ramp. With x the master and y the slave, and 0 for the instant of the trigger,
 ///
 ///     (1)  y(t) = y0 + k (x(t) - x0) + c(t)
 ///
-/// c is the difference due to the ramp: its velocity begins with y0' - k x0' and ends with 0. With
-/// a steady master, as the manual recommends, `acceleration`, `deceleration` and `jerk` are those
-/// of the slave itself. A master that accelerates while the slave is ramping adds k x'': so the
-/// ramp takes the same time for any motion of the master, and there is no cycle in which the slave
-/// hunts for a velocity that runs away from it.
+/// c is the difference caused by the ramp: its velocity begins at y0' - k x0' and ends at 0. If the
+/// master runs at constant speed, as the manual recommends, the slave has exactly the acceleration,
+/// deceleration and jerk of the spec. A master that accelerates during the ramp adds k x''. So the
+/// duration of the ramp does not depend on the motion of the master, and the slave always reaches
+/// the velocity of the gear.
 ///
-/// u is the slave's unit, m the master's; times in s. Pure: a GearedIn is a value, nothing allocates
-/// in gear_in() with a jet or point().
+/// u is the slave's unit, m the master's; times are in s. A GearedIn is a value; gear_in() with a
+/// jet and point() do not allocate.
 struct GearInSpec {
-  std::int64_t numerator = 1;    ///< k = numerator / denominator, u/m; may be negative, or 0
-  std::int64_t denominator = 1;  ///< > 0; PMC600 error 675
-  double acceleration = 0;       ///< u/s^2, > 0; error 676
-  double deceleration = 0;  ///< u/s^2, while the slave slows down; 0: as acceleration; error 677
-  double jerk = 0;          ///< u/s^3; 0: not limited, the acceleration steps; error 679
+  std::int64_t numerator = 1;    ///< k = numerator / denominator, u/m; any sign, 0 permitted
+  std::int64_t denominator = 1;  ///< > 0; otherwise PMC600 error 675
+  double acceleration = 0;       ///< u/s^2, > 0; otherwise error 676
+  /// u/s^2, while the slave slows down; 0: the same as acceleration; < 0 is error 677.
+  double deceleration = 0;
+  double jerk = 0;  ///< u/s^3; 0: no limit, the acceleration steps; < 0 is error 679
 };
 
-/// A gear that is engaged, or being engaged.
+/// A gear that is engaged or engaging.
 struct GearedIn {
-  double ratio = 1;     ///< k, u/m
-  double time = 0;      ///< s, when it was triggered
-  double master = 0;    ///< x0, m, then
-  double slave = 0;     ///< y0, u, then
-  double velocity = 0;  ///< k x0', u/s: end of the ramp with a steady master
-  Profile ramp;         ///< that, from position 0 at time 0
+  double ratio = 1;   ///< k, u/m
+  double time = 0;    ///< s, time of the trigger
+  double master = 0;  ///< x0, m, master position at the trigger
+  double slave = 0;   ///< y0, u, slave position at the trigger
+  /// k x0', u/s: velocity at the end of the ramp, if the master's velocity is constant.
+  double velocity = 0;
+  Profile ramp;  ///< the ramp to this velocity, from position 0 at time 0
 };
 
-/// Throws InputError for a spec that is out of range (the codes above), and for states that are not
-/// finite. With a jerk limit, an acceleration of the slave or the master is taken over.
+/// Triggers the gear at time t (s), for a slave in the given state and a master at [x, x', x'',
+/// x''']. With a jerk limit, the ramp begins with the accelerations of slave and master. Throws
+/// InputError for a spec out of range (see the error numbers above), and for states that are not
+/// finite.
 GearedIn gear_in(const GearInSpec& spec, const MotionState& slave, const Jet& master, double t);
 
-/// The slave's set-point, [y, y', y'', y'''], for a master that moves as [x, x', x'', x'''].
+/// The setpoint of the slave, [y, y', y'', y'''], at t (s), for a master at [x, x', x'', x'''].
 Jet point(const GearedIn& gear, const Jet& master, double t);
 
-/// InGear: the ramp is over.
+/// InGear: true if the ramp is complete at t (s).
 bool in_gear(const GearedIn& gear, double t);
 
-/// The slave's exact whole motion behind a known master: it stands at `slave` until t, the instant
-/// of the GearIn trigger. It lasts until master and ramp have ended. Throws like gear_in(), and
-/// InputError "t" for a time outside the master's.
+/// The exact motion of a slave for a known motion of the master. The slave stands at `slave` (u)
+/// until the trigger at t (s). The motion ends when both the master's motion and the ramp have
+/// ended. Throws like the other gear_in(), and InputError "t" for a time outside the master's
+/// motion.
 Trajectory gear_in(const GearInSpec& spec, double slave, const Trajectory& master, double t);
 
 }  // namespace jounce

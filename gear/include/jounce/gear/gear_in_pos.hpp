@@ -13,134 +13,150 @@
 
 namespace jounce {
 
-/// A gear that is engaged at given positions: MC_GearInPos (PLCopen; PMC600 manual 6.1).
+/// A gear that engages at given positions of master and slave: MC_GearInPos (PLCopen; PMC600 manual
+/// 6.1).
 ///
 ///     GearInPosSpec spec{.numerator = 1, .denominator = 2, .master_sync_position = 5000,
 ///                        .slave_sync_position = 2000, .master_start_distance = 4000};
-///     const GearInPos gear = gear_in_pos(spec);                  // example 6.2
-///     if (!gear) ...                                             // explain(gear.status)
-///     SyncCam cam = sync_cam(gear, 0, 10000);                    // hold, engage, gear
+///     const GearInPos gear = gear_in_pos(spec);                  // PMC600 example 6.2
+///     if (!gear) ...                                        // explain(gear.status) has the reason
+///     SyncCam cam = sync_cam(gear, 0, 10000);                    // segments hold, engage, gear
 ///     GearInPosState state;                                      // or cycle by cycle:
 ///     const GearInPosStep now = step(gear, state, master);       // now.slave, now.in_sync
 ///
-/// From master S - D to S (S the sync position, D the start distance) the slave moves from its
-/// present position y0 to its sync position ys. It begins at rest without acceleration, and arrives
-/// with the gear's ratio k and without acceleration: nothing steps at either end. Then it is
-/// geared:
+/// Let S be the sync position of the master, D the start distance, y0 the present and ys the sync
+/// position of the slave, and k the ratio of the gear. While the master moves from S - D to S, the
+/// slave moves from y0 to ys. It begins at rest with acceleration zero, and arrives with the
+/// velocity of the gear and acceleration zero, so nothing steps. From then on it is in step, even
+/// if the master moves back past S:
 ///
 ///     (1)  slave = ys + k (master - S)
 ///
-/// This holds permanently, even if the master comes back past S. With h = ys - y0 the curve depends
-/// only on rho = k D / h: the quintic (the default) does not reverse if and only if 0 <= rho <=
-/// 5/2, and is not faster than the gear if and only if rho >= 5/3 (example 6.2: rho = 1, peak slope
-/// 0.756 instead of 0.5). engage_window() returns the start distances that satisfy both.
+/// With h = ys - y0, the shape of the curve depends only on rho = k D / h. The quintic (the
+/// default) does not reverse if and only if 0 <= rho <= 5/2. It does not exceed the velocity of the
+/// gear if and only if rho >= 5/3. (Example 6.2 of the PMC600 manual has rho = 1, and a peak slope
+/// of 0.756 instead of 0.5.) engage_window() returns the start distances that satisfy both.
 ///
-/// u is the slave's unit, m the master's. Nothing here is over time: the curve stands still when the
-/// master does.
+/// u is the slave's unit, m the master's. The curve is a function of the master's position, so the
+/// slave stands still when the master does.
 struct GearInPosSpec {
-  std::int64_t numerator = 1;       ///< k = numerator / denominator, u/m; of either sign, not 0
+  std::int64_t numerator = 1;       ///< k = numerator / denominator, u/m; any sign, not 0
   std::int64_t denominator = 1;     ///< > 0
   double master_sync_position = 0;  ///< S, m
   double slave_sync_position = 0;   ///< ys, u
-  /// D, m, not 0: > 0 for a master that comes forwards, < 0 for one that comes backwards.
+  /// D, m, not 0. Positive: the master approaches forwards; negative: backwards.
   double master_start_distance = 0;
   double slave_start = 0;  ///< y0, u: present position of the slave
-  /// The slave must not reverse. A modulo slave moves up to five turns further instead.
+  /// True: the slave must not reverse. A modulo slave then moves up to five turns further.
   bool avoid_reversal = false;
-  std::optional<double> slave_period = {};  ///< u, > 0, for a modulo slave; omitted: linear
-  /// m, present position of the master, to detect a master that has passed the start; omitted: not
-  /// yet there.
+  /// u, > 0: period of a modulo slave; omitted: a linear slave.
+  std::optional<double> slave_period = {};
+  /// Present position of the master, m. It reveals a master that has already passed the start.
+  /// Omitted: the master is before the start.
   std::optional<double> master_position = {};
-  /// m, > 0, for a modulo master, which then takes the next turn; omitted: linear.
+  /// Period of a modulo master, m, > 0; such a master engages in its next turn. Omitted: a linear
+  /// master.
   std::optional<double> master_period = {};
-  Law law = Law::quintic;  ///< any that takes a velocity at its end: docs/laws.md, "G or R"
+  Law law = Law::quintic;  ///< any law that takes a velocity at its end; see docs/laws.md, "G or R"
 };
 
-/// Numbers of the errors of the PMC600 (manual, appendix A-1).
+/// Reasons why the gear does not engage. The values are error numbers of the PMC600 (manual,
+/// appendix A-1).
 enum class GearInPosStatus : std::uint16_t {
   ok = 0,
-  master_reversed = 775,          ///< it changed direction while connecting
-  reversal_unavoidable = 776,     ///< for a modulo slave, within five more turns
-  reversal_on_linear_axis = 777,  ///< AvoidReversal is set, and a linear slave would reverse
-  start_passed = 1000,            ///< ours: a linear master has passed the start; the slave waits
+  master_reversed = 775,          ///< the master reversed while connecting
+  reversal_unavoidable = 776,     ///< a modulo slave would reverse even with five more turns
+  reversal_on_linear_axis = 777,  ///< avoid_reversal is set, and a linear slave would reverse
+  /// A linear master has passed the start, and the slave waits; not a number of the PMC600.
+  start_passed = 1000,
 };
+/// One sentence that explains a status to a user.
 const char* explain(GearInPosStatus status);
 
+/// A computed engagement.
 struct GearInPos {
   GearInPosStatus status = GearInPosStatus::ok;
-  double ratio = 1;               ///< k, u/m
-  double master_start = 0;        ///< S - D, m, in the turn that is taken
-  double master_sync = 0;         ///< S, m, likewise
-  double slave_start = 0;         ///< y0, u
-  double slave_sync = 0;          ///< ys, u, with the turns that the slave goes further
-  int turns = 0;                  ///< turns of the slave, added to avoid a reversal; of either sign
-  std::optional<Cam> curve = {};  ///< the engagement alone, holding outside; none unless ok
+  double ratio = 1;         ///< k, u/m
+  double master_start = 0;  ///< S - D, m, in the turn in which the gear engages
+  double master_sync = 0;   ///< S, m, in this turn
+  double slave_start = 0;   ///< y0, u
+  double slave_sync = 0;    ///< ys, u, including the added turns
+  int turns = 0;  ///< signed number of turns of the slave that were added to avoid a reversal
+  /// The cam of the engagement alone, which holds outside; empty unless status is ok.
+  std::optional<Cam> curve = {};
   explicit operator bool() const { return status == GearInPosStatus::ok; }
 };
 
-/// Throws InputError for values out of range: "denominator" 0 or less (PMC600 error 675), "numerator" 0,
-/// "master_start_distance" 0, a period that is not > 0, a law that does not take a velocity at its end.
+/// Computes the engagement. Throws InputError for a value out of range: "denominator" 0 or less
+/// (PMC600 error 675), "numerator" 0, "master_start_distance" 0, a period that is not positive, or
+/// a law that does not take a velocity at its end.
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
-/// rho of the engagement, and the start distances, in the direction of the given one, for which a
-/// quintic does not reverse or exceed the speed of the gear: 5/3 h/k to 5/2 h/k.
+/// The start distances with which a quintic neither reverses nor exceeds the velocity of the gear:
+/// 5/3 h/k to 5/2 h/k, in the direction of the given start distance.
 struct EngageWindow {
-  double rho = 0;                  ///< k D / h; infinite if h is 0
-  bool exists = false;             ///< rho > 0: with a start distance alone it can be had
-  double least = 0, greatest = 0;  ///< m, magnitudes
+  double rho = 0;                  ///< k D / h of the spec; infinite if h is 0
+  bool exists = false;             ///< true if rho > 0, so that such start distances exist
+  double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
   std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
 };
+/// The window for a spec, and an advice for its start distance.
 EngageWindow engage_window(const GearInPosSpec& spec);
 
-/// Hold, engagement and gear over the master from `from` to `to`, for checks, tables and plots of a
-/// master that goes one way. Throws InputError "master_start", "master_end" unless from < to and both
-/// lie outside the engagement (or at its ends).
+/// The slave over a master that moves from `from` to `to` (m): hold, engagement and gear, for
+/// checks, tables and plots. Throws InputError "master_start", "master_end" unless from < to and
+/// both are outside the engagement (or at its ends).
 SyncCam sync_cam(const GearInPos& gear, double from, double to);
 
 // ---- cycle by cycle ---------------------------------------------------------------------------
 
+/// State from cycle to cycle.
 struct GearInPosState {
   enum class Phase : std::uint8_t { waiting, connecting, in_sync };
   Phase phase = Phase::waiting;
-  bool began = false;  ///< a first cycle has been
-  double master = 0;   ///< m, of the cycle before
+  bool began = false;  ///< true after the first cycle
+  double master = 0;   ///< m, position of the master in the previous cycle
 };
 
+/// Result of one cycle.
 struct GearInPosStep {
-  GearInPosState state;     ///< for the next cycle
-  Jet slave{};              ///< the set-point: u, u/s, u/s^2, u/s^3
-  bool start_sync = false;  ///< StartSync: the engagement has begun
-  bool in_sync = false;     ///< InSync
-  GearInPosStatus status =
-      GearInPosStatus::ok;  ///< status of this cycle: master_reversed, start_passed
+  GearInPosState state;                          ///< for the next cycle
+  Jet slave{};                                   ///< setpoint of the slave: u, u/s, u/s^2, u/s^3
+  bool start_sync = false;                       ///< StartSync: true if the engagement has begun
+  bool in_sync = false;                          ///< InSync: true if the slave is in step
+  GearInPosStatus status = GearInPosStatus::ok;  ///< ok, master_reversed or start_passed
 };
 
-/// One cycle of a valid engagement, for a master that moves as [x, x', x'', x''']. Pure, does not
-/// allocate.
+/// Computes one cycle of a valid engagement, for a master at [x, x', x'', x''']. A pure function;
+/// does not allocate.
 ///
-/// The slave stands still until the master passes the start in the engaging direction. A master
-/// that reverses while connecting is reported in each cycle in which it moves back (775). The slave
-/// moves back along its curve, to its start, and engages when the master moves forward again:
-/// without a step, and without an action of the caller in that cycle. Once in sync, (1) holds for
-/// any motion of the master.
+/// The slave stands still until the master passes the start in the engaging direction. If the
+/// master moves back while connecting, the status is master_reversed (775) in each such cycle. The
+/// slave then moves back along its curve, at most to its start, and engages when the master moves
+/// forward again. This needs no action of the caller, and nothing steps. Once in step, (1) holds
+/// for any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
-/// The slave's exact motion behind a known master: a Signal.
+/// The exact motion over time of a slave with such a gear, for a known motion of the master. It is
+/// a Signal.
 ///
 ///     const GearedInPos slave(gear, master);     // master: a Trajectory
 ///     Motion now = slave.at(0.5);
 class GearedInPos {
  public:
+  /// `gear`: a computed engagement with status ok.
   GearedInPos(const GearInPos& gear, const Trajectory& master);
 
   [[nodiscard]] double start() const { return connecting_.start(); }
   [[nodiscard]] double end() const { return connecting_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  /// Position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return point<OverTime>(jet(t, side));
   }
-  /// s; nothing if the master never gets there.
+  /// Time (s) from which the slave is in step; nullopt if the master does not reach the sync
+  /// position.
   [[nodiscard]] std::optional<double> in_sync() const { return in_sync_; }
 
  private:

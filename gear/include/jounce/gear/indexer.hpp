@@ -6,32 +6,34 @@
 
 namespace jounce {
 
-/// An indexer: a turntable or a feed that moves by the same distance again and again, and stands
-/// still in between.
+/// An indexer: a turntable or a feed that repeatedly moves by the same distance, with a stop in
+/// between. u is the slave's unit, m the master's.
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
 ///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless
-///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};   // eight in a cycle
+///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};  // eight indexes a cycle
 ///
-/// **Vocabulary.** Each of the `count` equal parts of the cycle is: stand for `before`, move by
-/// `distance` over `motion`, stand for what is left. The cam advances (Extrapolation::advance): every cycle
-/// goes on by count * distance, exactly. The intervals in which it stands are its zones, "dwell".
+/// **Vocabulary.** A cycle consists of `count` equal parts. In each part, the slave stands still
+/// for `before`, moves by `distance` over `motion`, and stands still for the rest. The cam advances
+/// (Extrapolation::advance): each cycle moves the slave by exactly count * distance. The zones are
+/// the intervals without motion; their name is "dwell".
 ///
-/// A jaw that goes along with the film and comes back is a FlyingShear; a rotating one is the rotary
-/// knife's geometry.
+/// For a jaw that moves along with the film and returns, see FlyingShear; for a rotating jaw, see
+/// the rotary knife.
 ///
 /// **Throws** InputError for numbers that are not finite or positive, a motion that does not fit
 /// into its part of the cycle, and a law that does not go from rest to rest.
 struct Indexer {
-  double distance = 0;  ///< u, not 0; its sign is the direction
-  double cycle = 0;     ///< m > 0
-  double motion = 0;    ///< m > 0, of each index
-  double before = 0;    ///< m >= 0, of dwell before each index
-  int count = 1;        ///< >= 1: indexes a cycle
+  double distance = 0;  ///< u, not 0; the sign is the direction
+  double cycle = 0;     ///< m, > 0: length of a cycle of the master
+  double motion = 0;    ///< m, > 0: length of one motion
+  double before = 0;    ///< m, >= 0: length of the dwell before each motion
+  int count = 1;        ///< >= 1: number of motions in a cycle
   Law law = Law::poly345;
   LawForm form = {};
 };
 
+/// The cam of one cycle.
 SyncCam indexer(const Indexer& spec);
 
 }  // namespace jounce

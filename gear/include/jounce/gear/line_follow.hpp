@@ -7,36 +7,40 @@
 
 namespace jounce {
 
-/// A slave that moves with its master on one line: slave = from + (to - from) (x - x0) / (x1 - x0),
-/// x0 and x1 the master's positions at the begin and end of its motion. So both start and stop
-/// together, and the slave's whole motion is the master's, scaled by the ratio of their distances.
-/// Throws InputError "master" if the master ends at its start.
+/// The motion of a slave on one line with its master, from position `from` to `to` (u). With x the
+/// master's position and x0, x1 its positions at the start and end of its motion, slave = from +
+/// (to - from) (x - x0) / (x1 - x0). So both start and stop together. Throws InputError "master" if
+/// the master ends where it starts. u is the slave's unit.
 Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {
 
 /// LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one line.
-/// Positions are in pulses; velocity, acceleration, deceleration and jerk are the master's.
+/// Positions are in pulses. Velocity, acceleration, deceleration and jerk are those of the master.
 ///
 ///     const LineFollowed both = line_follow({.end_master = 4000, .end_slave = 2000,
-///         .velocity = 2000, .acceleration = 4000, .deceleration = 4000});      // example 6.7
+///         .velocity = 2000, .acceleration = 4000, .deceleration = 4000});    // PMC600 example 6.7
 struct LineFollow {
-  double start_master = 0, start_slave = 0;  ///< positions of the axes
-  double end_master = 0, end_slave = 0;      ///< EndPos[0], EndPos[1]: positions, or with
-  bool relative = false;                     ///< LS_LineFollowRel: distances
-  double velocity = 0;                       ///< > 0
-  double acceleration = 0;                   ///< > 0
-  double deceleration = 10;                  ///< > 0
-  double jerk = 90000000;                    ///< > 0: SIGMOID, taken for the jerk-limited S-curve
-  std::int64_t ipo_cycle = 2000;             ///< us, > 0; of the controller, the curves are exact
+  double start_master = 0, start_slave = 0;  ///< pulse, positions at the start
+  /// pulse, EndPos[0] and EndPos[1]: positions, or distances if `relative`.
+  double end_master = 0, end_slave = 0;
+  bool relative = false;     ///< true: LS_LineFollowRel
+  double velocity = 0;       ///< pulse/s, > 0
+  double acceleration = 0;   ///< pulse/s^2, > 0
+  double deceleration = 10;  ///< pulse/s^2, > 0
+  /// pulse/s^3, > 0; limits the jerk (the manual calls the profile SIGMOID).
+  double jerk = 90000000;
+  /// us, > 0; cycle of the controller; without effect here, because the curves are exact.
+  std::int64_t ipo_cycle = 2000;
 };
 
+/// The motions of both axes.
 struct LineFollowed {
   Trajectory master, slave;
 };
 
-/// Throws InputError for a value that is 0 or negative (16#FFFFFFE) or not finite, and "end_master"
-/// if the master has no distance to move.
+/// Throws InputError for a value that is 0 or negative (PMC600 error 16#FFFFFFE) or not finite, and
+/// "end_master" if the master does not move.
 LineFollowed line_follow(const LineFollow& spec);
 
 }  // namespace pmc600

@@ -8,19 +8,21 @@
 
 namespace jounce {
 
-/// An interval of the master in which slave and master are in step, as a report or picture names it.
+/// An interval of the master in which slave and master are in step.
 struct SyncZone {
-  double from = 0;  ///< master unit
-  double to = 0;
-  std::string name = {};  ///< "sync", "cut", ...
+  double from = 0;        ///< m
+  double to = 0;          ///< m
+  std::string name = {};  ///< name in reports and pictures: "sync", "cut", ...
 };
 
-/// The cam of a slave that works with its master: the result of gears, follow tables, knives and
-/// shears. All functions of a cam (check, table, stream, coupling, switches) accept its `cam`.
+/// The cam of a slave that works in step with its master: the result of gears, follow tables,
+/// knives and shears. All functions for cams (check, table, stream, coupling, switches) accept its
+/// member `cam`.
 struct SyncCam {
   Cam cam;
-  std::vector<std::string> segments = {};  ///< a name for each segment of the cam; none: numbered
-  std::vector<SyncZone> zones = {};
+  /// Name of each segment of the cam; empty: segments have numbers.
+  std::vector<std::string> segments = {};
+  std::vector<SyncZone> zones = {};  ///< in ascending order
 };
 
 }  // namespace jounce

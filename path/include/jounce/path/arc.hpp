@@ -7,73 +7,78 @@
 
 namespace jounce {
 
-/// A circular arc or a helix in any plane of any axes:
+/// A circular arc or a helix, in any plane in the space of the axes:
 ///
 ///     r(angle) = center + radius (e1 cos angle + e2 sin angle) + drift angle / sweep
 ///
-/// with angle from 0 to sweep. e1 points from the center to the start, e2 is perpendicular to it in the
-/// direction of travel; both have length 1. `drift` moves the axes outside the plane in proportion to
-/// the angle: the pitch of a helix, and followers.
+/// The angle runs from 0 to sweep. e1 points from the center to the start; e2 is perpendicular to
+/// e1, in the direction of travel; both have length 1. `drift` moves the axes outside the plane in
+/// proportion to the angle. It is the pitch of a helix, or the motion of followers.
 ///
 ///     const Arc half = arc_about(from, {50, 0}, {100, 0}, Plane{0, 1}, ArcRotation::clockwise);
-///     const Arc ball = arc_through(from, via, to);                 // any plane of all axes
+///     const Arc ball = arc_through(from, via, to);               // through three points, in space
 ///     const Arc screw = arc_about(from, center, {0, 0, 100}, Plane{0, 1},
 ///                                 ArcRotation::counterclockwise, 4);  // four extra turns
 ///
-/// **Units**: the axes of the plane share one unit of length; angles in rad. **Throws** InputError, which
-/// names what does not fit and by how much; the reader of a program adds the line.
+/// **Units**: the axes of the plane have the same unit of length; angles are in rad. **Throws**
+/// InputError with the reason and the size of the difference; the reader of a program adds the
+/// line.
 struct Arc {
-  Point center{}, e1{}, e2{};
-  double radius = 0;
-  double sweep = 0;         ///< rad, > 0
-  Point drift{};            ///< displacement over the whole arc
-  Point to{};               ///< end, as given
-  double center_moved = 0;  ///< distance by which a given center was moved, so that both ends fit
+  Point center{}, e1{}, e2{};  ///< center and unit vectors
+  double radius = 0;           ///< unit of length
+  double sweep = 0;            ///< rad, > 0
+  Point drift{};               ///< displacement outside the plane over the whole arc
+  Point to{};                  ///< end point, as given
+  double center_moved = 0;     ///< distance by which the given center was moved to fit both ends
 };
 
-/// Sense of rotation in a plane, from its first axis towards its second axis: counterclockwise is positive.
-/// PMC600 chapter 7 (PathChoice) and chapter 8 (ArcIpo_dir) number it in opposite ways; they are mapped
-/// where they are read (decision 0090).
+/// Direction of rotation in a plane. Counterclockwise is positive: from its first axis towards its
+/// second axis. Chapters 7 (PathChoice) and 8 (ArcIpo_dir) of the PMC600 manual number the
+/// directions in opposite ways; the readers convert them (decision 0090).
 enum class ArcRotation { clockwise, counterclockwise };
 
-/// Plane of an arc: its two axes, counted from 0. G17: {0, 1}; G18: {2, 0}; G19: {1, 2}.
+/// Plane of an arc: its two axes, counted from 0. G17 is {0, 1}, G18 is {2, 0}, G19 is {1, 2}.
 struct Plane {
   std::size_t first = 0;
   std::size_t second = 1;
 };
 
-/// Arc from `from` through `via` to `to`, less than one turn (+ whole `extra_turns` >= 0); in space, of all
-/// `axes` >= 2 axes. Throws "via" for points that lie on a line (within 1e-9 of the chord) or coincide.
+/// Makes the arc from `from` through `via` to `to`, in the space of the first `axes` >= 2 axes. It
+/// turns by less than one turn, plus `extra_turns` >= 0 whole turns. Throws "via" if the points
+/// coincide or lie on a line (within 1e-9 of the chord).
 Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_t axes,
                 int extra_turns = 0);
 
-/// Arc about a center (its coordinates in the plane count) to `to`. Where the ends coincide in the plane
-/// it is a full turn. `extra_turns` >= 0 whole turns come on top (PMC600 RunCycle). All other axes run in
-/// proportion to the angle. Radii that differ by at most `tolerance` (unit of length): the center moves
-/// along the bisector of the chord, and `center_moved` states how far; otherwise throws "center".
+/// Makes the arc around a center to `to`; of the center, only the coordinates in the plane are
+/// used. If both ends coincide in the plane, it is a full turn. `extra_turns` >= 0 whole turns are
+/// added (PMC600 RunCycle). All other axes move in proportion to the angle. If the radii of both
+/// ends differ by at most `tolerance` (unit of length), the center moves along the bisector of the
+/// chord, and `center_moved` is the distance. Otherwise throws "center".
 Arc arc_about(const Point& from, const Point& center, const Point& to, Plane plane,
               ArcRotation rotation, int extra_turns = 0, double tolerance = 0.01);
 
-/// Arc with a radius: positive for the minor arc (up to half a turn), negative for the major arc, as in
-/// DIN 66025. Throws "radius" where the chord exceeds twice the radius by more than 1e-9 of it, or the ends
-/// coincide.
-Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane, ArcRotation rotation,
-                  int extra_turns = 0);
+/// Makes an arc of a given radius, as in DIN 66025: a positive radius is the minor arc (up to half
+/// a turn), a negative radius the major arc. Throws "radius" if the chord exceeds twice the radius
+/// by more than 1e-9 of it, or if both ends coincide.
+Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane,
+                  ArcRotation rotation, int extra_turns = 0);
 
-/// Arc about a center by an angle in degrees, counterclockwise positive (HIMC ArcAngle2D; PMC600 StopAngle);
-/// the axes outside the plane go to `to`.
+/// Makes an arc around a center by an angle in degrees, counterclockwise positive (HIMC ArcAngle2D;
+/// PMC600 StopAngle). The axes outside the plane move to `to`.
 Arc arc_by_angle(const Point& from, const Point& center, double degrees, const Point& to,
                  Plane plane);
 
-/// Extra turns and sense of HIMC's `turns` (HMPL manual 8.2.17): 0 and 1 are a plain counterclockwise arc, n > 1
-/// adds n - 1 turns, n < 0 is clockwise with |n| - 1 extra turns.
+/// Direction and extra turns for the parameter `turns` of HIMC (HMPL manual 8.2.17): 0 and 1 are a
+/// counterclockwise arc without extra turns; n > 1 adds n - 1 turns; n < 0 is clockwise with |n| -
+/// 1 extra turns.
 struct CircleTurns {
   ArcRotation rotation = ArcRotation::counterclockwise;
   int extra_turns = 0;
 };
+/// The direction and the extra turns of HIMC's `turns`.
 CircleTurns himc_turns(int turns);
 
-/// Point of an arc at an angle in [0, sweep].
+/// The point of an arc at an angle in [0, sweep], rad.
 Point point_at(const Arc& arc, double angle);
 
 }  // namespace jounce

@@ -14,51 +14,55 @@
 
 namespace jounce {
 
-/// Outcome of a map at a point.
+/// Result of a map at a point.
 enum class MapState : std::uint8_t {
   ok,
-  out_of_reach,  ///< no position of the joints puts the tool there
-  singular,      ///< the velocities of the joints are not determined there
+  out_of_reach,  ///< no position of the joints moves the tool to this point
+  singular,      ///< the velocities of the joints are not determined at this point
 };
 
-/// Joints that are linear in the axes: joint = matrix * point + offset. A row for each joint.
+/// A linear function of the axes: joint = matrix * point + offset.
 struct LinearMap {
-  std::vector<Point> rows;
-  std::vector<double> offset;  ///< one a joint; empty: 0
+  std::vector<Point> rows;     ///< rows of the matrix, one for each joint
+  std::vector<double> offset;  ///< one for each joint; empty: 0
 };
 
-/// Proven bounds for one joint over a part of a path, by s in [0, 1] over the part.
+/// Proven bounds for one joint over a part of a path; s in [0, 1] is the position in this part.
 struct JointBounds {
-  double first = 0;   ///< |d joint / ds|
-  double eighth = 0;  ///< |8th derivative| / 8!: bounds the error of the polynomial of degree 7
+  double first = 0;  ///< bound of |d joint / ds|
+  /// Bound of |8th derivative| / 8!, which bounds the error of a polynomial of degree 7.
+  double eighth = 0;
 };
 
-/// Inverse kinematics: from the position of the tool to the joints.
+/// Inverse kinematics: from the position of the tool to the positions of the joints.
 ///
-/// A map of your own needs `jets` only. A plan then samples how far its fitted joints are from the map, and states so
-/// (Plan::Given::fit). With `bounds` the plan has a proven bound instead.
+/// A derived class must implement only jets(). A plan then measures by samples how far its fitted
+/// joints are from the map (Plan::Given::fit). If the class also implements bounds(), the plan
+/// proves a bound instead.
 class AxisMap {
  public:
-  /// `axes`: the first axes of a program that the map reads. Throws InputError "joints" for more axes or joints than
-  /// max_axes.
+  /// `axes`: number of axes (from the first) that the map uses; `joints`: number of joints. Throws
+  /// InputError "joints" if either exceeds max_axes.
   AxisMap(std::size_t axes, std::size_t joints);
   virtual ~AxisMap();
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] std::size_t joints() const { return joints_; }
 
-  /// Joints and their three derivatives from a point and its three derivatives, by any one parameter. An angle may
-  /// jump by whole turns between two calls: plans join them.
+  /// Computes the joints and their three derivatives from a point and its three derivatives, with
+  /// respect to any one parameter. An angle may jump by whole turns between two calls; plans remove
+  /// such jumps.
   virtual MapState jets(std::span<const Jet> point, std::span<Jet> joints) const = 0;
 
-  /// Period of a joint in its unit (360 for an angle in deg); 0: none.
+  /// Period of a joint, in its unit (360 for an angle in deg); 0: not periodic.
   [[nodiscard]] virtual double turn(std::size_t joint) const;
 
-  /// Bounds over a part of a path: one segment an axis, all over s in [0, 1]. False if nothing is proven, as in the
-  /// base class. A part that is too long for a finite bound gets an infinite one: the plan divides it.
+  /// Computes bounds over a part of a path. `point`: one segment for each axis, all over s in [0,
+  /// 1]. Returns false if there is no proof, as the base class does. If the part is too long for a
+  /// finite bound, the bound is infinite, and the plan divides the part.
   virtual bool bounds(std::span<const Segment> point, std::span<JointBounds> joints) const;
 
-  /// The matrix of a linear map: such a map is exact on every piece.
+  /// The matrix of a linear map, otherwise null. A plan is exact on every piece for a linear map.
   [[nodiscard]] virtual const LinearMap* linear() const;
 
  protected:
@@ -69,77 +73,84 @@ class AxisMap {
   std::size_t axes_, joints_;
 };
 
-/// A linear map of the first `axes` axes. Throws InputError "joints" for no row or more than max_axes, and for
-/// numbers that are not finite.
+/// A linear map of the first `axes` axes. Throws InputError "joints" if there is no row or more
+/// than max_axes, and if a number is not finite.
 std::shared_ptr<const AxisMap> linear_map(std::size_t axes, LinearMap map);
 
-/// Every axis is a joint.
+/// A map in which every axis is a joint.
 std::shared_ptr<const AxisMap> identity_map(std::size_t axes);
 
-/// A gantry: joint k follows the axis `axis_of[k]`, counted from 0. Two joints may follow one axis: a beam on two
-/// motors.
+/// A gantry: joint k follows the axis axis_of[k], counted from 0. Two joints may follow the same
+/// axis, as for a beam with two motors.
 std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std::size_t> axis_of);
 
-/// CoreXY: two fixed motors and one belt. Joints x + y and x - y; further axes (Z) are joints of their own.
+/// CoreXY: two fixed motors and one belt. The joints are x + y and x - y; every further axis (Z) is
+/// a joint.
 std::shared_ptr<const AxisMap> core_xy_map(std::size_t axes);
 
-/// Side of the straight line from the base to the wrist on which the elbow is, seen from the base.
+/// Position of the elbow: on which side of the straight line from the base to the wrist it is, seen
+/// from the base.
 enum class Elbow : std::uint8_t {
   right,  ///< the second joint is positive
   left,   ///< the second joint is negative
 };
 
-/// A SCARA robot with two or three arms (PMC600 manual 7.2.5, SCARA 2-joint and 3-joint). The first joint is at the
-/// origin; at 0 its arm points along X, at 90 deg along Y; each arm carries the next. Joints are in deg, Z in its
-/// unit.
+/// A SCARA robot with two or three arms (PMC600 manual 7.2.5, SCARA 2-joint and 3-joint). The first
+/// joint is at the origin. Its arm points along X at 0 deg, along Y at 90 deg; each arm carries the
+/// next joint. Joints are in deg, the joint Z in the unit of the axis Z.
 ///
-/// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in deg.
-/// Joints: one an arm, then Z.
+/// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in
+/// deg. Joints: one for each arm, then Z.
 struct ScaraSpec {
-  std::vector<double> arms;          ///< two or three lengths, > 0
+  std::vector<double> arms;          ///< lengths of two or three arms, > 0
   Elbow elbow = Elbow::right;        ///< dElbowRight
-  std::vector<double> offsets = {};  ///< deg: reading of each joint at the angle 0; empty: 0
-  bool with_z = false;
-  double offset_z = 0;  ///< reading of the joint Z at Z = 0
+  std::vector<double> offsets = {};  ///< deg, value of each joint at the angle 0; empty: 0
+  bool with_z = false;               ///< true: there is a vertical axis Z
+  double offset_z = 0;               ///< value of the joint Z at Z = 0
 };
-/// Out of reach beyond the sum of both arms and within their difference. Singular with stretched or folded arms,
-/// and at the origin. Throws InputError "arms", "offsets".
+/// Points beyond the sum of both arm lengths, or within their difference, are out of reach. The map
+/// is singular if the arms are stretched or folded, and at the origin. Throws InputError "arms",
+/// "offsets".
 std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 
-/// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The rails are at 0,
-/// 120 and 240 deg about Z from `first_rail`, counterclockwise from above; carriage i is at
+/// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The
+/// rails are at 0, 120 and 240 deg around Z from `first_rail`, counterclockwise from above.
+/// Carriage i is at
 ///
 ///     outer_radius e_i + (distance + joint cos a) Z - joint sin a e_i,    a: rail_angle, e_i: outwards
 ///
-/// so a joint counts upwards along its rail, from the height `distance`. Arms of the given length join the
-/// carriages, which are above the tool, to a platform, which keeps its orientation; its joints are `inner_radius`
-/// from the tool. Axes X, Y, Z; joints in the same unit.
+/// So a joint counts upwards along its rail, from the height `distance`. The carriages are above
+/// the tool. Arms of equal length connect them to a platform, whose orientation is constant; the
+/// joints of the platform are at the distance `inner_radius` from the tool. The axes are X, Y, Z;
+/// the joints have the same unit.
 struct LinearDeltaSpec {
-  double outer_radius = 0;  ///< dOuterRadius, >= 0
-  double inner_radius = 0;  ///< dInnerRadius, >= 0
-  double arm = 0;           ///< dLength, > 0
-  double distance = 0;      ///< dDistance: height of the carriages at joint 0
-  double rail_angle = 0;    ///< dAxisAngle: deg from Z to the rail, inwards; within (-90, 90)
+  double outer_radius = 0;  ///< u, >= 0 (dOuterRadius)
+  double inner_radius = 0;  ///< u, >= 0 (dInnerRadius)
+  double arm = 0;           ///< u, > 0: length of the arms (dLength)
+  double distance = 0;      ///< u, height of the carriages at joint position 0 (dDistance)
+  double rail_angle = 0;    ///< deg, from Z to the rail, inwards; within (-90, 90) (dAxisAngle)
   double first_rail = 0;    ///< deg from X to the first rail
 };
-/// Out of reach where an arm is shorter than the distance from its rail; singular where it is perpendicular to the
-/// rail. Throws InputError with the name of the parameter.
+/// A point is out of reach if an arm is shorter than the distance of its platform joint from the
+/// rail. The map is singular if an arm is perpendicular to its rail. Throws InputError with the
+/// name of the parameter.
 std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec);
 
-/// Joints of a plan: its map, and their limits, one a joint.
+/// Joints of a plan.
 struct JointSpace {
-  std::shared_ptr<const AxisMap> map;
-  std::vector<Limits> limits;
-  double tolerance =
-      1e-9;  ///< greatest distance of the fitted joints from the map, in their unit, > 0
+  std::shared_ptr<const AxisMap> map;  ///< from the axes of the program to the joints
+  std::vector<Limits> limits;          ///< limits of the joints, one for each joint
+  /// Greatest distance of the fitted joints from the map, in their unit, > 0.
+  double tolerance = 1e-9;
 };
 
-/// Distance of the fitted joints of a plan from its map.
+/// Distance between the fitted joints of a plan and its map.
 struct MapFit {
-  double error = 0;        ///< unit of the joints; 0: a linear map
-  bool proven = false;     ///< by an enclosure of the map over each piece; otherwise sampled
-  double sample_step = 0;  ///< greatest step of the samples, in q, if it is not proven
-  std::size_t pieces = 0;  ///< polynomials of degree 7
+  double error = 0;  ///< unit of the joints; 0 for a linear map
+  /// True: bound from an enclosure of the map over each piece; false: from samples.
+  bool proven = false;
+  double sample_step = 0;  ///< greatest distance of samples, in q, if the error is not proven
+  std::size_t pieces = 0;  ///< number of polynomials (degree 7)
 };
 
 }  // namespace jounce

@@ -9,32 +9,38 @@
 
 namespace jounce {
 
-/// A constant frame: the pose of a part in the machine (PCS in MCS; G54 ... G59).
+/// A constant frame: the position and orientation of a part in the machine (PCS in MCS; G54 to
+/// G59).
 ///
 ///     machine = offset + rotation * part
 ///
-/// The rotation acts on the first three axes of a group, the offset on all. Lengths, feeds and corners stay as they
-/// are.
+/// The rotation applies to the first three axes of a group, the offset to all axes. Lengths, feeds
+/// and corners do not change.
 struct Frame {
-  Point offset{};
-  std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rows
+  Point offset{};  ///< in the units of the axes
+  /// Rows of the rotation matrix.
+  std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-  /// True without a rotation: positions then are sums, to the last digit.
+  /// True if the frame has no rotation. Coordinates are then plain sums.
   [[nodiscard]] bool shifts() const;
   bool operator==(const Frame&) const = default;
 };
 
-/// Turned by an angle about the third axis, from the first axis towards the second. Exact for multiples of 90 deg.
+/// A frame that is rotated by an angle (deg) around the third axis, from the first axis towards the
+/// second. Exact for multiples of 90 deg.
 Frame turned_frame(const Point& offset, double degrees);
-/// Turned about Z, then about the new Y, then about the new Z (PMC600 manual 7.1), deg.
+/// A frame that is rotated around Z, then the new Y, then the new Z (PMC600 manual 7.1); angles in
+/// deg.
 Frame euler_frame(const Point& offset, const std::array<double, 3>& zyz);
 
+/// The machine coordinates of a point of the part.
 Point placed(const Frame& frame, const Point& part);
-/// The part's coordinates of a point of the machine.
+/// The part coordinates of a point of the machine.
 Point within(const Frame& frame, const Point& machine);
+/// An arc, a curve or a program of the part in machine coordinates.
 Arc placed(const Frame& frame, const Arc& arc);
 PathCurve placed(const Frame& frame, const PathCurve& curve);
-/// A whole program. Throws InputError "rotation" for a rotation of axes that are not path axes.
+/// Throws InputError "rotation" if the frame rotates axes that are not path axes of the program.
 Program placed(const Frame& frame, const Program& program);
 
 }  // namespace jounce

@@ -8,36 +8,38 @@
 
 namespace jounce {
 
-/// Limits along the path: magnitudes > 0.
+/// Limits along the path: magnitudes > 0; default: no limit. u is the unit of length of the path.
 struct PathLimits {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
   double velocity = none;             ///< u/s
-  double acceleration = none;         ///< tangential, u/s^2
-  double deceleration = none;         ///< tangential, u/s^2
-  double jerk = none;                 ///< tangential, u/s^3
-  double normal_acceleration = none;  ///< v^2 times curvature, u/s^2
-  double total_acceleration = none;   ///< magnitude, tangential and normal together, u/s^2
+  double acceleration = none;         ///< u/s^2, tangential
+  double deceleration = none;         ///< u/s^2, tangential
+  double jerk = none;                 ///< u/s^3, tangential
+  double normal_acceleration = none;  ///< u/s^2: velocity^2 times curvature
+  /// u/s^2: magnitude of the tangential and the normal acceleration together.
+  double total_acceleration = none;
 };
 
-/// Limits of a group. Axis limits bound the motion of each axis, on any path: exactly, by the extrema of
-/// the planned curves. `axes` has one entry an axis; its position limits are checked at the end points,
-/// and by check() on the planned axes.
+/// Limits of a group of axes. The axis limits hold for the motion of each axis on any path, by the
+/// exact extrema of the planned curves. plan() checks position limits only at the end points of
+/// commands; use check() on the planned axes for the rest.
 struct GroupLimits {
-  std::vector<Limits> axes;
-  PathLimits path = {};
+  std::vector<Limits> axes;  ///< one for each axis
+  PathLimits path = {};      ///< limits along the path
 };
 
-/// PMC600's limits (manual 7.2.4): L = override * min(ancillary, factor * global) for an axis. An omitted
-/// value is not limited. `override` and `factor` > 0.
+/// Factors and ancillary limits of the PMC600 (manual 7.2.4). The effective limit of an axis is L =
+/// override * min(ancillary, factor * global). An omitted limit does not apply.
 struct LimitFactors {
-  double override = 1;
-  double factor = 1;
-  Limits ancillary = {};
+  double override = 1;    ///< > 0
+  double factor = 1;      ///< > 0
+  Limits ancillary = {};  ///< ancillary limits of the axis
 };
+/// The effective limits of an axis.
 Limits effective(const Limits& global, const LimitFactors& factors);
 
-/// The same along a path: L = override * min(ancillary, command).
+/// The effective limits along a path: L = override * min(ancillary, command).
 PathLimits effective(const PathLimits& command, const PathLimits& ancillary, double override);
 
 }  // namespace jounce

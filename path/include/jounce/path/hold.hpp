@@ -5,32 +5,35 @@
 
 namespace jounce {
 
-/// Hold and resume as functions of a plan (MC_GroupHalt, MC_GroupInterrupt and MC_GroupContinue of PMC600;
+/// Hold and resume of a plan (MC_GroupHalt, MC_GroupInterrupt and MC_GroupContinue of the PMC600;
 /// HaltGroup and ResumeGroup of HIMC).
 ///
-///     const Plan held = halted(motion, 1.2);        // as motion up to 1.2 s, then to rest on the path
-///     const Plan rest = resumed(motion, held);      // from there at rest to the end
+///     const Plan held = halted(motion, 1.2);        // follows motion until 1.2 s, then rests
+///     const Plan rest = resumed(motion, held);      // from this rest to the end of the path
 ///
-/// The same plan up to `t`, then the earliest rest on the path within the limits, by the law of stations: a corner
-/// is passed at constant velocity, since it has no share of the limits left for a deceleration; every other piece
-/// is used to slow down. Where the plan itself rests before that, it is kept. No station behind `t` is passed
-/// faster than in the plan. On averages and splines that run by the law of a window the plan goes on to its next
-/// rest. Throws InputError "t" outside [0, duration].
+/// Returns the plan until time t (s), followed by the earliest rest on the path within the limits,
+/// by the law of stations (docs/path/README.md; stations are rests, corners, and changes of the
+/// limits along the path). A corner is passed at constant velocity, because there the limits permit
+/// no deceleration; the axes slow down on all other pieces. If the plan itself rests earlier, the
+/// plan is kept. After t, no station is passed faster than in the plan. On averages and splines
+/// with the law of a window, the plan continues to its next rest. Throws InputError "t" outside [0,
+/// duration].
 Plan halted(const Plan& plan, double t);
 
-/// Continues from the rest at the end of `held`, which `halted` made of `plan`, to the end of the
-/// plan, with the remaining dwells. No station is passed faster than in the plan. Throws InputError
-/// "held" if `held` already ends at the end of the plan.
+/// Returns the motion from the rest at the end of `held` to the end of `plan`, with the remaining
+/// dwells. `held` is a result of halted(plan, ...). No station is passed faster than in the plan.
+/// Throws InputError "held" if `held` ends at the end of the plan.
 Plan resumed(const Plan& plan, const Plan& held);
 
-/// The same from rest at q = `from`, for example behind a retreat. Throws InputError "from" outside [0, length),
-/// and in a corner.
+/// The same from rest at the path position q = `from`, for example after a retreat. Throws
+/// InputError "from" outside [0, length), and inside a corner.
 Plan resumed(const Plan& plan, double from);
 
-/// A retreat: moves from the rest at the end of `held` back along the path to q = `to`. The result has the same path in
-/// the other direction: its q counts from the end. Acceleration and deceleration are both the lower of the two of the
-/// plan. It rests where the plan rests. Throws InputError "to" outside [0, the held place), and in a corner: it is
-/// passed at constant velocity.
+/// A retreat: moves from the rest at the end of `held` back along the path to the path position q =
+/// `to`. The result has the same path in the opposite direction; its q counts from the end.
+/// Acceleration and deceleration are both limited to the lower of the plan's two values. It rests
+/// where the plan rests. Throws InputError "to" outside [0, q at the end of `held`), and inside a
+/// corner, which is passed at constant velocity.
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce

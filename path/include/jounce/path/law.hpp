@@ -10,47 +10,49 @@
 
 namespace jounce {
 
-/// One stretch of a timing law. Of a law of stations: from v0 by a ramp to a peak, along at the peak, by a ramp to
-/// v1, with acceleration zero at both ends. Of a law of a window: one phase of constant jerk, from v0 and
-/// `acceleration` (signed). A rest (dwell) has length 0 and velocity 0.
+/// One stretch of a timing law; q is the path parameter. In a law of stations: a ramp from v0 to a
+/// peak, a cruise at the peak, and a ramp to v1, with acceleration zero at both ends. In a law of a
+/// window: one phase of constant jerk, which begins with v0 and `acceleration` (signed). A rest
+/// (dwell) has length 0 and velocity 0. (docs/path/README.md describes both laws.)
 struct LawStretch {
-  double time = 0;                            ///< s, start
-  double start = 0;                           ///< q, start
+  double time = 0;                            ///< s, at its start
+  double start = 0;                           ///< q at its start
   double length = 0;                          ///< in q
-  double v0 = 0, peak = 0, v1 = 0;            ///< q/s
-  double acceleration = 0, deceleration = 0;  ///< q/s^2 of the two ramps, > 0
+  double v0 = 0, peak = 0, v1 = 0;            ///< q/s: at the start, greatest, at the end
+  double acceleration = 0, deceleration = 0;  ///< q/s^2, > 0, of the first and of the last ramp
   double jerk = 0;                            ///< q/s^3, > 0
   double duration = 0;                        ///< s
-  bool single_phase = false;
-  std::uint32_t piece = 0;   ///< first piece of the path
-  std::uint32_t pieces = 0;  ///< number of pieces; 0: a rest
+  bool single_phase = false;                  ///< true: a phase of constant jerk (law of a window)
+  std::uint32_t piece = 0;                    ///< index of its first piece of the path
+  std::uint32_t pieces = 0;                   ///< number of pieces; 0: a rest
 };
 
-/// Phase of a law: constant jerk.
+/// A phase of constant jerk.
 struct LawPhase {
-  double duration = 0;
+  double duration = 0;  ///< s
   double position = 0, velocity = 0, acceleration = 0,
-         jerk = 0;  ///< at its start; position within the stretch
+         jerk = 0;  ///< at its start: q from the start of the stretch, q/s, q/s^2, q/s^3
 };
 
-/// A timing law q(t): piecewise cubic, acceleration continuous. 100 bytes a stretch.
+/// A timing law: q as a function of time. Piecewise cubic, with continuous acceleration; 100 bytes
+/// for each stretch.
 class TimingLaw {
  public:
   explicit TimingLaw(std::vector<LawStretch> stretches);
 
-  [[nodiscard]] double duration() const;
+  [[nodiscard]] double duration() const;  ///< s
   [[nodiscard]] std::span<const LawStretch> stretches() const { return stretches_; }
-  /// q and its derivatives at t in [0, duration()].
+  /// q and its derivatives at time t (s) in [0, duration()].
   [[nodiscard]] Motion at(double t) const;
-  [[nodiscard]] std::size_t stretch_at(double t) const;
-  /// The law as a curve.
+  [[nodiscard]] std::size_t stretch_at(double t) const;  ///< index of the stretch at time t, s
+  /// q as a curve over time.
   [[nodiscard]] Trajectory curve() const;
 
  private:
   std::vector<LawStretch> stretches_;
 };
 
-/// The phases of a stretch, at most seven, none empty; returns their number.
+/// Writes the phases of a stretch to `out` and returns their number, at most seven. None is empty.
 std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out);
 
 }  // namespace jounce

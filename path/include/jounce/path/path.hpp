@@ -14,56 +14,60 @@ namespace jounce {
 
 /// Kind of a piece of a path.
 enum class PieceKind : std::uint8_t {
-  line,
-  arc,    ///< or helix: one sine and a line an axis
-  turn,   ///< corner of two lines: the tangent turns by a trapezoid (docs/path/README.md, 2.1)
-  blend,  ///< corner of any two pieces: a quintic with the curvatures of its neighbors (2.2)
-  curve,  ///< polynomial: a piece of a spline, an ellipse, or an averaged polyline
+  line,  ///< straight line
+  arc,   ///< arc or helix: for each axis one sine and a line
+  turn,  ///< corner of two lines: the tangent changes by a trapezoid (docs/path/README.md, Turns)
+  /// Corner of any two pieces: a quintic with the curvatures of its neighbors (README, Blends).
+  blend,
+  curve,  ///< polynomial: a piece of a spline, an ellipse, or an averaged sequence of lines
 };
 
-/// One formula of a path.
+/// One piece of a path: a single formula.
 struct PathPiece {
-  double start = 0;      ///< q where it begins
-  double length = 0;     ///< in q
-  std::size_t data = 0;  ///< its first number
-  /// Line of the source: the first of lines in one direction; a corner has that of the command behind it.
+  double start = 0;      ///< q at its start
+  double length = 0;     ///< length in q
+  std::size_t data = 0;  ///< index of its first number
+  /// Source line: of joined lines the first one; of a corner, that of the command after it.
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
 };
 
-/// The way of a group: one curve an axis over the path parameter q.
+/// The path of a group of axes: one curve for each axis as a function of the path parameter q.
 ///
-/// **q** is the arc length on lines and arcs. A corner keeps the length of what it replaces, so q has the same
-/// length with and without rounding for line-line corners; there |r'| <= 1.
+/// **q** is the arc length on lines and arcs. A corner has the length of what it replaces, so a
+/// path of lines has the same length in q with and without rounded corners. On a turn, |r'| <= 1.
 ///
-/// **Memory**: 32 bytes a piece, and for n axes 2n numbers a line, 3n + 1 a turn, 6n + 1 a blend. `curve` makes
-/// the curves of the library from them.
+/// **Memory**: 32 bytes for each piece and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
+/// 6n + 1 for a blend. curve() makes a Curve from them.
 class Path {
  public:
+  /// For plan(), which makes paths.
   Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers);
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
-  [[nodiscard]] double length() const;
+  [[nodiscard]] double length() const;  ///< in q
   [[nodiscard]] std::span<const PathPiece> pieces() const { return pieces_; }
 
-  /// Memory of pieces and numbers.
+  /// Size of pieces and numbers, bytes.
   [[nodiscard]] std::size_t bytes() const {
     return pieces_.size() * sizeof(PathPiece) + numbers_.size() * sizeof(double);
   }
-  /// The numbers of a piece; their layout is that of path/src/geometry/pieces.hpp.
+  /// The numbers of a piece. path/src/geometry/pieces.hpp defines their layout.
   [[nodiscard]] const double* numbers(std::size_t piece) const {
     return numbers_.data() + pieces_[piece].data;
   }
 
-  /// Value and three derivatives by q of every axis, at s = u / length in [0, 1] of a piece.
+  /// Writes the position and three derivatives with respect to q of every axis to `out`, at the
+  /// position u in [0, 1] of a piece (u: share of its length).
   void jets(std::size_t piece, double u, std::span<Jet> out) const;
+  /// The point at the position u in [0, 1] of a piece.
   [[nodiscard]] Point point(std::size_t piece, double u) const;
 
-  /// The segments of one axis on one piece: one, or three for a turn (fewer where it has no ramp or no middle).
+  /// Writes the segments of one axis on one piece to `out`: one, or up to three for a turn.
   void segments(std::size_t piece, std::size_t axis, std::vector<Segment>& out) const;
 
-  /// One axis over q, from 0 to length(). Exact.
+  /// One axis as a function of q, from 0 to length(). Exact.
   [[nodiscard]] Curve<OverLength> curve(std::size_t axis) const;
 
  private:

@@ -21,92 +21,103 @@ namespace jounce {
 
 /// Options of a plan.
 struct PlanOptions {
-  /// Stop at every corner: the program time that rounding is compared with.
+  /// True: stop at every corner. The result shows the program time without rounding.
   bool stop_at_corners = false;
-  /// Joints behind the axes of the program: they are further axes of the plan.
+  /// Joints of the machine; they become further axes of the plan, after the axes of the program.
   std::optional<JointSpace> joints = {};
 };
 
-/// Outcome of a joint, in short.
+/// Short result of a *joint*, the place where two pieces of the path meet.
 enum class JointNote : std::uint8_t {
-  none,        ///< outcome as asked
-  turns_back,  ///< the path reverses: the plan rests
-  short_sides,  ///< the pieces on both sides are too short for what was asked; a smaller corner is used
-  slower,       ///< rounding takes longer than stopping: the plan rests
-  steps,  ///< tangent, but the curvature steps, and with it the acceleration; a corner mode rounds it
-  no_distance,  ///< the command covers no distance and is left out
+  none,        ///< the result is as requested
+  turns_back,  ///< the path reverses: the plan stops
+  /// The adjacent pieces are too short for the requested corner; a smaller one is used.
+  short_sides,
+  slower,  ///< the rounded corner would take longer than a stop: the plan stops
+  /// Tangential, but the curvature steps, and so does the acceleration; a corner mode rounds it.
+  steps,
+  no_distance,  ///< the command covers no distance and is omitted
 };
+/// A joint with its note.
 struct JointMark {
-  std::uint32_t piece = 0;  ///< piece of the path: the corner, or the piece that begins here
-  std::int32_t line = 0;
+  /// Index of the piece: the corner, or the piece that begins at the joint.
+  std::uint32_t piece = 0;
+  std::int32_t line = 0;  ///< source line
   JointNote note = JointNote::none;
-  bool rests = false;
+  bool rests = false;  ///< true: the plan stops here
 };
 
-/// Outcome of the joint at the start of a command.
+/// Full result of the joint at the start of a command. u is the axes' unit of length, q the
+/// position on the path (path.hpp).
 struct CornerRecord {
-  std::int32_t line = 0;  ///< line of the command that begins here
-  double where = 0;       ///< q of the middle
-  double angle = 0;       ///< rad, of the directions that meet here; 0: tangent
-  Corner asked = Corner::stop;
-  double value = 0;      ///< requested value
-  bool stop = false;     ///< the plan rests here
-  double trim = 0;       ///< u, replaced before and after the corner
-  double deviation = 0;  ///< u, corner to curve: exact
-  double one_sided = 0;  ///< u, curve to corner's sides: at most
-  double curvature = 0;  ///< 1/u, the greatest
-  double velocity = 0;   ///< u/s, along q, at the middle
+  std::int32_t line = 0;        ///< source line of the command that begins here
+  double where = 0;             ///< q of the middle of the corner
+  double angle = 0;             ///< rad, between the directions that meet here; 0: tangential
+  Corner asked = Corner::stop;  ///< requested kind of corner
+  double value = 0;             ///< requested value
+  bool stop = false;            ///< true: the plan stops here
+  double trim = 0;              ///< u, length that the corner replaces on each side
+  double deviation = 0;         ///< u, exact distance from the corner to the curve
+  /// u, upper bound of the distance from the curve to the sides of the corner.
+  double one_sided = 0;
+  double curvature = 0;  ///< 1/u, greatest curvature
+  double velocity = 0;   ///< u/s, velocity along q at the middle
   JointNote note = JointNote::none;
-  /// The note as a sentence without units; empty if all is as asked.
+  /// The note as a sentence without units; empty if the result is as requested.
   std::string text;
 };
 
-/// The note of a corner as a sentence, with its numbers; lengths in `length_unit`. Empty if all is as asked.
+/// The note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty if the
+/// result is as requested.
 std::string explain(const CornerRecord& corner, std::string_view length_unit = "");
 
-/// A planned program: path and timing law.
+/// A planned program: its path and its timing law.
 ///
-///     const GroupLimits limits{.axes = std::vector<Limits>(2, {.velocity = 200, .acceleration = 1000, .jerk = 1e4})};
-///     const Plan motion = plan(square, limits);
+///     const Limits axis{.velocity = 200, .acceleration = 1000, .jerk = 1e4};
+///     const GroupLimits limits{.axes = std::vector<Limits>(2, axis)};
+///     const Plan motion = plan(square, limits);            // square: see program.hpp
 ///     motion.duration();                                   // s
-///     const PlanAxes axes = to_axes(motion);               // one Trajectory an axis
+///     const PlanAxes axes = to_axes(motion);               // one Trajectory for each axis
 ///     const Report report = check(axes.curves[0], limits.axes[0]);
 ///
-/// **Promises.** The plan begins and ends at rest, exactly at the program's ends. Its axes keep every limit, by
-/// exact extrema, within 1e-12: arcs, blends and curves are planned with the limits less 1e-6, and `to_axes`
-/// keeps the error of its fits within half of that. It never takes longer than stop_duration(), the fastest
-/// motion of the same laws that stops at each corner. It depends on nothing but its arguments.
+/// **Guarantees.** The plan begins and ends at rest, exactly at the start and end of the program.
+/// Every axis keeps its limits within 1e-12, by exact extrema. (Arcs, blends and curves are planned
+/// with limits reduced by 1e-6; the error of the fits of to_axes() is at most half of that.) The
+/// plan never takes longer than stop_duration(), the fastest motion of the same laws that stops at
+/// each corner. It depends on its arguments only.
 class Plan {
  public:
-  /// Input of a plan.
+  /// Data from which the plan was made.
   struct Given {
-    GroupLimits limits;  ///< limits of the axes, then of the joints
-    std::vector<PathSettings> settings;
-    std::size_t path_axes = 0;
-    std::optional<Path> drawn = {};  ///< see Plan::drawn()
-    std::optional<MapFit> fit = {};  ///< joints: how far they are from their map
+    GroupLimits limits;                  ///< limits of the axes, then of the joints
+    std::vector<PathSettings> settings;  ///< settings of the commands
+    std::size_t path_axes = 0;           ///< number of path axes
+    std::optional<Path> drawn = {};      ///< set if drawn() differs from path()
+    std::optional<MapFit> fit = {};      ///< for joints: their distance from the map
   };
 
+  /// For plan() and the functions of hold.hpp and override.hpp, which make plans.
   Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
 
-  /// All axes: those of the program, then the joints.
+  /// The path of all axes: those of the program, then the joints.
   [[nodiscard]] const Path& path() const { return path_; }
-  /// The path with its lines, arcs and corners, which joints() and corners() count in. It is path(), unless joints are
-  /// fitted: then it has the axes of the program alone, over the same q.
+  /// The path with its lines, arcs and corners; joints() and corners() refer to its pieces. It
+  /// equals path(), unless joints are fitted. In that case it has only the axes of the program, as
+  /// functions of the same q.
   [[nodiscard]] const Path& drawn() const { return given_.drawn ? *given_.drawn : path_; }
   [[nodiscard]] const TimingLaw& law() const { return law_; }
-  [[nodiscard]] double duration() const { return law_.duration(); }
-  /// Program time with a stop at each corner, s.
+  [[nodiscard]] double duration() const { return law_.duration(); }  ///< s
+  /// Duration with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
-  /// Every joint that is not tangent, and every one with a note, in the order of the path.
+  /// All joints that are not tangential, and all with a note, in the order of the path.
   [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
-  /// The same with all that is known of them.
+  /// The same joints with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
 
-  /// Motion of every axis at t in [0, duration()], right-continuous; no allocation. out: one an axis. For many
-  /// instants see PlanCursor.
+  /// The motion of every axis at time t (s) in [0, duration()], right-continuous. `out` has one
+  /// entry for each axis. Does not allocate. For many instants use PlanCursor.
   void at(double t, std::span<Motion> out) const;
 
  private:
@@ -117,46 +128,52 @@ class Plan {
   Given given_;
 };
 
-/// Evaluates a plan at one instant after the other, as Plan::at. It keeps the phases of the last instant, so that an
-/// instant a little later needs no search and no square root. No allocation; the plan must outlive it.
+/// Evaluates a plan at successive instants; the results are those of Plan::at(). It stores the
+/// phases of the last instant, so a slightly later instant needs no search and no square root. Does
+/// not allocate; the plan must outlive the cursor.
 ///
 ///     PlanCursor cursor(motion);
 ///     for (double t = 0; t < motion.duration(); t += 0.001) cursor.at(t, out);
 class PlanCursor {
  public:
+  /// `plan` must outlive the cursor.
   explicit PlanCursor(const Plan& plan) : plan_(&plan) {}
-  void at(double t, std::span<Motion> out);
+  void at(double t, std::span<Motion> out);  ///< motion of every axis at time t, s
 
  private:
   void seek(double t);
   [[nodiscard]] bool is_in_piece(double q, std::size_t piece) const;
 
   const Plan* plan_;
-  double from_ = 0, to_ = 0;  ///< s, the interval of the law that the phases cover; empty at first
+  double from_ = 0, to_ = 0;  ///< s, interval of the law that phases_ covers; empty at first
   std::size_t interval_ = 0, count_ = 0, piece_ = 0;
   std::array<LawPhase, 7> phases_{};
 };
 
-/// Plans a whole program: geometry, corners, look-ahead over all commands. Pure.
+/// Plans a whole program: geometry, corners, and velocities with look-ahead over all commands. A
+/// pure function.
 ///
-/// Throws InputError with the source line: limits that are missing (every axis that moves needs a velocity or the
-/// program a feed; and an acceleration and a jerk of axis or path), or not positive; a program that does not move.
+/// Throws InputError, with the source line, if a limit is missing or not positive, or if the
+/// program does not move. Required limits: a velocity for every axis that moves, or a feed of the
+/// program; an acceleration and a jerk of the axes or of the path.
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options = {});
 
-/// One exact trajectory an axis, or a fit with its certificate.
+/// The axes of a plan over time.
 struct PlanAxes {
-  std::vector<Trajectory> curves;
-  std::vector<Jet>
-      error;  ///< bound of the fit's error by axis: u, u/s, u/s^2, u/s^3; 0 where exact
+  std::vector<Trajectory> curves;  ///< one for each axis
+  /// For each axis, a bound of the error of its fit: u, u/s, u/s^2, u/s^3; 0: exact.
+  std::vector<Jet> error;
 };
 
-/// Axes of a plan over time, from 0. Exact on lines, on corners (degree 9) and at constant speed on arcs; where the
-/// speed changes on an arc or an ellipse a fit of degree 11 within `tolerance` (unit of the axis), or within
-/// rounding where that is coarser; its errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
+/// Returns the axes of a plan over time, from 0 s. They are exact on lines, on corners (degree 9),
+/// and on arcs at constant speed. Where the speed changes on an arc or an ellipse, they are fits of
+/// degree 11 within `tolerance` (unit of the axis), or within rounding if that is coarser. The
+/// errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
-/// A proven lower bound of the duration on this path (jerk not limited): no motion along plan.path() that keeps
-/// velocities and accelerations is faster. `cells` a piece for arcs and corners.
+/// A proven lower bound of the duration on the path plan.path(), without jerk limits, s: no motion
+/// along this path that keeps the limits of velocity and acceleration is faster. `cells`: number of
+/// parts into which each arc and corner is divided.
 double lower_bound(const Plan& plan, int cells = 32);
 
 }  // namespace jounce

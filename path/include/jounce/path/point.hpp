@@ -7,10 +7,11 @@
 
 namespace jounce {
 
-/// Most axes of a group (HIMC: 9).
+/// Greatest number of axes of a group (as in HIMC).
 inline constexpr std::size_t max_axes = 9;
 
-/// Coordinates of a group, one an axis, in the axes' units; those beyond the group's axes are 0.
+/// Coordinates of a group, one for each axis, in the units of the axes; entries beyond the group's
+/// axes are 0.
 using Point = std::array<double, max_axes>;
 
 }  // namespace jounce

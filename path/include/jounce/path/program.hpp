@@ -14,84 +14,93 @@
 
 namespace jounce {
 
-/// Rounding of the corner at the start of a command.
+/// Kind of the corner at the start of a command. `value` is that of PathSettings. u is the axes'
+/// unit of length.
 enum class Corner : std::uint8_t {
-  stop,       ///< exact corner, at rest (TM_NONE, TMNone, G61)
-  deviation,  ///< at most `value` from the corner, and the curve from the corner's sides (G64 P)
-  distance,  ///< begins at most `value` before the corner and ends at most so far behind (TMCornerDistance)
-  curvature,  ///< curvature at most `value`, 1/u (HIMC MAX_CORNER_CURV)
-  velocity,   ///< passed at `value` u/s, with the least deviation (HIMC CONST_VEL)
-  average,    ///< runs of short lines: averaged over a window, at most `value` from the lines
+  stop,  ///< exact corner with a stop (TM_NONE, TMNone, G61)
+  /// Rounded: at most `value` (u) between corner and curve, and between the curve and the sides
+  /// (G64 P).
+  deviation,
+  /// Rounded: from at most `value` (u) before the corner to at most `value` after it
+  /// (TMCornerDistance).
+  distance,
+  curvature,  ///< rounded: curvature at most `value`, 1/u (HIMC MAX_CORNER_CURV)
+  velocity,   ///< rounded: passed at `value`, u/s, with the least deviation (HIMC CONST_VEL)
+  average,    ///< sequence of short lines: one smooth curve at most `value` (u) from the lines
 };
 
-/// Wished velocity at the start of a command (PLCopen part 4, Table 7.1 of PMC600). Limits still hold: the
-/// plan passes at the wish or slower.
+/// Requested velocity at the start of a command (PLCopen part 4; Table 7.1 of the PMC600 manual).
+/// Limits still hold: the velocity is the requested one or lower.
 enum class Junction : std::uint8_t {
   buffered,           ///< at rest
-  blending_low,       ///< the lower one of the two feeds
-  blending_previous,  ///< the feed of the command before
+  blending_low,       ///< the lower of the two feeds
+  blending_previous,  ///< the feed of the previous command
   blending_next,      ///< the feed of the new command
-  blending_high,      ///< the higher one of the two feeds
-  look_ahead,         ///< the highest velocity that the limits allow
+  blending_high,      ///< the higher of the two feeds
+  look_ahead,         ///< the highest velocity within the limits
 };
 
-/// Modal settings: they hold for all commands from here on. `corner` and `junction` act at the START of the
-/// commands that carry them (HMPL manual 8.1.6, Example 3-1).
+/// Modal settings: they apply to all following commands. `corner` and `junction` apply to the START
+/// of these commands (HMPL manual 8.1.6, Example 3-1).
 struct PathSettings {
-  static constexpr double none = std::numeric_limits<double>::infinity();
+  static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
-  double velocity = none;      ///< feed along the path, u/s, > 0
-  double acceleration = none;  ///< along the path, u/s^2, > 0
-  double deceleration = none;  ///< u/s^2, > 0
-  double jerk = none;          ///< u/s^3, > 0
-  Corner corner = Corner::stop;
-  double value =
-      0;  ///< deviation, distance (u), curvature (1/u) or velocity (u/s), > 0; unused by stop
-  Junction junction = Junction::look_ahead;
+  double velocity = none;        ///< u/s, > 0: feed along the path
+  double acceleration = none;    ///< u/s^2, > 0: along the path
+  double deceleration = none;    ///< u/s^2, > 0: along the path
+  double jerk = none;            ///< u/s^3, > 0: along the path
+  Corner corner = Corner::stop;  ///< kind of the corner at the start of a command
+  double value = 0;              ///< > 0; its meaning and unit depend on `corner`; not used by stop
+  Junction junction = Junction::look_ahead;  ///< requested velocity at the start of a command
 
   bool operator==(const PathSettings&) const = default;
 };
 
-/// Commands of a group as plain data: what a controller's queue, a record table or a G-code file holds.
+/// A program: the commands of a group as plain data, as in a controller's queue, a record table or
+/// a G-code file.
 ///
 ///     Program square(2);                                           // two axes, from the origin
 ///     square.set({.velocity = 100, .corner = Corner::deviation, .value = 0.05});
 ///     square.line({100, 0});
 ///     square.line({100, 100});
-///     square.arc(arc_about(square.position(), {50, 100}, {0, 100}, Plane{0, 1}, ArcRotation::counterclockwise));
+///     square.arc(arc_about(square.position(), {50, 100}, {0, 100}, Plane{0, 1},
+///                          ArcRotation::counterclockwise));
 ///     square.dwell(0.5);
 ///
-/// **Positions are absolute.** For relative commands add position(). `line` of each command is that of its
-/// source (0: none): errors and findings name it.
+/// **Positions are absolute.** For a relative command, add position(). The argument `line` of a
+/// command is its source line, which errors and findings name; 0: none.
 ///
-/// **Length.** The first `path_axes` axes form the space in which lengths, feeds and deviations are
-/// measured; the other axes are followers, in proportion to the length. A command that moves followers alone
-/// is measured by them.
+/// **Length.** Lengths, feeds and deviations are measured in the first `path_axes` axes. The other
+/// axes are *followers*: they move in proportion to the length. If a command moves only followers,
+/// its length is measured in them.
 ///
-/// **Throws** InputError with the source line for values that are not finite or out of range.
+/// **Throws** InputError with the source line if a value is not finite or out of range.
 class Program {
  public:
-  /// `axes` from 1 to max_axes; `path_axes` = 0: all of them.
+  /// `axes`: 1 to max_axes. `path_axes`: number of path axes; 0: all axes.
   explicit Program(std::size_t axes, const Point& start = {}, std::size_t path_axes = 0);
 
-  void set(const PathSettings& settings);
-  void line(const Point& to, int line = 0);
-  void arc(const Arc& arc, int line = 0);
-  /// A spline or an ellipse, which begins at position().
+  void set(const PathSettings& settings);    ///< settings of the following commands
+  void line(const Point& to, int line = 0);  ///< adds a line
+  void arc(const Arc& arc, int line = 0);    ///< adds an arc, which begins at position()
+  /// Adds a spline or an ellipse, which begins at position().
   void curve(const PathCurve& curve, int line = 0);
-  /// Rest of any duration in s, >= 0; not rounded to a cycle.
+  /// Adds a rest of any duration, s, >= 0; it is not rounded to a cycle.
   void dwell(double seconds, int line = 0);
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] std::size_t path_axes() const { return path_axes_; }
   [[nodiscard]] const Point& start() const { return start_; }
-  /// End of the last command.
+  /// End of the last command; at first start().
   [[nodiscard]] const Point& position() const { return position_; }
 
   enum class Kind : std::uint8_t { line, arc, curve, dwell };
+  /// A command, for the reader of a program.
   struct Command {
-    std::size_t data = 0;  ///< first number: a line's end, a dwell; index into arcs() or curves()
-    int line = 0;          ///< line of the source
+    /// Index of its first number (end of a line, duration of a dwell), or index into arcs() or
+    /// curves().
+    std::size_t data = 0;
+    int line = 0;                ///< source line
     std::uint32_t settings = 0;  ///< index into settings()
     Kind kind = Kind::line;
   };

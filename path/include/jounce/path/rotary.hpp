@@ -5,8 +5,9 @@
 
 namespace jounce {
 
-/// The position of a rotary axis that shows `to`, nearest to `from`: at most half of `modulo` away. Half a turn goes
-/// upwards. `modulo` = 0: a linear axis, which goes to `to`.
+/// Returns the position of a rotary axis that equals `to` modulo `modulo` and is nearest to `from`:
+/// at most half a turn away. Of two positions half a turn away, it returns the greater one.
+/// `modulo` = 0: a linear axis; returns `to`.
 inline double shortest_way(double from, double to, double modulo) {
   if (!(modulo > 0)) return to;
   const double turns = std::floor((from - to) / modulo + 0.5);

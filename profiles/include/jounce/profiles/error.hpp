@@ -6,25 +6,29 @@
 
 namespace jounce {
 
-/// Shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
+/// The shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
 std::string number(double value);
 
-/// Bad input, in one sentence: its place, its value, and the rule that it breaks.
+/// An error in the input, in one sentence: its place, its value, and the rule that it breaks.
 ///
 /// This is the only exception that Jounce throws for input. A generator gives the key, the value
-/// and the rule; the reader of the document adds the place with at(). An expected outcome (a limit
-/// broken, an optimum not reached) is a returned value instead, and a programming error asserts.
+/// and the rule; the reader of the document adds the place with at(). An expected outcome (a broken
+/// limit, an optimum that was not reached) is a returned value instead. A programming error
+/// asserts.
 ///
 ///     cams/feeder.toml:9:17: segment[2].end.master = 60: must be greater than 75, the knot before
 class InputError : public std::exception {
  public:
+  /// `key`: name of the parameter; `value`: its value as text or number; `rule`: "must be ...".
   InputError(std::string key, std::string value, std::string rule);
   InputError(std::string key, double value, std::string rule);
 
-  /// The same error with its place in a document; line and column count from 1, 0 means unknown.
+  /// The same error with its place in a document. Line and column count from 1; 0 means unknown.
   [[nodiscard]] InputError at(std::string document, int line = 0, int column = 0) const;
 
+  /// The whole sentence.
   [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
+  /// The parts of the sentence; an empty document and a line or column 0 are not known.
   [[nodiscard]] const std::string& document() const { return document_; }
   [[nodiscard]] int line() const { return line_; }
   [[nodiscard]] int column() const { return column_; }
@@ -42,7 +46,7 @@ class InputError : public std::exception {
   std::string text_;
 };
 
-/// Throws InputError unless the value is finite / finite and > 0 / finite and >= 0.
+/// Throws InputError unless the value is finite; finite and > 0; finite and >= 0.
 void require_finite(const char* key, double value);
 void require_positive(const char* key, double value);
 void require_not_negative(const char* key, double value);

@@ -6,27 +6,29 @@
 
 namespace jounce {
 
-// The functions of extrema.hpp and limits.hpp for a table itself: the same values at the same places
-// (the places within rounding: a table keeps the positions of its knots, a curve sums lengths), some
-// ten to a hundred times as fast and without making the curve. A bound of every interval, from its
-// Bernstein coefficients, selects the few that can matter; those are searched like a curve's segments.
+// The functions of extrema.hpp and limits.hpp for a table. They return the same values as for the
+// table's curve, at the same places (except for rounding: a table stores the positions of its
+// knots, while a curve sums lengths). They are ten to a hundred times as fast and do not make the
+// curve: a bound from the Bernstein coefficients of each interval selects the few intervals that
+// can affect the result, and only these are searched.
 //
 //     Report report = check(table, {.velocity = 2, .acceleration = 50});
 //     Ranges all = extrema(table);          // position to third derivative: least, greatest, where
 //
-// Throws InputError for limits like check() of a curve, and, like Table::curve(), if a derivative
-// is too large for a double.
+// All functions throw InputError if a derivative is too large for a double, like Table::curve().
+// check() also throws for invalid limits, like check() of a curve.
 
 /// The exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
-/// The same of the intervals from `first` up to `last`, counted from 0.
+/// The same for the intervals first, ..., last - 1, counted from 0.
 Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last);
 
-/// Exact extrema against limits: check(table.curve<...>(), limits).
+/// Compares the exact extrema with the limits, like check(table.curve<...>(), limits).
 Report check(const Table& table, const Limits& limits);
 
-/// Continuity up to the `order`th derivative: check_continuity(table.curve<...>(), ...).
+/// Checks the continuity up to this order, like check_continuity(table.curve<...>(), order,
+/// tolerance).
 Report check_continuity(const Table& table, int order, double tolerance = 1e-9);
 
 }  // namespace jounce

@@ -8,22 +8,24 @@
 
 namespace jounce {
 
-/// A place in a table, for queries that mostly stay in one interval, for example of a cycle of 1 ms
-/// in a table with knots 10 ms apart.
+/// A cursor speeds up queries of a table that mostly stay in the same interval, such as a cycle of
+/// 1 ms in a table with knots 10 ms apart.
 ///
 ///     Cursor cursor(table);
 ///     for (double t = 0; t < table.end(); t += 0.001) {
-///       const Jet now = cursor.jet(t);          // table.jet(t) to the bit, about three times as fast
+///       const Jet now = cursor.jet(t);          // equals table.jet(t), about three times as fast
 ///     }
 ///
-/// It keeps the polynomials of one interval, nothing of the query before: in any order,
-/// the answers are table.jet(x), to the bit. A copy is a cursor of its own. The table must outlive it
-/// and is not changed by it: one cursor a thread. Throws and allocates nothing.
+/// The cursor stores the polynomials of one interval. Its results do not depend on earlier queries:
+/// for any order of queries they are bit for bit table.jet(x). A copy is an independent cursor. The
+/// table must outlive its cursors, which do not change it; each thread uses its own cursor. Throws
+/// and allocates nothing.
 class Cursor {
  public:
   explicit Cursor(const Table& table);
 
-  /// The value with three derivatives, right-continuous, outside by the policy of the table.
+  /// The value and three derivatives at x, right-continuous. Outside, the policy of the table
+  /// applies.
   [[nodiscard]] Jet jet(double x);
 
  private:
@@ -31,7 +33,7 @@ class Cursor {
 
   const Table* table_;
   std::size_t interval_ = 0;
-  double from_ = 0, to_ = 0;  ///< from of the interval that is kept, none at first
+  double from_ = 0, to_ = 0;  ///< interval [from_, to_) that is stored; empty at first
   double per_length_ = 1;
   int degree_ = 1;
   std::array<double, 6> p_{};

@@ -12,87 +12,95 @@
 
 namespace jounce {
 
-/// Rule for velocities that a table leaves out. Each rule keeps given values, bit for bit.
+/// Rule for velocities that a table omits. Given values stay bit for bit. (C2: acceleration
+/// continuous; C4: fourth derivative continuous.)
 enum class Filling {
-  natural,     ///< C2 cubic spline; an end left open has acceleration 0
-  clamped,     ///< C2 cubic spline; an end left open is at rest
-  periodic,    ///< C2 cubic spline, also from the end to the start; the position may advance
-  not_a_knot,  ///< C2 cubic spline, one cubic over the first two intervals and the last two
-  monotone,    ///< no overshoot: Fritsch and Butland's harmonic mean (PCHIP)
-  shape_preserving,  ///< no overshoot, convex where the data are; otherwise as near to `natural` as possible
-  minimum_jerk,   ///< least integral of jerk^2 of a quintic table: the C4 quintic spline
-  within_limits,  ///< each piece keeps the limits; as near to `clamped` as that allows
+  natural,   ///< C2 cubic spline; at an end without a given velocity, acceleration 0
+  clamped,   ///< C2 cubic spline; an end without a given velocity is at rest
+  periodic,  ///< C2 cubic spline, continuous from the end to the start; the position may advance
+  /// C2 cubic spline, with one cubic over the first two intervals and one over the last two.
+  not_a_knot,
+  monotone,  ///< no overshoot: Fritsch and Butland's harmonic mean (PCHIP)
+  /// No overshoot, and convex where the data are convex; otherwise as near to `natural` as
+  /// possible.
+  shape_preserving,
+  minimum_jerk,   ///< the quintic spline (C4), which has the least integral of jerk^2
+  within_limits,  ///< each piece keeps the limits; otherwise as near to `clamped` as possible
 };
 
-/// "natural", ... : the words of the spec.
+/// The word of the spec: "natural", ...
 const char* name(Filling filling);
+/// The rule of a word; nullopt if unknown.
 std::optional<Filling> filling_named(std::string_view name);
 
-/// A table whose velocities (and accelerations) are known here and there, or not at all.
+/// Input of filled(): a table with some or no velocities (and accelerations).
 ///
 ///     FillSpec spec{.x = {0, 2, 3, 4, 6, 11}, .p = {0, 153, 42, 161, 177, 83}};
 ///     spec.filling = Filling::monotone;
 ///     Filled made = filled(spec);
 ///     Trajectory exact = made.table.curve<OverTime>();      // does not overshoot a knot
-///     made.report.ok();                                     // unmet requirements, by segment
+///     made.report.ok();                                     // false: a requirement is not met
 ///
-/// **Vocabulary.** A *piece* is the motion between two knots; the *chord* is the straight line
-/// there. A method *looks across the seam* if it treats the last piece as the neighbor of the
-/// first.
+/// **Vocabulary.** A *piece* is the motion between two successive knots; its *chord* is the
+/// straight line between them. A rule *continues across the ends* if it treats the last piece as
+/// the neighbor of the first.
 ///
-/// **Periodic.** `periodic` always looks across the seam; monotone, shape_preserving and
-/// minimum_jerk do if `outside` repeats; then the first and last velocity are equal. Positions may
-/// differ at the ends (a rotary axis), except under Extrapolation::wrap.
+/// **Periodic.** `periodic` always continues across the ends. monotone, shape_preserving and
+/// minimum_jerk do so if `outside` is wrap or advance. The first and last velocity are then equal.
+/// The positions at the ends may differ (a rotary axis), except with Extrapolation::wrap.
 ///
-/// **Units.** x in s or master m; p in u; v in u/x, a in u/x^2; limits accordingly.
+/// **Units.** x: s or master unit m; p: u; v: u/x; a: u/x^2; limits accordingly.
 ///
-/// **Throws** InputError with the knot's key like Table; also for v or a of another size than x, a
-/// given value that is not finite, an acceleration for a rule without one, ends of one periodic
-/// table that differ, monotone or shape_preserving under another rule than cubic_hermite,
-/// within_limits without any limit, and invalid limits.
+/// **Throws** InputError with the knot's key, like Table. Also for v or a of another size than x; a
+/// given value that is not finite; an acceleration for a rule without accelerations; different
+/// values at both ends of a periodic table; monotone or shape_preserving with an interpolation
+/// other than cubic_hermite; within_limits without limits; and invalid limits.
 struct FillSpec {
-  Domain axis = Domain::time;
+  Domain axis = Domain::time;                 ///< meaning of x: time or master position
   std::vector<double> x;                      ///< strictly ascending
-  std::vector<double> p;                      ///< like many
-  std::vector<std::optional<double>> v = {};  ///< like many, or none at all: nothing is given
-  std::vector<std::optional<double>> a =
-      {};  ///< the same; for Interpolation::quintic_hermite alone
-  Interpolation rule = Interpolation::cubic_hermite;  ///< not linear, which has nothing to fill in
-  Filling filling = Filling::natural;
-  Extrapolation outside = Extrapolation::hold;
-  Limits limits = {};  ///< velocity, acceleration, jerk: for within_limits
+  std::vector<double> p;                      ///< one for each knot
+  std::vector<std::optional<double>> v = {};  ///< one for each knot, or empty: no velocity is given
+  /// The same for accelerations; only with Interpolation::quintic_hermite.
+  std::vector<std::optional<double>> a = {};
+  Interpolation rule = Interpolation::cubic_hermite;  ///< cubic_hermite or quintic_hermite
+  Filling filling = Filling::natural;                 ///< rule for omitted velocities
+  Extrapolation outside = Extrapolation::hold;        ///< policy of the table outside its interval
+  Limits limits = {};  ///< for within_limits: velocity, acceleration, jerk
 };
 
+/// Result of filled().
 struct Filled {
-  Table table;
-  /// Unmet requirements of the method, each finding with its segment and advice: "fill/limits"
-  /// (broken): a piece that no velocities bring within the limits, with the time it needs;
-  /// "fill/monotone", "fill/convex" (warnings): a piece for which given velocities, or the pieces
-  /// beside it, leave no margin for the shape of the data.
+  Table table;  ///< the table with all values
+  /// Requirements that are not met, each with its segment and an advice. "fill/limits" (broken): no
+  /// velocities bring the piece within the limits; the finding gives the time that it needs.
+  /// "fill/monotone", "fill/convex" (warnings): the piece does not have the shape of the data,
+  /// because of given velocities or of the neighboring pieces.
   Report report;
 };
 
-/// Fills the table in O(knots).
+/// Fills in the velocities and accelerations that the table omits; the time is proportional to the
+/// number of knots. Properties of the rules:
+/// - natural, clamped, periodic, not_a_knot: the acceleration is continuous at every knot without a
+///   given velocity (C. de Boor, A Practical Guide to Splines, ch. IV). Of all curves through the
+///   knots with the given velocities, `natural` has the least integral of acceleration^2.
+/// - monotone: every piece without a "fill/monotone" finding rises, falls or rests like its chord
+///   (Fritsch and Butland 1984).
+/// - shape_preserving: the same. In addition, a piece bends in one direction if the data around it
+///   do, unless there is a "fill/convex" finding (C1 cubics cannot always do this). Second order.
+/// - minimum_jerk: the least integral of jerk^2 of all curves through the given values (Schoenberg
+///   1964). A cubic table has the same velocities. The stiffness of a piece is its length^-5, so
+///   two neighboring intervals of ratio 1 : 65000 cost half of the digits.
+/// - within_limits: an end without a given velocity is at rest. A piece without a finding keeps the
+///   limits, to a relative 1e-13.
 ///
-/// *Guarantees.* natural, clamped, periodic, not_a_knot: acceleration continuous at every knot with
-/// an omitted velocity (de Boor, A Practical Guide to Splines, ch. IV); of all curves through the
-/// knots with the given velocities `natural` has the least integral of acceleration^2. monotone:
-/// every piece without a "fill/monotone" finding rises, falls or stays like its chord (Fritsch and
-/// Butland 1984). shape_preserving: the same, and a piece between knots whose data bend in one
-/// direction bends in that direction (unless "fill/convex" names it; C1 cubics cannot always do
-/// this); second order. minimum_jerk: the least integral of jerk^2 over all curves through the
-/// given values (Schoenberg 1964); in a cubic table the same velocities. The stiffness of a piece
-/// is its length^-5: intervals of 1 : 65000 side by side cost half of the digits. within_limits:
-/// ends left open are at rest; a piece not named keeps the limits, to a relative 1e-13.
-///
-/// With Interpolation::quintic_hermite, for every choice of the velocities, omitted accelerations make the integral
-/// of jerk^2 least under these velocities. (within_limits then holds for the cubic; see `check`.)
+/// With Interpolation::quintic_hermite, the omitted accelerations minimize the integral of jerk^2
+/// for the velocities of any rule. (within_limits then applies to the cubic with these velocities;
+/// use check().)
 Filled filled(const FillSpec& spec);
 
-/// Velocities of the C2 cubic spline through the knots, nothing given: the kernel of `filled`, for
-/// data that need no report. Ends: natural, clamped (at rest), periodic or not_a_knot. Spans of equal size >= 2,
-/// x strictly ascending (not checked). Four chains run side by side; the result is the same
-/// on every machine.
+/// Computes the velocities of the C2 cubic spline through the knots if no velocity is given. Use it
+/// for data that need no report. `ends`: natural, clamped (at rest), periodic or not_a_knot. Spans
+/// of equal size >= 2; x ascends strictly (not checked). The result is the same on every computer.
 void spline_velocities(std::span<const double> x, std::span<const double> p, Filling ends,
                        std::span<double> v);
 

@@ -10,23 +10,24 @@
 
 namespace jounce {
 
-/// A given curve, or that of a table, made at its first use: a curve takes 200 bytes for each knot,
-/// its table 40.
+/// A curve, or a table whose curve is made when it is first used. A curve needs 200 bytes for each
+/// knot, its table 40.
 ///
 ///     const LazyCurve curve(table);
-///     std::get<Trajectory>(*curve).at(0.5);      // now there is a curve
+///     std::get<Trajectory>(*curve).at(0.5);      // makes the curve
 ///
-/// Copies share the curve. Threads may ask for it at the same time.
+/// Copies share the curve. Several threads may use it at the same time.
 class LazyCurve {
  public:
   using Any = std::variant<Cam, Trajectory>;
 
   template <class Over>
-  LazyCurve(Curve<Over> curve)  // NOLINT(google-explicit-constructor): a curve is one
+  LazyCurve(Curve<Over> curve)  // NOLINT(google-explicit-constructor): a curve is a LazyCurve
       : LazyCurve(Any(std::move(curve))) {}
-  /// Throws InputError like table.curve(), so that the first use of the curve does not throw.
+  /// Throws InputError like table.curve(), so that the first use does not throw.
   explicit LazyCurve(Table table);
 
+  /// The curve.
   [[nodiscard]] const Any& operator*() const;
 
  private:

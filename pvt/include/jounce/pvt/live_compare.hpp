@@ -13,48 +13,50 @@
 
 namespace jounce {
 
-/// Changes of a compare since the step before.
+/// Output after a step, and the edges since the previous step.
 struct CompareStep {
-  static constexpr std::size_t most_edges = 16;
+  static constexpr std::size_t most_edges = 16;  ///< greatest number of edges that a step returns
 
-  bool output = false;                        ///< now
-  std::uint32_t count = 0;                    ///< count of edges
-  std::uint32_t lost = 0;                     ///< edges beyond the capacity; the output is right
-  std::array<OutputEdge, most_edges> edge{};  ///< ascending; time: s since the step before, [0, dt)
+  bool output = false;      ///< present output
+  std::uint32_t count = 0;  ///< number of edges
+  std::uint32_t lost = 0;   ///< number of edges beyond most_edges; the output is correct
+  /// Ascending; time in s since the previous step, in [0, dt).
+  std::array<OutputEdge, most_edges> edge{};
 
   [[nodiscard]] std::span<const OutputEdge> edges() const { return {edge.data(), count}; }
 };
 
-/// The position compare of an axis, stepped by its cycle: position_compare.hpp tick by tick instead
-/// of along a known motion.
+/// The position compare of an axis, computed cycle by cycle. (position_compare.hpp: for a known
+/// motion.)
 ///
 ///     LiveCompare camera({.mode = CompareMode::linear, .points = evenly(10, 1, 11), .pulse = 2e-5});
-///     camera.arm();                                        // a motion begins: from the first point
+///     camera.arm();                                        // a motion begins at the first point
 ///     for (const OutputEdge& edge : camera.step(position, velocity, 1e-3).edges()) ...
 ///
-/// **Within a cycle** the axis moves by cycle_motion(); crossings are its roots, not samples: as
-/// exact as that motion, 1e-12 s at a constant jerk. Times in s, positions in u.
+/// **Within a cycle** the axis moves by cycle_motion(). Crossings are roots of this motion, not
+/// samples: exact to 1e-12 s for a constant jerk. Times are in s, positions in u.
 ///
-/// **Arming** restarts the list, with the output off, from the position in the step before. If a
-/// start comes late, or within a cycle, the points passed by the next step fire in that step.
-/// Before that, and after the last point, nothing fires. A point at the position of the axis when
-/// it is armed fires in that step.
+/// **Arming** starts the list again, with the output off, from the position in the previous step.
+/// If arming comes late, or within a cycle, the points that the next step passes fire in that step.
+/// A point at the position of the axis fires in the next step as well. Nothing fires before arming,
+/// or after the last point.
 ///
-/// step() does not allocate, lock or throw. A position that is not finite is none: time passes, and
-/// pulses end. A velocity that is not finite is taken from the positions.
+/// step() does not allocate, lock or throw. If the position is not finite, only time passes, and
+/// pulses end. If the velocity is not finite, it is computed from the positions.
 class LiveCompare {
  public:
   /// Throws InputError like compared().
   explicit LiveCompare(const PositionCompare& compare);
 
-  void arm();
-  /// The axis is elsewhere from the next step on without having moved there: nothing is passed.
+  void arm();  ///< restarts the list; see above
+  /// The next step moves the axis to its position without motion: it passes no point.
   void place() { placed_ = false; }
 
-  /// `position` u and `velocity` u/s of the axis now, `dt` > 0 s after the step before.
+  /// Computes the output. Arguments: the present position (u) and velocity (u/s) of the axis, and
+  /// the time since the previous step (s, > 0).
   const CompareStep& step(double position, double velocity, double dt);
 
-  /// Points that have fired since it was armed.
+  /// Number of points that have fired since arming.
   [[nodiscard]] std::size_t fired() const { return next_; }
 
  private:
@@ -71,12 +73,12 @@ class LiveCompare {
   bool armed_ = false;
   bool placed_ = false;
   std::size_t next_ = 0;
-  Segment piece_;                 // the way since the last given position
-  double s_ = 0;                  // part of it searched so far, 0 to 1
-  std::optional<double> side_;    // side of the next point, where the axis was last
-  std::optional<double> off_in_;  // s after the last step: the end of a pulse
+  Segment piece_;                 // motion since the last given position
+  double s_ = 0;                  // the part of it that has been searched, 0 to 1
+  std::optional<double> side_;    // side of the next point on which the axis was last
+  std::optional<double> off_in_;  // s after the last step, at which a pulse ends
   double position_ = 0, velocity_ = 0;
-  double elapsed_ = 0;  // s since then
+  double elapsed_ = 0;  // s since the last given position
   std::vector<double> found_;
   CompareStep step_;
 };

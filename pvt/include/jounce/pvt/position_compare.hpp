@@ -10,22 +10,24 @@
 
 namespace jounce {
 
-/// When an output fires; PMC600's modes of LS_HighSpeedCmp and their codes (manual 9.3).
+/// Condition under which an output fires: modes of LS_HighSpeedCmp with their codes (PMC600 manual
+/// 9.3).
 enum class CompareMode : std::uint8_t {
-  equal = 1,       ///< at the position; the output stays on
-  less = 2,        ///< at or below it; stays on
-  greater = 3,     ///< at or above it; stays on
-  fifo_time = 4,   ///< at each position of a list, for `pulse`
-  linear = 5,      ///< the same at equal spacing: see evenly()
-  fifo_level = 6,  ///< at each position of a list the output takes that point's level
+  equal = 1,       ///< at the position; the output then stays on
+  less = 2,        ///< at or below the position; the output then stays on
+  greater = 3,     ///< at or above the position; the output then stays on
+  fifo_time = 4,   ///< at each position of a list, for the time `pulse`
+  linear = 5,      ///< the same, for positions of equal spacing: see evenly()
+  fifo_level = 6,  ///< at each position of a list, the output takes the level of the point
 };
 
+/// A position at which the output fires. u is the axis' unit.
 struct ComparePoint {
   double position = 0;  ///< u
-  bool level = true;    ///< fifo_level: new level of the output
+  bool level = true;    ///< for fifo_level: new level of the output
 };
 
-/// Position compare of one axis: fires a camera, a laser or a valve at positions of the axis.
+/// Position compare of one axis: triggers a camera, a laser or a valve at positions of the axis.
 ///
 ///     PositionCompare camera{.mode = CompareMode::linear,
 ///                            .points = evenly(2000, 2000, 5),   // 2000, 4000 ... 10000
@@ -33,93 +35,102 @@ struct ComparePoint {
 ///     Compared shots = compared(camera, move);                  // exact instants
 ///     Report report = check(camera, move, {.sampling_frequency = 16e3});
 ///
-/// **Order.** The points of a list fire strictly in their order: each arms the next, and a point
-/// that the axis does not pass blocks those after it (PMC600 manual 9.3). A point fires when the
-/// axis reaches or touches it, in either direction, to rounding; if the axis is already there, at
-/// once. Pulses that overlap merge into one. Positions u are those of the command.
+/// **Order.** The points of a list fire in their order only. Each point arms the next one, so a
+/// point that the axis does not pass blocks all later points (PMC600 manual 9.3). A point fires
+/// when the axis reaches or touches it, in either direction (to rounding); at once if the axis is
+/// already there. Pulses that overlap become one. Positions (u) are those of the setpoint.
 struct PositionCompare {
   CompareMode mode = CompareMode::fifo_time;
-  std::vector<ComparePoint> points = {};  ///< equal, less, greater: one
-  double pulse = 0;                       ///< s, > 0: fifo_time and linear
+  /// One point for equal, less and greater; otherwise a list.
+  std::vector<ComparePoint> points = {};
+  double pulse = 0;  ///< s, > 0; for fifo_time and linear only
 };
 
-/// Throws InputError, counting from 1 ("points[3].position"), for no points, or several in a mode
-/// with one point, a number that is not finite, and a missing pulse or one in a mode without
-/// pulses.
+/// Throws InputError, with keys that count from 1 ("points[3].position"), if there are no points,
+/// or several in a mode with one point; if a number is not finite; if a pulse is missing, or given
+/// in a mode without pulses.
 void require_valid(const PositionCompare& compare);
 
-/// `count` >= 1 positions from `start` on (PMC600 SetLinearPara; 0 counts as 1 there and here).
-/// Each is start + i * increment: no sum that drifts.
+/// Returns `count` positions start + i * increment, so rounding does not accumulate (PMC600
+/// SetLinearPara). A count of 0 gives one position, as in the PMC600.
 std::vector<ComparePoint> evenly(double start, double increment, std::size_t count);
 
-/// A point that fired.
+/// A point that has fired.
 struct CompareEvent {
-  double time = 0;        ///< s
-  std::size_t point = 0;  ///< counted from 0
-  double position = 0;    ///< u, of the point
-  double velocity = 0;    ///< u/s, of the axis then
+  double time = 0;        ///< s, when it fired
+  std::size_t point = 0;  ///< index of the point, from 0
+  double position = 0;    ///< u, position of the point
+  double velocity = 0;    ///< u/s, velocity of the axis at that time
 };
 
 /// A change of the output.
 struct OutputEdge {
   double time = 0;  ///< s
-  bool on = false;
+  bool on = false;  ///< true: the output goes on
 };
 
+/// Result of compared().
 struct Compared {
-  std::vector<CompareEvent> events;
-  std::vector<OutputEdge>
-      edges;  ///< off at first; the end of the last pulse may lie after the motion
+  std::vector<CompareEvent> events;  ///< in order of time
+  /// The output is off at first; the last pulse may end after the motion.
+  std::vector<OutputEdge> edges;
 };
 
-/// Fires a compare along a known motion. Crossings are isolated, not sampled: exact to the rounding of
-/// the position. Throws InputError for a motion that repeats without end, and as require_valid() does.
+/// Returns the points that fire during a known motion. Crossings are isolated, not sampled: exact
+/// to the rounding of the position. Throws InputError for a motion that repeats without end, and
+/// like require_valid().
 Compared compared(const PositionCompare& compare, const Trajectory& motion);
 
-/// Limits of the comparing hardware.
+/// Properties of the hardware that compares.
 struct CompareDevice {
-  double sampling_frequency = 0;  ///< Hz, of the position that is compared; 0: continuous
-  double latency = 0;             ///< s, >= 0: from the crossing to the output
+  double sampling_frequency = 0;  ///< Hz, sampling rate of the compared position; 0: continuous
+  double latency = 0;             ///< s, >= 0: delay from the crossing to the output
 };
 
-/// Reports places at which it would not work. Broken: "compare/speed": between two points the axis
-/// may cover no more than their distance in a sample, speed < distance * sampling_frequency (HMPL
-/// manual 12.1), or the device misses one; "compare/missed": points that never fire. Warning:
-/// "compare/merged": pulses that overlap. Note: "compare/latency": distance of the axis within
-/// sample and latency.
+/// Reports places where the hardware would fail. Rules:
+/// - "compare/speed" (broken): within one sample the axis covers the whole distance between two
+///   points, so the hardware can miss one. Required: speed < distance * sampling_frequency (HMPL
+///   manual 12.1).
+/// - "compare/missed" (broken): points that never fire.
+/// - "compare/merged" (warning): pulses that overlap.
+/// - "compare/latency" (note): distance that the axis covers in one sample and the latency.
 Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device);
 
-/// Compare in a plane: a point fires when both axes are within a band of it (PMC600 manual 9.4).
+/// Position compare in a plane: a point fires when both axes are within a band around it (PMC600
+/// manual 9.4).
 struct PlaneCompare {
   struct Point {
     double x = 0, y = 0;  ///< u
-    int output = 1;
+    int output = 1;       ///< number of the output
   };
-  double x_band = 0;  ///< u, > 0: half its width
-  double y_band = 0;
-  bool equal = false;  ///< mode 1: in the zone and one axis at its position; else on entering
-  std::vector<Point> points = {};
-  double pulse = 0;  ///< s, > 0
+  double x_band = 0;  ///< u, > 0: half of the band's width
+  double y_band = 0;  ///< u, > 0: half of the band's width
+  /// True (mode 1): fires when, inside the band, one axis is exactly at the point; false: on
+  /// entering the band.
+  bool equal = false;
+  std::vector<Point> points = {};  ///< in the order in which they fire
+  double pulse = 0;                ///< s, > 0: duration of the output
 };
 
-/// In the order of the points, as above; position and velocity are those along x. The motions are over
-/// the same interval.
+/// Returns the points that fire, in their order, as above. `position` and `velocity` of an event
+/// are those of x. Both motions cover the same interval.
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y);
 
-/// "compare/missed", as above.
+/// Reports points that never fire: "compare/missed" (broken).
 Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y);
 
-/// HIWIN HIMC position trigger, in the words of HMPL (manual 12.1).
+/// The position trigger of HIWIN HIMC, with the names of the HMPL manual (12.1).
 namespace himc {
 
-/// Even spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. Start above end: descending. Both
-/// ends fire if they are whole intervals apart (to 1e-9 of one). Pulse width in ns, 20 to 80000 in
-/// steps of 20. Throws InputError with those keys.
+/// Positions of equal spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. If start is above end,
+/// positions descend. Both ends fire if their distance is a whole number of intervals (to 1e-9 of
+/// one). pulse_width in ns, 20 to 80000 in steps of 20. Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
-/// Uneven spacing: SetPT_PosArray, StateArray (one bit per position), StartIndex, EndIndex, from 0;
-/// start above end: travelled backwards. At most 256 positions.
+/// Given positions: SetPT_PosArray, StateArray (one bit for each position), StartIndex, EndIndex
+/// (from 0). If start_index is above end_index, the axis travels backwards. At most 256 positions.
+/// Throws InputError with these names as keys.
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,
                                std::size_t start_index, std::size_t end_index);
 

@@ -6,69 +6,73 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 
-/// The time tables of PLCopen as a Leadshine PMC600 has them (PMC600 manual, volume 4, 4.1 and 5.2.3; the blocks are
-/// CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s and u. 5.2.3 calls them PVT; none
-/// of them has more than one column in addition to the time.
+/// The time tables of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
+/// the blocks are CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s
+/// and the axis' unit u. The manual calls them PVT, but each has only one column in addition to the
+/// time.
 ///
 ///     using namespace jounce::pmc600;
 ///     const ProfileTable stages{.points = {{1, 10000}, {2, 40000}, {1, -10000}, {0.5, -5000}},
 ///                               .is_absolute = false};                     // figure 5.13
 ///     const Trajectory f = position_profile(stages);                       // 4.5 s, to 35000
-///     const Trajectory g = position_profile(stages, PositionRule::linear); // steps of velocity
-///     const Report report = velocity_steps(g);                             // ... as they are named
+///     const Trajectory g = position_profile(stages, PositionRule::linear); // velocity steps
+///     const Report report = velocity_steps(g);                             // lists these steps
 ///
-/// The manual states only that the stages are continuous. Here:
+/// The manual states only that the stages are continuous. Here, as in the blocks of the same names
+/// of REXYGEN:
 ///
 ///     block                  between the points       continuous      begins with
 ///     MC_PositionProfile     cubic, or linear         velocity        the axis' position and velocity
 ///     MC_VelocityProfile     velocity linear          velocity        the axis' velocity
 ///     MC_AccelerationProfile acceleration linear      acceleration    the axis' acceleration
 ///
-/// like REXYGEN's blocks of the same names. Every stage lasts its point's delta_time; the first
-/// leads from the axis' state to point 1. Absolute: a knot's value is scale * value + offset.
-/// Relative: it is the axis' value at Execute + offset + scale * (sum of the values so far). So the
-/// offset shifts the whole curve once, in the first stage, not at every point.
+/// A *stage* lasts the delta_time of its point and leads to this point; the first one begins at the
+/// state of the axis. If the table is absolute, the value at a point is scale * value + offset. If
+/// it is relative, the value is: value of the axis at Execute + offset + scale * (sum of the values
+/// so far). So the offset shifts the whole curve once, in the first stage.
 ///
-/// **Outside** it holds: the axis stands at the end position. If the table ends moving, CODESYS
-/// puts the axis into errorstop unless another block takes over; velocity_steps (warnings.hpp)
-/// names it.
+/// **Outside** the curve holds: the axis stands at the end position. If the table ends in motion,
+/// CODESYS puts the axis into errorstop unless another block takes over; velocity_steps()
+/// (warnings.hpp) reports this.
 ///
-/// **Throws** InputError, naming the controller's error: 325, 350, 375 for the number of points; 326,
-/// 351, 376 for a stage of no time.
+/// **Throws** InputError with the number of the controller's error: 325, 350, 375 for the number of
+/// points; 326, 351, 376 for a stage without duration.
 namespace jounce::pmc600 {
 
-inline constexpr int most_points =
-    100;  ///< most points of the array in MC_TP_REF, MC_TV_REF, MC_TA_REF
+/// Greatest number of points in MC_TP_REF, MC_TV_REF, MC_TA_REF.
+inline constexpr int most_points = 100;
 
-/// SMC_TP, SMC_TV, SMC_TA.
+/// One point: SMC_TP, SMC_TV or SMC_TA.
 struct ProfilePoint {
-  double delta_time = 0;  ///< s, > 0: from the point before
-  double value = 0;       ///< position, u; velocity, u/s; acceleration, u/s^2
+  double delta_time = 0;  ///< s, > 0: duration of the stage to this point
+  double value = 0;       ///< position (u), velocity (u/s) or acceleration (u/s^2)
 };
 
-/// MC_TP_REF, MC_TV_REF, MC_TA_REF with the block's inputs.
+/// A table: MC_TP_REF, MC_TV_REF or MC_TA_REF, with the inputs of its block.
 struct ProfileTable {
-  std::vector<ProfilePoint> points = {};
-  bool is_absolute = true;  ///< IsAbsolute; else each value counts from the one before
-  double scale = 1;         ///< PositionScale, ...; may be negative
-  double offset = 0;        ///< Offset, in the unit of the scaled value
-  std::optional<int> number_of_pairs = {};  ///< number of played points; default: all
-  std::optional<int> array_size = {};       ///< ArraySize, at least number_of_pairs, at most 100
-  double from = 0;                          ///< u: the axis at Execute
-  double from_velocity = 0;                 ///< u/s
-  double from_acceleration = 0;             ///< u/s^2: for MC_AccelerationProfile
+  std::vector<ProfilePoint> points = {};  ///< 1 to most_points
+  bool is_absolute = true;  ///< IsAbsolute; false: each value counts from the previous one
+  double scale = 1;         ///< PositionScale, VelocityScale or AccelerationScale; may be negative
+  double offset = 0;        ///< Offset, in the unit of the scaled values
+  std::optional<int> number_of_pairs = {};  ///< number of points that are played; default: all
+  std::optional<int> array_size = {};       ///< ArraySize: at least number_of_pairs, at most 100
+  double from = 0;                          ///< u, position of the axis at Execute
+  double from_velocity = 0;                 ///< u/s, velocity of the axis at Execute
+  double from_acceleration = 0;             ///< u/s^2, its acceleration; for MC_AccelerationProfile
 };
 
-/// Interpretation of a position table.
+/// Motion between the points of a position table.
 enum class PositionRule {
-  /// Velocity continuous, from from_velocity to rest, and no overshoot except for a from_velocity
-  /// of more than 3 times the first stage's mean: the harmonic mean of Fritsch and Butland (SIAM J.
-  /// Sci. Stat. Comput. 5, 1984), 0 at a reversal.
+  /// Continuous velocity, from from_velocity to rest. The velocity at a point is the harmonic mean
+  /// of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984), 0 at a reversal. No overshoot,
+  /// unless from_velocity exceeds 3 times the mean velocity of the first stage.
   cubic,
-  /// The literal one: constant velocity in every stage, which steps at every point.
+  /// Constant velocity in every stage, so that the velocity steps at every point (a literal reading
+  /// of the manual).
   linear,
 };
 
+/// The motion of MC_PositionProfile, MC_VelocityProfile and MC_AccelerationProfile, from 0 s.
 Trajectory position_profile(const ProfileTable& table, PositionRule rule = PositionRule::cubic);
 Trajectory velocity_profile(const ProfileTable& table);
 Trajectory acceleration_profile(const ProfileTable& table);

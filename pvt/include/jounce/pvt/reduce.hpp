@@ -9,81 +9,87 @@
 
 namespace jounce {
 
-/// Tables of the fewest knots: a curve, or a table with too many knots, reduced to the capacity of
-/// a controller.
+/// Makes tables with the fewest knots: it reduces a curve, or a table with too many knots, to what
+/// a controller can hold.
 ///
 ///     Sampled table = reduced(cam, {.rule = Interpolation::cubic_hermite, .tolerance = 1e-3});
-///     table.table.size();            // the fewest knots that keep the cam within a micrometre
+///     table.table.size();            // the fewest knots that keep the cam within 1e-3
 ///     table.error.velocity;          // certified, like table.error.position
-///     reduced(cam, {.rule = Interpolation::linear, .most = 17, .x_step = 1});       // the best of 17 points
-///     reduced(old.curve<OverMaster>(), {.tolerance = 1e-3, .p_step = 1});  // in whole counts
-///     reduced(composed_within(cam, camshaft, 1e-6), {.tolerance = 1e-3});  // a curve that fits no segment
+///     reduced(cam, {.rule = Interpolation::linear, .most = 17, .x_step = 1});  // best 17 points
+///     reduced(old.curve<OverMaster>(), {.tolerance = 1e-3, .p_step = 1});      // in whole counts
+///     reduced(composed_within(cam, camshaft, 1e-6), {.tolerance = 1e-3});      // a fitted curve
 ///
-/// **Vocabulary.** A *target* describes the table: its rule, its permitted deviation from the
-/// curve, and the possible knots of the controller. The *binding* requirement is the one that
-/// determines the number of knots.
+/// **Vocabulary.** A *target* describes the table: its interpolation rule, its permitted deviation
+/// from the curve, and the restrictions of the controller for knots. The *binding* requirement is
+/// the one that determines the number of knots.
 ///
 /// **Certified.** The error is the exact maximum of |table - curve| and of |table' - curve'|,
-/// including the rounding of the knots: extrema of the difference, not samples.
+/// including the rounding of the knots. It comes from extrema of the difference, not from samples.
 ///
-/// **Fewest.** Knots lie anywhere, not only at the breaks of the curve. Each interval is as long as
-/// it can be, which is fewest wherever a part of an interval that keeps the tolerance keeps it too;
-/// then all are shortened alike until they share one error: for a smooth curve the table is the
-/// best of its number of knots, to a hundredth. Otherwise it is near the best; tables of at most 64
-/// knots of curves of at most 128 segments are also searched over the breaks of the curve and 64
-/// parts of it, so that no subset of its own knots is better by more than a hundredth
-/// (detail/best_places.hpp). No other knot than those of dwells and straight lines can be left out:
-/// two intervals as one break the tolerance.
+/// **Fewest.** Knots may be anywhere, not only at the breaks of the curve. First, each interval is
+/// made as long as possible. This gives the fewest knots if, for every interval that keeps the
+/// tolerance, each part of it also keeps it. Then all intervals are shortened together until they
+/// have the same error. For a smooth curve, the result is within a hundredth of the best table with
+/// this number of knots. For other curves it is near the best. For tables of at most 64 knots and
+/// curves of at most 128 segments there is a further search, over the breaks of the curve and 64
+/// divisions of it: no subset of these places is better by more than a hundredth
+/// (pvt/src/sample/best_places.hpp). Except for knots at dwells and straight lines, no knot can be
+/// removed: two intervals in one would break the tolerance.
 ///
-/// **Dwells and straight lines** of the curve (a slave in sync) are intervals of the table,
-/// exactly, for every tolerance: both ends are knots, on a grid the next ones inwards. Between
-/// straight lines, as in a table that was recorded in counts, only dwells of 1/64 of the curve and
-/// more. A line is not kept if its rounded ends break the tolerance; no stretch is kept if
-/// `spacing` leaves no place.
+/// **Dwells and straight lines** of the curve (a slave in step) are exact intervals of the table
+/// for every tolerance. Both ends are knots; on a grid, they are the next grid places inwards.
+/// Between straight lines, as in a table that was recorded in counts, this applies only to dwells
+/// of at least 1/64 of the curve. A line is not kept if its rounded ends break the tolerance, and
+/// no dwell or line is kept if `spacing` leaves no place.
 ///
-/// **Quadratic pieces.** Between two knots of the curve there is a knot of the table's own, in the
-/// middle of the interval: without a step of the velocity, and on the curve at every other knot, so
-/// no error is passed on. One piece is enough if the curve itself is quadratic.
+/// **Quadratic pieces.** There is an additional knot in the middle of each interval between two
+/// knots of the curve. So the velocity does not step. Every other knot is on the curve, so errors
+/// do not accumulate. One piece is enough if the curve is quadratic.
 ///
-/// **Steps.** A knot has one velocity and one acceleration. If those of the curve step, a knot
-/// takes the left values (beside a dwell, those of the dwell) and the next interval is as short as
+/// **Steps.** A knot has one velocity and one acceleration. If those of the curve step, the knot
+/// takes the left values (beside a dwell: those of the dwell), and the next interval is as short as
 /// necessary.
 ///
-/// **Units**: those of the curve. **Throws** InputError, with the key and a value that works, for a
-/// target that cannot be met, and for one without a request or with numbers below 0.
+/// **Units** are those of the curve. **Throws** InputError, with the key and a possible value, for
+/// a target that cannot be met, for a target without any request, and for negative numbers.
 
-/// Target of the table. `tolerance`, `velocity_tolerance` or `most` must be given; without
-/// tolerances the position error is the least that `most` knots can have.
+/// Requirements for the table. At least one of `tolerance`, `velocity_tolerance` and `most` is
+/// given. Without tolerances, the table has the least position error that is possible with `most`
+/// knots.
 struct Target {
-  Interpolation rule = Interpolation::cubic_hermite;
-  /// Pieces of degree 2, as a controller's segments of linear velocity are (Googol's NORMAL): two for
-  /// most intervals. Of a cubic_hermite table, in numbers that are not rounded.
+  Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the table
+  /// True: pieces of degree 2, for controllers whose segments have linear velocity (Googol's
+  /// NORMAL); most intervals need two pieces. Requires cubic_hermite and no rounding (p_step and
+  /// v_step 0).
   bool quadratic = false;
-  std::optional<double> tolerance = {};           ///< greatest position error, > 0
-  std::optional<double> velocity_tolerance = {};  ///< greatest error of the first derivative, > 0
-  std::optional<std::size_t> most = {};           ///< knots that the controller holds, >= 2
-  double spacing = 0;                             ///< least distance of knots
-  double x_step = 0;  ///< knots at whole multiples of it (1 ms, 1 pulse); 0: anywhere
-  double p_step = 0;  ///< positions rounded to whole multiples of it (counts); 0: as they are
-  double v_step = 0;  ///< velocities likewise
+  std::optional<double> tolerance = {};  ///< greatest permitted error of the position, > 0
+  /// Greatest permitted error of the first derivative, > 0.
+  std::optional<double> velocity_tolerance = {};
+  std::optional<std::size_t> most = {};  ///< number of knots that the controller can hold, >= 2
+  double spacing = 0;                    ///< least distance between knots
+  double x_step = 0;  ///< knots are at whole multiples of this step (1 ms, 1 pulse); 0: anywhere
+  /// Positions are rounded to whole multiples of this step (counts); 0: not rounded.
+  double p_step = 0;
+  double v_step = 0;  ///< velocities are rounded to whole multiples of this step; 0: not rounded
 };
 
-/// The table of fewest knots for the target.
+/// Returns the table with the fewest knots for the target.
 ///
-/// **Rounding.** Positions are rounded, not their increments, so no error adds up: increments are
-/// whole and sum to the whole travel. A curve that repeats must have a period of whole `x_step` and
-/// advance by whole `p_step`; otherwise it would drift, and is rejected. A curve that holds outside
-/// ends at the first multiple of `x_step` from its end on; another one must end at one. The search
-/// takes the farthest knot that rounding permits: a tolerance below p_step / 2 makes knots at
-/// places where the curve is close to whole counts.
+/// **Rounding.** Positions are rounded, not their increments, so errors do not add up. All
+/// increments are whole multiples of the steps, and their sum is the whole travel. A curve that
+/// repeats must have a period of a whole number of `x_step` and an advance of a whole number of
+/// `p_step`; otherwise it would drift and is rejected. A curve that holds outside ends at the first
+/// multiple of `x_step` at or after its end; any other curve must end at such a multiple. The
+/// search takes the farthest possible knot. With a tolerance below p_step / 2, knots are at places
+/// where the curve is close to whole counts.
 ///
 /// A tolerance below the rounding of the curve's numbers (1e-15 of the sum of a segment's terms)
-/// counts as that rounding.
+/// counts as this rounding.
 template <class Over>
 Sampled reduced(const Curve<Over>& f, const Target& target);
 
-/// The same for a fitted curve: the error of the fit is subtracted from the tolerances, and added
-/// to that of the table. Throws InputError if the fit alone uses up a tolerance.
+/// The same for a fitted curve. The error of the fit is subtracted from the tolerances and added to
+/// the error of the table. Throws InputError if the error of the fit exceeds a tolerance.
 template <class Over>
 Sampled reduced(const Fitted<Over>& f, const Target& target);
 

@@ -8,54 +8,59 @@
 
 namespace jounce {
 
-/// Greatest error of a table against its curve, and the place of it.
+/// The greatest error of a table against its curve, and its place.
 struct SampleError {
-  double position = 0;  ///< max |table - curve| over the whole interval, in its unit, to rounding
-  double where = 0;     ///< on the curve's axis
-  double velocity = 0;  ///< max |table' - curve'|, unit of the first derivative
+  /// Max |table - curve| over the whole interval, in the unit of the position, exact to rounding.
+  double position = 0;
+  double where = 0;     ///< place of the greatest position error, on the curve's axis
+  double velocity = 0;  ///< max |table' - curve'|, in the unit of the first derivative
 };
 
-/// Why a table has as many knots as it has.
+/// The requirement that determines the number of knots of a table (see reduce.hpp).
 enum class Binding {
-  none,                ///< two knots do
+  none,                ///< none: two knots are enough
   tolerance,           ///< tolerance of the position
-  velocity_tolerance,  ///< tolerance of the velocity
-  most,                ///< the number of knots determines the error
+  velocity_tolerance,  ///< tolerance of the first derivative
+  most,                ///< the number of knots, which determines the error
 };
 
 /// "none", "tolerance", "velocity_tolerance", "most".
 const char* name(Binding binding);
 
+/// A table and its error.
 struct Sampled {
   Table table;
   SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
-  std::optional<Binding> binding = {};  ///< binding of a table of fewest knots: reduce.hpp
+  std::optional<Binding> binding = {};  ///< for a table of reduced() only
 };
 
-/// The table through the curve at the given knots (strictly ascending, first and last at the ends
-/// of the curve). At a knot where a derivative jumps the right limit is taken (the left one at the
-/// end).
+/// Returns the table through the curve at the given knots, which ascend strictly, from the start to
+/// the end of the curve. If a derivative steps at a knot, its right limit is used (at the end: the
+/// left limit).
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots);
 
-/// The table of these columns, which span the curve, and its error. For a curve that repeats, a
-/// column whose end equals its begin to rounding gets exactly that value at its end.
+/// Returns the table with these columns, which cover the interval of the curve, and its error. For
+/// a curve that repeats, a column whose values at both ends are equal to rounding gets exactly the
+/// first value at its end.
 template <class Over>
 Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 
-/// `intervals` >= 1 equal ones.
+/// The same with `intervals` >= 1 equal intervals.
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
-/// Each segment of the curve in as few equal intervals as keep the position error within
-/// `tolerance` > 0 (unit of the position). A segment that the rule holds exactly gets one. Breaks
-/// of the curve are knots. Throws InputError if more than `most` knots would be needed.
+/// The same with as few equal intervals in each segment of the curve as keep the position error
+/// within `tolerance` > 0 (unit of the position). A segment that the rule represents exactly gets
+/// one interval. All breaks of the curve are knots. Throws InputError if more than `most` knots
+/// would be necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       std::size_t most = 1'000'000);
 
-/// Throws InputError, under `key`, for a tolerance that doubles cannot certify for this curve:
-/// below 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms if that is more.
+/// Throws InputError with this key if the tolerance is too small to be certified with doubles:
+/// below 1e-14 of the curve's greatest position, or below 1e-15 of the sum of a segment's terms if
+/// that is more.
 template <class Over>
 void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
 

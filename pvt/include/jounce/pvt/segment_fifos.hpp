@@ -13,170 +13,184 @@
 
 namespace jounce {
 
-/// Two FIFOs of rows and their player: the common core of Googol's PT and follow modes
-/// (jounce/controllers/googol/googol_pt.hpp, googol_follow.hpp) and of rolling streams
-/// (jounce/axis/fifo_movement.hpp). A state machine without a clock: its constructor allocates all
-/// memory, and nothing throws or waits.
+/// Two FIFOs of rows, and their player. Googol's PT and follow modes
+/// (jounce/controllers/googol/googol_pt.hpp, googol_follow.hpp) and rolling streams
+/// (jounce/axis/fifo_movement.hpp) use this class. It is a state machine without a clock. The
+/// constructor allocates all memory; nothing throws or waits.
 ///
 ///     SegmentFifos fifos(1024);
 ///     fifos.reset({.each = 32, .total = 64, .stream = true});
-///     while (more && fifos.push(0, next()) == RowRule::none) ...   // the producer's thread
-///     fifos.start(0, 0, 0);                                         // the player's
-///     const Jet now = fifos.at(t);   // every cycle; t does not fall
+///     while (more && fifos.push(0, next()) == RowRule::none) ...   // producer thread
+///     fifos.start(0, 0, 0);                                         // player thread
+///     const Jet now = fifos.at(t);                               // each cycle; t does not descend
 ///
-/// **Two threads**: one *producer* fills, clears, queues switches; one *player* takes, starts,
-/// plays. Neither ever waits, and no row is read while it is written: the player reads only rows
-/// within a FIFO's size, and empties a FIFO only when the producer has left it (a stream has moved
-/// on to the other one; a table whose switch is queued takes no more rows). Both may query the
-/// state.
+/// **Two threads.** One *producer* pushes rows, clears FIFOs and queues switches. One *player*
+/// takes, starts and plays FIFOs. Neither ever waits. No row is read while it is written: the
+/// player reads only rows within the size of a FIFO, and it empties a FIFO only when the producer
+/// no longer writes to it (a stream has continued in the other FIFO; a table whose switch is queued
+/// accepts no more rows). Both threads may query the state.
 ///
-/// **Vocabulary.** A *pass* plays one FIFO from its first row to its last. Its *origin* is x and
-/// position at its begin: at the start, at the end of the pass before, at the switch. So the
-/// position is continuous for all rows, and the rows of every FIFO count from (0, 0), those of a
-/// stream from the layout's base.
+/// **Vocabulary.** x is the time or the position of the master. A *pass* plays one FIFO from its
+/// first row to its last. Its *origin* is x and position at the beginning of the pass: at the
+/// start, at the end of the previous pass, or at the switch. So the position is always continuous.
+/// The rows of a FIFO count from (0, 0), those of a stream from the layout's base.
 ///
-/// As *tables* (Googol: static) each FIFO is one: played `loops` times, kept, and played again when
-/// started again. A queued switch waits for the end of the pass; then the other FIFO takes over and
-/// the old one is emptied. As a *stream* (dynamic) both are one path: an exhausted FIFO is emptied
-/// and the other continues at its last rate. So space comes back in blocks of a FIFO. The FIFO that
-/// a call names has no effect. A stream that has ended is cleared before the next one is pushed. An
-/// *open* stream ends only with its `last` row: if it runs out of rows before, it waits at the end
-/// of the rows pushed so far, still moving, and continues when more rows are pushed.
+/// **Tables** (Googol: static). Each FIFO is one table. It is played `loops` times, and kept so
+/// that it can be started again. A queued switch takes place at the end of the pass: the other FIFO
+/// is played, and the old one is emptied.
 ///
-/// **Numbers.** The producer can number its actions (stamp(), ascending); see() makes those up to a
-/// number visible to the player. The motion then depends on that number alone, and not on the timing of
-/// the threads. Without numbers every action is visible at once. A clear() has no number.
+/// **Stream** (Googol: dynamic). Both FIFOs together are one path. When one is exhausted, it is
+/// emptied, and the other continues at the last rate; so space becomes free in blocks of one FIFO.
+/// Functions ignore their argument `fifo`. Clear a stream that has ended before pushing the next
+/// one. An *open* stream ends only with its row marked `last`. If the rows run out before, the
+/// state stays `moving`: at() returns the values at the end of the last row, and plays new rows
+/// when they are pushed.
 ///
-/// **Rates** are as in SegmentRow: an open rate takes the end rate of the row before; in the first
-/// row of a pass, that of the pass before (0 in the first pass).
+/// **Numbers.** The producer can give ascending numbers to its actions with stamp(). see() makes
+/// the actions up to a number visible to the player. So the motion depends on this number only, not
+/// on the timing of the threads. Without numbers, every action is visible at once. clear() has no
+/// number.
 ///
-/// **Backwards** x is followed to the beginning of the pass (of the FIFO, in a stream), and no
-/// further: there the axis stands still until x comes back.
+/// **Rates** are those of SegmentRow. An open rate is the end rate of the previous row; in the
+/// first row of a pass it is the end rate of the previous pass (0 in the first pass).
+///
+/// **Backwards** x is followed to the beginning of the pass (in a stream: of the FIFO). There the
+/// axis stands still until x returns.
 class SegmentFifos {
  public:
-  /// Allocates for FIFOs of at most `most` rows.
+  /// Allocates two FIFOs of at most `most` rows.
   explicit SegmentFifos(std::size_t most);
 
+  /// Sizes, kind and limits of both FIFOs.
   struct Layout {
-    std::size_t each = 0;   ///< rows a FIFO holds: at most `most`
-    std::size_t total = 0;  ///< both together
-    bool stream = false;
-    bool open = false;      ///< open of a stream
-    RowStart base = {};     ///< base of a stream: start of its first row
-    RowLimits limits = {};  ///< limits of rows
+    std::size_t each = 0;   ///< rows that each FIFO holds, at most `most`
+    std::size_t total = 0;  ///< rows that both hold together
+    bool stream = false;    ///< true: both FIFOs are one stream; false: each is a table
+    bool open = false;      ///< true: an open stream, which ends only with its row marked `last`
+    RowStart base = {};     ///< start of the first row of a stream
+    RowLimits limits = {};  ///< limits that push() checks
   };
-  /// Empties both and takes another layout. Only while no thread plays, by a single thread.
+  /// Empties both FIFOs and sets the layout. Call it only while no thread plays, and from one
+  /// thread at a time.
   void reset(const Layout& layout);
 
   enum class State : std::uint8_t {
-    idle,     ///< not started since it was made or reset
-    taken,    ///< a FIFO is chosen and will be played: it waits for its start
+    idle,     ///< not started since construction or reset()
+    taken,    ///< a FIFO is selected and waits for start()
     moving,   ///< it plays
-    ended,    ///< it has played its last row, which came to rest
+    ended,    ///< the last row has been played and ended at rest
     cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
-    left,     ///< its player has left before its end
-    lost,  ///< x was not finite, or 2^53 passes off: the axis keeps its position until started again
+    left,     ///< leave() was called before the end
+    /// x was not finite, or more than 2^53 passes away; the axis keeps its position until the next
+    /// start.
+    lost,
   };
   [[nodiscard]] State state() const { return state_.load(); }
   [[nodiscard]] bool moving() const { return state() == State::moving; }
   [[nodiscard]] bool stream() const { return layout_.stream; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
+  /// Number of rows in a FIFO.
   [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
-  /// Rows that can be pushed now: into this FIFO, or into a stream.
+  /// Number of rows that can be pushed now into this FIFO, or into the stream.
   [[nodiscard]] std::size_t space(int fifo) const;
-  /// True if it is being played, waits to be, or is part of a stream that is.
+  /// True if the FIFO is played or selected, is the target of a queued switch, or is part of a
+  /// stream that is played.
   [[nodiscard]] bool in_use(int fifo) const;
-  /// The FIFO that is played, or was last: 0 or 1.
+  /// The FIFO that is played or was played last: 0 or 1.
   [[nodiscard]] int active() const { return active_.load(); }
-  [[nodiscard]] bool switch_queued() const { return queued_.load(); }
-  /// Completed since start or switch.
+  [[nodiscard]] bool switch_queued() const { return queued_.load(); }  ///< true if a switch waits
+  /// Number of passes completed since the start or the switch.
   [[nodiscard]] std::int64_t passes() const { return passes_.load(); }
-  /// Rows of the stream so far that have been played to their end.
+  /// Number of rows of the stream that have been played to their end.
   [[nodiscard]] std::uint64_t rows_played() const { return played_.load(); }
-  /// The greatest rate, second and third derivative, and step of the rate, of all rows pushed since
-  /// the last reset, as far as they are known (rows after an open rate of a table are not).
+  /// The greatest magnitudes of rate, second and third derivative, and of a step of the rate, in
+  /// all rows pushed since the last reset. Rows that follow an open rate of a table are not
+  /// included, because their rates are not known.
   [[nodiscard]] RowPeaks peaks() const;
 
-  /// Position within a pass.
+  /// Range of positions.
   struct Reach {
-    double lowest = 0;
-    double highest = 0;
+    double lowest = 0;   ///< u
+    double highest = 0;  ///< u
   };
-  /// The range of positions of the present pass; infinite if rates are open. For tables, in the
-  /// player's thread.
+  /// The range of positions of the present pass; infinite if rates are open. For tables, call it in
+  /// the player thread.
   [[nodiscard]] Reach reach() const;
   /// The range of positions of the pass that follows in the present state; nullopt if none follows.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
   // ---- producer ----------------------------------------------------------------------------------
 
-  /// The number of the following actions.
+  /// Sets the number of the following actions.
   void stamp(std::uint64_t number) { stamp_ = number; }
-  /// Takes a row, or returns its error; limits are checked exactly, by (1) to (3) of
-  /// segment_row.cpp. A `last` row means nothing to a table.
+  /// Adds a row, or returns the reason why it is rejected. Limits are checked exactly, by equations
+  /// (1) to (3) of segment_row.cpp. A table ignores the mark `last`.
   RowRule push(int fifo, const SegmentRow& row);
-  /// Result that push() would return.
+  /// Returns what push() would return.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
-  /// Ends an open stream with the rows pushed so far, as if its last row were marked `last`. False
-  /// if the stream is not open, has no rows, or does not end at rest.
+  /// Ends an open stream with the rows pushed so far, as if the last one were marked `last`.
+  /// Returns false if the stream is not open, has no rows, or does not end at rest.
   bool complete();
-  /// Empties a FIFO, or the whole stream; returns false, without an effect, if it is in use.
+  /// Empties a FIFO, or the whole stream. Returns false, without an effect, if it is in use.
   bool clear(int fifo);
-  /// Passes that a table is played; below 1: endless. Counts at the end of a pass.
+  /// Sets the number of passes of a table; below 1: endless. It takes effect at the end of a pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
-  /// At the end of the pass the other FIFO takes over. False if tables have ended, or it has no
-  /// rows. Before the start it is queued for the end of the first pass.
+  /// Queues a switch to the other FIFO at the end of the pass. Before the start, it is queued for
+  /// the end of the first pass. Returns false if tables have ended, or if the other FIFO has no
+  /// rows.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------
 
-  /// From now on, actions with a greater number are not yet visible.
+  /// Makes the actions up to this number visible to the player; later actions stay invisible.
   void see(std::uint64_t number) { sight_ = number; }
-  /// Rows of a FIFO that are.
+  /// Number of visible rows of a FIFO.
   [[nodiscard]] std::size_t visible(int fifo) const;
-  /// The sign of the first displacement of a FIFO's first 64 rows; 0: none of them moves.
+  /// Direction in which a FIFO begins: the sign of the first displacement in its first 64 rows; 0:
+  /// none.
   [[nodiscard]] int direction(int fifo) const;
-  /// Selects the FIFO to start: false if it is empty, in use, being cleared, or a stream that has
-  /// ended. give_back() cancels the selection, or a start after which nothing was played.
+  /// Selects the FIFO to start. Returns false if it is empty, in use, being cleared, or a stream
+  /// that has ended. give_back() cancels the selection, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
-  /// Plays the selected FIFO (a stream: from its base) from x and position on.
+  /// Plays the selected FIFO from these values of x and position (a stream: from its base).
   void start(double x, double position);
-  /// Both.
+  /// take() and start().
   bool start(int fifo, double x, double position);
 
-  /// The player has left: the axis keeps its position. Tables are kept, a stream must be cleared.
+  /// Stops playing: the axis keeps its position. Tables are kept; a stream must be cleared.
   void leave();
 
-  /// Position and derivatives by x. Plays on to x, which may lie many rows or passes further:
-  /// passes of a table are processed at once, so the time of a call depends only on the rows.
-  /// Without motion: the end position, at rest.
+  /// Returns the position and its derivatives with respect to x, and plays up to x, which may be
+  /// many rows or passes ahead. Passes of a table are skipped in one step, so the time of a call
+  /// depends only on the number of rows. If nothing is played: the end position, at rest.
   Jet at(double x);
 
-  /// End of the rows, and the rate there: once they are `ended` or `cut_off`.
+  /// End of the rows and the rate there, if the state is `ended` or `cut_off`.
   struct End {
-    double x = 0;
-    double position = 0;
-    double rate = 0;
+    double x = 0;         ///< s or m
+    double position = 0;  ///< u
+    double rate = 0;      ///< u per x
   };
   [[nodiscard]] const End& end() const { return end_; }
 
-  /// x at the end of the available rows; infinite for endless tables.
+  /// The x at the end of the available rows; infinite for endless tables.
   [[nodiscard]] double known() const;
-  /// True if more rows are to come: an open stream without its last one.
+  /// True if more rows will follow: an open stream without its last row.
   [[nodiscard]] bool growing() const {
     return layout_.open && !(complete_.load() && completed_at_.load() <= sight_);
   }
 
  private:
+  /// A row in a FIFO.
   struct Slot {
     SegmentRow row;
-    double rate = 0;  // at the end of the row before, as played last
+    double rate = 0;  // end rate of the previous row, when it was played last
     std::uint64_t stamp = 0;
-    std::array<double, 4> peaks{};  // peaks of all rows so far
-    Reach reach{};                  // reach of the rows of this FIFO so far, from its beginning
+    std::array<double, 4> peaks{};  // peaks of the rows up to this one
+    Reach reach{};                  // range of positions of the rows of this FIFO up to this one
   };
   struct Fifo {
     std::vector<Slot> slots;
@@ -186,7 +200,7 @@ class SegmentFifos {
     double x = 0;
     double position = 0;
   };
-  /// State of the producer: the end of the last row, and the rate there (NaN: not known yet).
+  /// End of the last pushed row, and the rate there (NaN: not yet known).
   struct Tail {
     RowStart end;
     double rate = SegmentRow::open;
@@ -224,36 +238,37 @@ class SegmentFifos {
   std::array<Fifo, 2> fifos_;
   std::atomic<State> state_{State::idle};
   std::atomic<int> active_{0};
-  std::atomic<bool> queued_{false};             // set by the producer, taken back by the player
-  std::atomic<bool> clearing_{false};           // the producer is at it
-  std::atomic<bool> spent_{false};              // a stream has ended and was not cleared
-  std::atomic<bool> complete_{false};           // the stream's last row is there
-  std::atomic<std::uint64_t> queued_at_{0};     // stamps of the switch, of the last row,
-  std::atomic<std::uint64_t> completed_at_{0};  // and of the one that is pushed now
-  std::atomic<std::uint64_t> pushed_at_{0};
+  std::atomic<bool> queued_{false};             // set by the producer, reset by the player
+  std::atomic<bool> clearing_{false};           // true while the producer clears
+  std::atomic<bool> spent_{false};              // true if a stream has ended and was not cleared
+  std::atomic<bool> complete_{false};           // true if the last row of the stream was pushed
+  std::atomic<std::uint64_t> queued_at_{0};     // stamp of the switch
+  std::atomic<std::uint64_t> completed_at_{0};  // stamp of the last row
+  std::atomic<std::uint64_t> pushed_at_{0};     // stamp of the row that is being pushed
   std::atomic<std::int64_t> loops_{1};
   std::atomic<std::int64_t> passes_{0};
   std::atomic<std::uint64_t> played_{0};
   std::array<std::atomic<double>, 4> peaks_{};
 
-  // The producer's.
+  // State of the producer.
   std::uint64_t stamp_ = 0;
-  int filling_ = 0;            // filling of a stream
-  std::array<Tail, 2> tails_;  // tails of each table; [0] of a stream
+  int filling_ = 0;            // FIFO of a stream that is filled
+  std::array<Tail, 2> tails_;  // end of each table; [0]: end of the stream
 
-  // The player's.
+  // State of the player.
   std::uint64_t sight_ = std::numeric_limits<std::uint64_t>::max();
-  State before_ = State::idle;  // state before take(), restored when it is undone
-  Origin table_;                // table of the first pass of its period
+  State before_ = State::idle;  // state before take(), restored by give_back()
+  Origin table_;                // origin of the first pass of the table
   std::int64_t turns_ = 0;
-  Origin origin_;         // origin of this pass: table_ + turns_ times the table
-  RowStart base_;         // base of a stream: the end of what was emptied
-  std::size_t slot_ = 0;  // played
-  std::size_t seen_ = 0;  // rows of this pass
-  double rate_ = 0;       // at the end of the row before
-  double position_ = 0;   // given last
+  Origin origin_;         // origin of this pass: table_ plus turns_ times the table
+  RowStart base_;         // base of a stream: the end of the rows that were emptied
+  std::size_t slot_ = 0;  // index of the row that is played
+  std::size_t seen_ = 0;  // number of rows of this pass
+  double rate_ = 0;       // end rate of the previous row
+  double position_ = 0;   // position returned last
   End end_;
-  std::array<double, 3> pass_rates_{};  // at the ends of the last passes, and how many are known
+  // end rates of the last passes; known_rates_ of them are known
+  std::array<double, 3> pass_rates_{};
   int known_rates_ = 0;
 };
 

@@ -11,107 +11,112 @@
 
 namespace jounce {
 
-/// One segment of a path that is passed row by row (a rolling stream, a controller's FIFO): its
-/// end, and the data of its polynomial. x is time or master position.
+/// A row: one segment of a path that is sent row by row (a rolling stream, the FIFO of a
+/// controller). It gives the end of the segment and the data of its polynomial. x is the time or
+/// the position of the master. u is the axis' unit.
 ///
 ///     const SegmentRow row{.x_end = 1024, .p_end = 1024, .v_start = 0, .degree = 2};
-///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: manual, example 7-3
-///     for (const SegmentRow& r : rows_of(table)) ...       // bit for bit the table
+///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: Googol example 7-3
+///     for (const SegmentRow& r : rows_of(table)) ...       // exactly the table
 ///
-/// **Degree** is that of the position within the row, by x:
+/// **Degree** of the position as a function of x; *rate* is its first derivative:
+/// - 1: a straight line. No rate is used.
+/// - 2: p and one rate, at either end. If both are given, they must agree. NaN means open. If both
+///   rates are open, the row begins at the end rate of the previous row (Googol's NORMAL and
+///   CONTINUE). If only v_end is given, the row ends at this rate (STOP: 0).
+/// - 3: p and both rates, as in a cubic Hermite table (PVT).
+/// - 5: p, both rates and both second derivatives, as in a quintic Hermite table (PVA).
 ///
-///     1   a straight line: no rate is read
-///     2   p, and one rate, at whichever end is given (both: they must agree). NaN is left open: with
-///         both open the row goes on at the rate at which the one before ended (Googol's NORMAL and
-///         CONTINUE); with v_end alone it ends there (STOP: 0)
-///     3   p and both rates: a cubic Hermite table (PVT)
-///     5   p, both rates and both second derivatives: a quintic one (PVA)
-///
-/// Numbers are cumulative, from the start of the path. **To the last bit** rows of degree 3 and 5
-/// equal the Table from which they come, and rows of degree 1 and 2 pt() of the same points (if x
-/// adds up exactly, else to rounding); rows of a linear Table equal it to one rounding of its
-/// position (Table multiplies by 1/length, pt() divides).
+/// Numbers count from the start of the path. Rows of degree 3 and 5 agree bit for bit with the
+/// table that they come from. Rows of degree 1 and 2 agree bit for bit with pt() of the same
+/// points, if the sums of x are exact (otherwise to rounding). Rows of a linear Table agree to one
+/// rounding of the position (Table multiplies by 1/length, pt() divides).
 struct SegmentRow {
+  /// Value of a rate that is not given.
   static constexpr double open = std::numeric_limits<double>::quiet_NaN();
 
-  double x_end = 0;       ///< s, or m: beyond the end of the row before
-  double p_end = 0;       ///< u
-  double v_start = open;  ///< u per x
-  double v_end = open;    ///< u per x
-  double a_start = 0;     ///< u per x^2; degree 5
-  double a_end = 0;       ///< u per x^2; degree 5
-  int degree = 2;
-  bool last = false;  ///< last of a stream: nothing comes after it
+  double x_end = 0;       ///< s or m: end of the row, beyond the end of the previous row
+  double p_end = 0;       ///< u, position at the end
+  double v_start = open;  ///< u per x, rate at the start
+  double v_end = open;    ///< u per x, rate at the end
+  double a_start = 0;     ///< u per x^2, for degree 5
+  double a_end = 0;       ///< u per x^2, for degree 5
+  int degree = 2;         ///< 1, 2, 3 or 5
+  bool last = false;      ///< true: the last row of a stream
 };
 
-/// Start of a row: the end of the row before.
+/// Start of a row: the end of the previous row.
 struct RowStart {
-  double x = 0;
-  double position = 0;
+  double x = 0;         ///< s or m
+  double position = 0;  ///< u
 };
 
-/// Error of a row, or `none`. The numbers are part of the wire format.
+/// Reason why a row is rejected, or `none`. The numbers are part of the wire format.
 enum class RowRule : std::uint8_t {
   none = 0,
-  full = 1,        ///< there is no space for it
-  not_finite = 2,  ///< a number that its degree reads is none
-  no_degree = 3,   ///< a degree other than 1, 2, 3 and 5
-  not_ascending = 4,
-  rates_differ = 5,  ///< degree 2, both rates given: they do not lead from its start to its end
-  velocity = 6,      ///< beyond the limits ...
-  acceleration = 7,
-  jerk = 8,
-  velocity_step = 9,  ///< at its start
-  after_last = 10,    ///< the stream has its last row
+  full = 1,           ///< there is no space for the row
+  not_finite = 2,     ///< a number that the degree needs is not finite
+  no_degree = 3,      ///< the degree is not 1, 2, 3 or 5
+  not_ascending = 4,  ///< x does not ascend
+  /// Degree 2 with both rates: they do not lead from the start to the end of the row.
+  rates_differ = 5,
+  velocity = 6,       ///< the row exceeds the limit of the velocity
+  acceleration = 7,   ///< the row exceeds the limit of the acceleration
+  jerk = 8,           ///< the row exceeds the limit of the jerk
+  velocity_step = 9,  ///< the rate steps at the start of the row by more than the limit
+  after_last = 10,    ///< the stream already has its last row
   in_use = 11,        ///< the FIFO is about to be emptied by a switch
-  position = 12,      ///< beyond the range
+  position = 12,      ///< the row leaves the range of positions
 };
-const char* name(RowRule rule);
-/// One sentence for people.
+const char* name(RowRule rule);  ///< the rule as a word
+/// One sentence that explains a rule to a user.
 const char* explain(RowRule rule);
 
-/// Limits of rows, per x; infinite: none.
+/// Limits of rows, with respect to x; infinite: no limit.
 struct RowLimits {
-  static constexpr double none = std::numeric_limits<double>::infinity();
-  double velocity = none;
-  double acceleration = none;
-  double jerk = none;
-  double velocity_step = none;  ///< velocity step of the rate, from one row to the next
-  double position_min = -none;  ///< u, of the rows' own coordinates
-  double position_max = none;
+  static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
+  double velocity = none;       ///< greatest rate, u per x
+  double acceleration = none;   ///< greatest second derivative, u per x^2
+  double jerk = none;           ///< greatest third derivative, u per x^3
+  double velocity_step = none;  ///< greatest step of the rate from one row to the next
+  double position_min = -none;  ///< u, in the coordinates of the rows
+  double position_max = none;   ///< u
 };
 
-/// The greatest magnitudes within a row, and the step of the rate at its begin.
+/// The greatest magnitudes within a row, the step of the rate at its start, and the range of
+/// positions.
 struct RowPeaks {
   double velocity = 0, acceleration = 0, jerk = 0, velocity_step = 0;
   double position_min = 0, position_max = 0;
 };
 
-/// The rates at both ends of a row that follows one which ended at `rate`.
+/// The rates at both ends of a row. `from`: its start; `rate`: end rate of the previous row.
 PtRate rates(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Position and its derivatives by x, held at the row's ends. Does not allocate.
+/// Position and derivatives of a row at x; outside the row, those at its nearer end. Does not
+/// allocate.
 Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 
-/// Exact extrema of the row's polynomials.
+/// The exact extrema of the row's polynomial.
 RowPeaks peaks(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Checks that its numbers are valid after `from`; returns the first violated rule.
+/// Checks the numbers of a row that begins at `from`; returns the first broken rule.
 RowRule check(const SegmentRow& row, const RowStart& from);
-/// True if it keeps the limits (a rounding of 1e-9 is forgiven).
+/// Checks the limits, with a tolerance of 1e-9 for rounding; returns the first broken rule.
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
 
-/// A row as eight numbers, in the order of the members, for messages and files; degree and last as
-/// numbers. A degree that is not a whole number becomes 0, which check() rejects.
+/// The row as eight numbers, in the order of the members; `degree` and `last` are numbers. For
+/// messages and files. row_of() makes a row from such numbers; a degree that is not a whole number
+/// becomes 0, which check() rejects.
 std::array<double, 8> columns_of(const SegmentRow& row);
 SegmentRow row_of(const std::array<double, 8>& columns);
 
-/// The rows of a PT table by Googol's types, to be played from rest at (0, 0).
+/// The rows of a PT table with Googol's types, played from rest at (0, 0).
 std::vector<SegmentRow> rows_of(std::span<const PtPoint> points);
-/// One of them; `first` in its pass.
+/// The row of one point; `first`: it is the first row of its pass.
 SegmentRow row_of(const PtPoint& point, bool first);
 
-/// The rows of a table, to be played from its first knot, `start_of`: its numbers as they are.
+/// The rows of a table with its numbers unchanged. They are played from its first knot, start_of().
 std::vector<SegmentRow> rows_of(const Table& table);
 RowStart start_of(const Table& table);
 

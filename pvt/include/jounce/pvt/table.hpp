@@ -11,83 +11,87 @@
 
 namespace jounce {
 
-/// Interpolation of a table between its knots: each rule with the columns it needs.
+/// Interpolation of a table between its knots. Each rule needs its own columns.
 enum class Interpolation {
-  linear,           ///< p; position continuous
-  cubic_hermite,    ///< p, v; velocity continuous (a PVT table)
-  quintic_hermite,  ///< p, v, a; acceleration continuous (a PVA or XYVA table)
+  linear,           ///< column p; the position is continuous
+  cubic_hermite,    ///< columns p and v; the velocity is continuous (PVT table)
+  quintic_hermite,  ///< columns p, v and a; the acceleration is continuous (PVA or XYVA table)
 };
 
-/// Meaning of the first column of a table.
+/// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Equal steps on a table's axis: instant k is start + k step, each operation rounded.
+/// Instants at equal distances on a table's axis: instant k is start + k * step, each operation
+/// rounded. m is the master's unit.
 struct Grid {
-  double start = 0;
-  double step = 1;  ///< > 0
+  double start = 0;  ///< s or m
+  double step = 1;   ///< > 0, s or m
 };
 
-/// The columns of a table; each has one entry for each knot, v and a only if the rule needs them.
+/// The columns of a table, each with one entry for each knot. v and a are empty unless the rule
+/// needs them. u is the unit of the position.
 struct Columns {
-  std::vector<double> x;  ///< time or master position, strictly ascending
-  std::vector<double> p;  ///< position
-  std::vector<double> v;  ///< dp/dx
-  std::vector<double> a;  ///< d2p/dx2
+  std::vector<double> x;  ///< s or m: time or position of the master, strictly ascending
+  std::vector<double> p;  ///< u, position
+  std::vector<double> v;  ///< dp/dx, u per x
+  std::vector<double> a;  ///< d2p/dx2, u per x^2
 };
 
-/// Knots in columns plus the rule between them: the form that a controller holds and the executor
-/// plays. It is a Signal, and evaluates without allocating.
+/// A table: knots in columns, and the interpolation rule between them. Controllers and the executor
+/// use this form. It is a Signal, and its evaluation does not allocate.
 ///
 ///     Table table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap, columns);
 ///     double slave = table.jet(master)[0];
 ///     Cam exact = table.curve<OverMaster>();     // the same polynomials, for exact checks
-///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // a column each, in blocks
+///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // into columns p, v and a
 ///
 /// A table is immutable: copies share their knots.
 ///
-/// An interval is evaluated by detail/piece.hpp, the same on every processor; the curve agrees
-/// within rounding.
+/// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve agrees
+/// to rounding. Intervals are half-open, the last one closed, as in a Curve.
 ///
-/// Intervals are half-open, the last closed, as in a Curve. Throws InputError, naming knot and
-/// rule, for fewer than two knots, columns of unequal size, a column that the rule does not have or
-/// lacks, x that does not ascend, and numbers that are not finite.
+/// The constructor throws InputError, with the knot and the rule, for fewer than two knots, columns
+/// of unequal size, a column that the rule does not need or lacks, an x that does not ascend, and
+/// numbers that are not finite.
 class Table {
  public:
+  /// `outside`: policy for queries outside [start, end].
   Table(Domain axis, Interpolation rule, Extrapolation outside, Columns columns);
 
   [[nodiscard]] Domain axis() const { return axis_; }
   [[nodiscard]] Interpolation rule() const { return rule_; }
   [[nodiscard]] Extrapolation outside() const { return outside_; }
-  /// Advance of the position in one period: Extrapolation::advance; otherwise 0.
+  /// Change of the position over one period if outside() is Extrapolation::advance; otherwise 0.
   [[nodiscard]] double advance() const;
   [[nodiscard]] const Columns& columns() const { return knots_->columns; }
-  [[nodiscard]] std::size_t size() const { return columns().x.size(); }
+  [[nodiscard]] std::size_t size() const { return columns().x.size(); }  ///< number of knots
 
   [[nodiscard]] double start() const { return columns().x.front(); }
   [[nodiscard]] double end() const { return columns().x.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] std::span<const double> breaks() const { return columns().x; }
+  /// The position and three derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
-  /// Position and two derivatives at every x, each in a column of its own: jet() to the bit, on
-  /// every processor, and many times as fast if x ascends. Spans of equal size (asserted). Does not
-  /// allocate, does not throw.
+  /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results are bit
+  /// for bit those of jet(), on every processor, but many times as fast if x ascends. Spans of
+  /// equal size (asserted). Does not allocate or throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
-  /// The same at the instants of a grid, as many as the columns hold: a cycle's positions, the rows
-  /// of a file.
+  /// The same at the instants of a grid; the number of instants is the size of p, v and a.
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
-  /// The interval that x in [start, end) lies in, counted from 0.
+  /// Index of the interval that contains x, for x in [start, end).
   [[nodiscard]] std::size_t interval(double x) const {
     return knots_->index.find(columns().x, x, Side::right);
   }
 
-  /// The interval between knots i and i + 1 as a segment.
+  /// The interval from knot i to knot i + 1 as a segment.
   [[nodiscard]] Segment segment(std::size_t i) const;
 
-  /// The same function as a curve. Over must agree with axis(); anything else is an InputError.
+  /// The table as a curve. Throws InputError if Over does not agree with axis(), or if a
+  /// coefficient is too large for a double.
   template <class Over>
   [[nodiscard]] Curve<Over> curve() const;
 
@@ -107,15 +111,15 @@ class Table {
   std::shared_ptr<const Knots> knots_;
 };
 
-/// Throws like table.curve(), without making the curve.
+/// Throws like table.curve(), but does not make the curve.
 void require_curve(const Table& table);
 
-/// The same table with its first column in another unit: x times `factor` > 0, the derivatives
-/// accordingly. Milliseconds become seconds with 1e-3.
+/// The same table in another unit of its first column: x times `factor` > 0, with derivatives
+/// adapted. For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 
-/// "linear", "cubic_hermite", "quintic_hermite"; "time", "master"; "refuse", "hold", "wrap", "advance": the
-/// words of every file.
+/// The words used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time", "master";
+/// "refuse", "hold", "wrap", "advance".
 const char* name(Interpolation rule);
 const char* name(Domain axis);
 const char* name(Extrapolation outside);

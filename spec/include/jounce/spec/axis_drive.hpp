@@ -10,37 +10,42 @@
 
 namespace jounce {
 
-/// The drive of an axis: [drive] of a spec of kind "axis".
+/// The drive of an axis: section [drive] of a spec of kind "axis".
 ///
 ///     [drive]
 ///     type = "simulated"        # or "null", "shared_memory"
-///     spec = "drive.toml"       # or the model itself, as in any other spec
+///     spec = "drive.toml"       # file of the model, or the keys of the model itself
 struct AxisDriveSpec {
   enum class Type : std::uint8_t {
-    null,           ///< follows exactly, a cycle later
-    simulated,      ///< `model`
-    shared_memory,  ///< `shared`: a CiA 402 drive in another process
+    null,           ///< follows the setpoint exactly, one cycle later
+    simulated,      ///< a simulation of `model`
+    shared_memory,  ///< a CiA 402 drive in another process; see `shared`
   };
-  /// In shared memory of this name; see jounce/drive/shared_drive.hpp.
+  /// A drive in shared memory; see jounce/drive/shared_drive.hpp and cia402_axis.hpp. u is the
+  /// axis' unit.
   struct Shared {
-    std::string name = {};
-    double increments_per_rev = 0;  ///< whole, > 0
-    double position_per_rev = 0;    ///< u/rev, > 0
-    bool reversed = false;
-    double window = 0;       ///< u; 0: a hundredth of a turn
-    int silent_cycles = 50;  ///< >= 1
+    std::string name = {};          ///< name of the shared memory
+    double increments_per_rev = 0;  ///< increments of the encoder in one turn; a whole number, > 0
+    double position_per_rev = 0;    ///< u, > 0: travel in one turn
+    bool reversed = false;          ///< true: the drive counts in the opposite direction
+    /// u: greatest distance between setpoint and actual position for enabling; 0: a hundredth of a
+    /// turn.
+    double window = 0;
+    /// >= 1: number of cycles without data after which the drive has a fault.
+    int silent_cycles = 50;
   };
 
   Type type = Type::simulated;
-  std::optional<Drive> model = {};
-  std::optional<Shared> shared = {};
-  std::optional<MachineSensorsSpec> machine = {};  ///< [drive.machine], of null and simulated
+  std::optional<Drive> model = {};                 ///< model of the drive; for simulated
+  std::optional<Shared> shared = {};               ///< for shared_memory
+  std::optional<MachineSensorsSpec> machine = {};  ///< [drive.machine], for null and simulated
 };
 
 struct Spec;
 
-/// [drive] of a spec of kind "axis", read from its document; nothing: it has none. Throws InputError,
-/// placed, as read_spec(), which has read it before: a model's file may have changed since.
+/// Returns [drive] of a spec of kind "axis", read from its document; nullopt if there is none.
+/// Throws InputError, with the place in the document, like read_spec(), because the file of the
+/// model may have changed since.
 std::optional<AxisDriveSpec> axis_drive(const Spec& spec);
 
 }  // namespace jounce

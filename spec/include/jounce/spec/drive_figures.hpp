@@ -7,31 +7,34 @@
 
 #include "jounce/optimize/shape.hpp"
 
-/// Figures of [optimize] that are of a drive: `jounce optimize --against drive.toml`.
+/// Key figures of a drive for [optimize]: `jounce optimize --against drive.toml`.
+
 namespace jounce {
 
+/// A key figure of a drive. u is the unit of the slave.
 enum class DriveFigure {
-  torque,               ///< "drive torque": peak, N m
-  rms_torque,           ///< "drive rms torque": N m
-  residual,             ///< "drive residual": u, peak of load - reference after the end
-  following_error,      ///< "drive following error": u, peak of reference - motor
-  end_following_error,  ///< "drive end following error": u, at the end
+  torque,      ///< "drive torque": peak torque, N m
+  rms_torque,  ///< "drive rms torque": N m
+  residual,    ///< "drive residual": u, peak of load minus reference after the end of the motion
+  following_error,  ///< "drive following error": u, peak of reference minus motor
+  /// "drive end following error": u, reference minus motor at the end of the motion.
+  end_following_error,
 };
 
 inline constexpr std::array all_drive_figures{DriveFigure::torque, DriveFigure::rms_torque,
                                               DriveFigure::residual, DriveFigure::following_error,
                                               DriveFigure::end_following_error};
 
-std::string name(DriveFigure figure);
+std::string name(DriveFigure figure);  ///< the name in the spec
 
-/// Nothing for another name.
+/// The figure of a name; nullopt for any other name.
 std::optional<DriveFigure> drive_figure(const std::string& name);
 
-/// The figure as a spec that is read asks for it: a response whose function is not known before the
-/// drive is.
+/// The figure as read_spec() stores it: a response without a function, which is known only when the
+/// drive is known.
 ShapeFigure asked(DriveFigure figure);
 
-/// The drive's figure that a shape's figure is, by its name.
+/// The drive's figure for a figure of a shape, by its name; nullopt if it is none.
 std::optional<DriveFigure> drive_figure(const ShapeFigure& figure);
 
 }  // namespace jounce

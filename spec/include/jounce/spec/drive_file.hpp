@@ -8,9 +8,9 @@
 
 namespace jounce {
 
-/// A spec of kind "drive": every number of the drive that is not zero, its limits and its settling
-/// time, in the units that numbers() has. `head` comes first as a comment; `beside` are comments by the
-/// key of a number ("mass[1].inertia"). Reading it back gives the same drive to the bit.
+/// Writes a spec of kind "drive": every number of the drive that is not zero, its limits and its
+/// settling time, in the units of numbers(). `head`: a comment at its beginning; `beside`: comments
+/// by the key of a number ("mass[1].inertia"). Reading the result gives exactly the same drive.
 std::string drive_text(const DriveSpec& drive, const Units& units, const std::string& head,
                        const std::map<std::string, std::string>& beside = {});
 

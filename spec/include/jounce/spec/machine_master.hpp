@@ -10,19 +10,20 @@
 
 namespace jounce {
 
-/// Smoothing of a measured master, in its unit u and s; docs/executor/masters.md.
+/// Filter of a measured master, in its unit u and in s; see TrackerSpec in jounce/axis/tracker.hpp
+/// and docs/executor/masters.md.
 struct TrackingSpec {
-  double velocity = 0;      ///< u/s: required
-  double acceleration = 0;  ///< u/s^2: required
-  int order = 3;
-  double time_constant = 0.01;
-  double settle = 0.01;
-  double latency = 0;
-  double longest_age = 0.1;
-  double jump = 0;  ///< u; 0: velocity * longest_age
+  double velocity = 0;      ///< u/s, required: greatest velocity of the master
+  double acceleration = 0;  ///< u/s^2, required: greatest acceleration of the master
+  int order = 3;            ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
+  double time_constant = 0.01;  ///< s, time constant of the filter
+  double settle = 0.01;         ///< s, time in which the output returns to the estimate
+  double latency = 0;           ///< s, additional age of the measurements
+  double longest_age = 0.1;     ///< s, the master is lost if the last measurement is older
+  double jump = 0;  ///< u, greatest step between measurements; 0: velocity * longest_age
 };
 
-/// A master of a machine: [master.NAME] of a spec of kind "machine".
+/// A master of a machine: section [master.NAME] of a spec of kind "machine".
 ///
 ///     [master.line]
 ///     kind = "external"
@@ -30,31 +31,34 @@ struct TrackingSpec {
 ///     velocity = 1500          # mm/s
 ///     acceleration = 20000     # mm/s^2
 struct MachineMasterSpec {
-  /// Samples from the bus under the name of the master: `jounce master`, or a line with the protocol.
+  /// A master whose samples arrive by the network under its name: from `jounce master`, or from a
+  /// line with the protocol.
   struct External {
     TrackingSpec tracking = {};
   };
-  /// Read in every cycle: the actual position of an axis's drive, or of a passive drive in shared memory.
+  /// An encoder that is read in every cycle: the actual position of an axis' drive, or a drive in
+  /// shared memory that is only read.
   struct Encoder {
     TrackingSpec tracking = {};
-    std::string axis = {};                            ///< axis of the machine; empty: `drive`
-    std::optional<AxisDriveSpec::Shared> drive = {};  ///< behind shared memory
-    double resolution = 0;                            ///< u of a count; 0: none
-    double noise = 0;                                 ///< u rms; 0: none
+    std::string axis = {};  ///< an axis of the machine; empty: `drive` is used
+    std::optional<AxisDriveSpec::Shared> drive = {};  ///< the drive in shared memory
+    double resolution = 0;                            ///< u, size of one count; 0: no quantization
+    double noise = 0;                                 ///< u, rms of simulated noise; 0: none
     std::uint64_t seed = 1;                           ///< seed of the noise
   };
-  /// A virtual axis of this name, which plays a file when it is ordered to start.
+  /// A virtual axis with this name. It plays a file when a command starts it.
   struct FromTable {
-    std::string file = {};            ///< spec or table over time, beside the machine's spec
-    double velocity = 0;              ///< u/s: limits of the axis, as in [limits]
+    /// A spec or a table over time; its path is relative to the machine's spec.
+    std::string file = {};
+    double velocity = 0;              ///< u/s, as in [limits]
     double acceleration = 0;          ///< u/s^2
     std::optional<double> jerk = {};  ///< u/s^3
   };
 
-  std::string name;
-  std::string unit;
-  std::variant<External, Encoder, FromTable> what;
-  std::string key = {};  ///< "master.line", for messages
+  std::string name;                                 ///< name in the file and in the network
+  std::string unit;                                 ///< unit u of its position
+  std::variant<External, Encoder, FromTable> what;  ///< source of its position
+  std::string key = {};                             ///< full key for messages: "master.line"
 };
 
 }  // namespace jounce

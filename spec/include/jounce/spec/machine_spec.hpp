@@ -10,18 +10,18 @@
 
 namespace jounce {
 
-/// The leader of an axis: [follow] of a spec of kind "axis".
+/// The leader that an axis follows: [follow] of a spec of kind "axis".
 struct FollowWhom {
   std::string axis = {};    ///< another axis of the same machine
-  bool actual = false;      ///< actual position of its drive instead of its setpoint
-  std::string master = {};  ///< or a master of the machine
+  bool actual = false;      ///< true: the actual position of its drive; false: its setpoint
+  std::string master = {};  ///< a master of the machine, instead of `axis`
 };
 
-/// A spec of kind "machine": the axes that `jounce run` steps in one cycle.
+/// A spec of kind "machine": the axes that `jounce run` computes in one cycle.
 ///
 ///     jounce = 1
 ///     kind = "machine"
-///     watchdog = "500 ms"               # of the communication; 0: none
+///     watchdog = "500 ms"               # greatest time without communication; 0: not supervised
 ///     [[axis]]
 ///     spec = "feeder.toml"
 ///     [[axis]]
@@ -29,19 +29,21 @@ struct FollowWhom {
 ///     follow = { axis = "feeder" }      # or { master = "line" } with [master.line]
 struct MachineSpec {
   struct Axis {
-    std::string spec = {};                  ///< its file; relative to the machine's own
-    std::optional<FollowWhom> follow = {};  ///< replaces the entry of its file
-    std::string key = {};                   ///< "axis[1]", for messages
+    std::string spec = {};                  ///< file of the axis; relative to the machine's file
+    std::optional<FollowWhom> follow = {};  ///< replaces [follow] of this file
+    std::string key = {};                   ///< full key for messages: "axis[1]"
   };
   Document document;
   std::vector<Axis> axes;
   std::vector<MachineMasterSpec> masters = {};
-  std::optional<double> watchdog = {};  ///< s; 0: never
+  std::optional<double> watchdog = {};  ///< s; 0: not supervised
 };
 
-/// Nothing if the file is a spec of another kind, or not a spec. Throws InputError, placed, like
-/// read_spec(), for an unknown key, an axis without a spec, and an axis that occurs twice.
+/// Reads a machine. Returns nullopt if the file is a spec of another kind, or not a spec. Throws
+/// InputError, with the place, like read_spec(); also for an unknown key, an axis without a spec,
+/// and an axis that occurs twice.
 std::optional<MachineSpec> read_machine(const std::string& path);
+/// The same from text; messages use `name` as the file name.
 std::optional<MachineSpec> parse_machine(std::string text, std::string name);
 
 }  // namespace jounce

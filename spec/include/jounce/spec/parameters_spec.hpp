@@ -7,30 +7,34 @@
 
 #include "jounce/optimize/search.hpp"
 
-/// [optimize] with [[optimize.parameter]]: numbers of the spec itself that `jounce optimize` chooses.
+/// Section [optimize] with [[optimize.parameter]]: numbers of the spec that `jounce optimize` may
+/// change.
+
 namespace jounce {
 
-/// A number of the spec that may be chosen.
+/// A number of the spec that may change.
 struct SpecParameter {
-  std::string key;   ///< its place, as in error messages: "segment[2].end.master"
-  std::string unit;  ///< in which the spec counts it, "1" for a pure number: of the two bounds
-  double lower = 0;
-  double upper = 0;
+  std::string key;   ///< full key, as in error messages: "segment[2].end.master"
+  std::string unit;  ///< unit of both bounds, that of the number in the spec; "1" for a pure number
+  double lower = 0;  ///< least permitted value
+  double upper = 0;  ///< greatest permitted value
 };
 
-/// [[optimize.require]]: a key figure (jounce/design/key_figures.hpp) held within bounds. They are kept as
-/// written, "400" or "40 cm": only the design gives the figure its unit.
+/// [[optimize.require]]: bounds for a key figure (jounce/design/key_figures.hpp). They are stored
+/// as written ("400", "40 cm"), because the unit of the figure is known only when the design
+/// exists.
 struct FigureBound {
-  std::string figure;
+  std::string figure;  ///< name of the key figure
   std::optional<std::string> at_least = {};
   std::optional<std::string> at_most = {};
 };
 
+/// Input of an optimization of parameters.
 struct ParametersSpec {
   std::vector<SpecParameter> parameters = {};
-  std::string figure = {};  ///< the key figure that it is all for
-  bool maximize = false;
-  std::vector<FigureBound> require = {};
+  std::string figure = {};                ///< name of the key figure that is minimized or maximized
+  bool maximize = false;                  ///< true: maximize; false: minimize
+  std::vector<FigureBound> require = {};  ///< key figures with bounds
   OptimizeOptions options = {};
 };
 

@@ -15,23 +15,26 @@
 
 namespace jounce {
 
-/// kind = "path": several axes along lines and arcs. Numbers are in the spec's units.
+/// A spec of kind "path": several axes along lines and arcs. Numbers are in the spec's units.
 struct PathSpec {
-  Program program{1};
-  GroupLimits limits;
-  /// [kinematics]: the joints behind the axes. Spec::axes has them behind the axes of the program.
+  Program program{1};  ///< commands of the path
+  GroupLimits limits;  ///< [limits] of the axes and [path.limits]
+  /// [kinematics]: the joints of the machine. Spec::axes contains them after the axes of the
+  /// program.
   std::optional<JointSpace> joints = {};
-  std::string source;              ///< document that the lines of the commands count in
-  std::vector<GcodeEvent> events;  ///< events of a G-code program
-  GcodeMachine machine;            ///< for a G-code program from elsewhere
-  std::vector<FactorRequest> override_steps = {};  ///< [[override]]: the motion is played under it
-  std::optional<OverlapOptions> overlap = {};  ///< lines that overlap in time, instead of corners
-  /// Greatest error of an axis where it is fitted; unit of the axis. Left out: 1e-9, more for large coordinates.
+  std::string source;  ///< name of the document to which the source lines of commands refer
+  std::vector<GcodeEvent> events;  ///< words of a G-code program that do not move the axes
+  GcodeMachine machine;            ///< settings for a G-code program that is given separately
+  /// [[override]]: requests under which the motion is played.
+  std::vector<FactorRequest> override_steps = {};
+  /// Lines that overlap in time, instead of rounded corners; omitted: rounded corners.
+  std::optional<OverlapOptions> overlap = {};
+  /// Greatest error of a fitted axis, in its unit. Omitted: 1e-9, or more for large coordinates.
   std::optional<double> tolerance = {};
 };
 
-/// A path spec without commands is a machine: this gives it a G-code program. Throws InputError, placed: parse_gcode();
-/// a path that has commands already.
+/// Adds the commands of a G-code program to a path spec without commands (a machine). Throws
+/// InputError, with the place, like parse_gcode(), and if the path already has commands.
 void set_gcode(PathSpec& path, std::string_view text, const std::string& document);
 
 }  // namespace jounce

@@ -10,15 +10,15 @@
 
 namespace jounce {
 
-/// Limits of the motor, [load.limits]: checked by check_load().
+/// Limits of the motor, [load.limits]; check_load() checks them.
 struct LoadLimits {
-  std::optional<double> torque = {};      ///< N m, peak
-  std::optional<double> rms_torque = {};  ///< N m, over the cam
+  std::optional<double> torque = {};      ///< N m, peak torque
+  std::optional<double> rms_torque = {};  ///< N m, rms torque over the cam
 };
 
-/// Load of the slave's motor, [load], at the motor's shaft, whose angle is theta = 2 pi f /
-/// position_per_rev at the slave position f. With r the metres (rotary: radians) of the slave for a
-/// radian of the motor, and w the master's speed,
+/// The load of the slave's motor, section [load], at the motor's shaft. At the slave position f the
+/// angle of the shaft is theta = 2 pi f / position_per_rev. Let r be the travel of the slave (m;
+/// rotary: rad) for one radian of the motor.
 ///
 ///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
 ///                   + r (stiffness f + preload + force + mass gravity)
@@ -27,64 +27,68 @@ struct LoadLimits {
 ///     (3)  heat   = winding_loss torque^2
 ///     (4)  energy = integral of power > 0, less the share `recovered` of power < 0
 ///
-/// Its first two lines are linear in f, f', f''.
+/// The first two lines of (1) are linear in f, f', f''.
 struct LoadSpec {
-  double position_per_rev = 0;  ///< slave's unit for a turn of the motor; its sign is the motor's
-  double inertia = 0;           ///< kg m^2, at the motor
-  double damping = 0;           ///< N m s/rad, at the motor
-  double torque = 0;            ///< N m, at the motor: constant
-  double mass = 0;              ///< kg, of a slave that moves straight
-  double gravity = 0;           ///< m/s^2 along the slave, against its positive direction
-  double stiffness = 0;         ///< stiffness of a return spring: N/m, of a rotary slave N m/rad
-  double preload = 0;           ///< its force at slave position 0: N, or N m
-  double force = 0;             ///< constant, against the positive direction: N, or N m
-  double coulomb = 0;           ///< N m, at the motor: dry friction, >= 0
-  double lever = 0;             ///< N m, at a rotary slave: weight times length of its arm
-  double lever_angle = 0;       ///< rad, of the arm from hanging down, at slave position 0
-  double recovered = 0;         ///< 0 a braking resistor ... 1 a drive without losses
-  std::optional<double> winding_loss;  ///< W/(N m)^2: resistance / (torque constant)^2
+  /// Slave's unit: travel in one turn of the motor; its sign is the direction of the motor.
+  double position_per_rev = 0;
+  double inertia = 0;      ///< kg m^2, at the motor
+  double damping = 0;      ///< N m s/rad, at the motor
+  double torque = 0;       ///< N m, at the motor; constant
+  double mass = 0;         ///< kg, moving mass of a linear slave
+  double gravity = 0;      ///< m/s^2 along the slave; positive: against its positive direction
+  double stiffness = 0;    ///< stiffness of a return spring: N/m; rotary slave: N m/rad
+  double preload = 0;      ///< force of the spring at slave position 0: N; rotary slave: N m
+  double force = 0;        ///< constant force against the positive direction: N; rotary slave: N m
+  double coulomb = 0;      ///< N m, >= 0: dry friction at the motor
+  double lever = 0;        ///< N m, weight times length of an arm on a rotary slave
+  double lever_angle = 0;  ///< rad, angle of the arm at slave position 0; 0: hanging down
+  /// Share of braking energy that is recovered: 0 a braking resistor, 1 a drive without losses.
+  double recovered = 0;
+  /// W/(N m)^2: resistance / (torque constant)^2; omitted: no heat.
+  std::optional<double> winding_loss;
   LoadLimits limits = {};
 };
 
-/// True if (1) is linear in the shape: no dry friction, no lever.
+/// True if (1) is linear in f, f', f'': neither dry friction nor a lever.
 bool is_linear(const LoadSpec& load);
 
-/// The linear part of the torque of (1), and the motor's speed, as quantities of a shape over the master,
-/// which runs at `speed` of its units in 1 s; `unit` is the slave's.
+/// The linear part of the torque of (1), as a quantity of a shape over the master, which runs at
+/// `speed` (master units in 1 s). `unit` is the slave's unit.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
+/// The speed of the motor, likewise.
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
-/// All of (1), counted in the direction in which the slave's position grows: its peak, its rms and its
-/// sign against the velocity are those of the motor.
+/// The whole torque of (1), positive in the direction in which the slave's position grows. Its
+/// peak, its rms, and its sign relative to the velocity are those of the motor.
 LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
 
-/// (4): J, of a shape over the master.
+/// The energy (4) of a shape over the master, in J.
 EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
-/// A figure of [optimize] with the data to print it.
+/// A figure of [optimize], and how it is printed.
 struct ShapeFigureSpec {
-  std::string name;    ///< name in the spec: "motor heating"
-  std::string unit;    ///< unit of the number that is printed
-  ShapeFigure figure;  ///< the computed figure
-  double factor = 1;   ///< printed is factor value, or factor value^2
-  bool squared = false;
-  bool times_length = false;  ///< times the length of the run
+  std::string name;      ///< name in the spec, such as "motor heating"
+  std::string unit;      ///< unit of the printed number
+  ShapeFigure figure;    ///< the figure that is computed
+  double factor = 1;     ///< the printed number is factor * value; with `squared`, factor * value^2
+  bool squared = false;  ///< true: the value is squared
+  bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
 };
 
-/// The number that is printed for a figure of a run, and back.
+/// Converts the computed value of a figure of a run of `length` to the printed number, and back.
 double shown(const ShapeFigureSpec& figure, double value, double length);
 double computed(const ShapeFigureSpec& figure, double shown);
 
-/// The free shapes of a cam spec, and the objectives for them.
+/// The free shapes of a cam spec, and the objectives for them; see jounce/optimize/cam_shape.hpp.
 struct ShapeSpec {
-  std::vector<FreeShape> shapes = {};
-  std::optional<LoadSpec> load = {};
-  std::vector<std::vector<WeightedFigure>> minimize = {};
-  std::vector<Ceiling> ceilings = {};
-  /// Figures of `minimize`, then of `ceilings`: in the order of CamRunOutcome::figures.
+  std::vector<FreeShape> shapes = {};                      ///< the free segments
+  std::optional<LoadSpec> load = {};                       ///< [load]
+  std::vector<std::vector<WeightedFigure>> minimize = {};  ///< objectives, the most important first
+  std::vector<Ceiling> ceilings = {};                      ///< upper limits of figures
+  /// The figures of `minimize`, then those of `ceilings`, in the order of CamRunOutcome::figures.
   std::vector<ShapeFigureSpec> figures = {};
-  std::vector<Corridor> corridors = {};
-  bool refine = false;
+  std::vector<Corridor> corridors = {};  ///< corridors for quantities
+  bool refine = false;                   ///< true: add knots where the optimum switches
 };
 
 }  // namespace jounce

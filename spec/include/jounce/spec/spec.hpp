@@ -31,161 +31,172 @@
 
 namespace jounce {
 
-/// Conversion of a curve to a table: the rule, and either a tolerance or a number of equal intervals.
+/// Conversion of a curve to a table: the rule, and a tolerance or a number of equal intervals.
 struct TableOptions {
-  /// Omitted: quintic_hermite, but cubic_hermite for a motion whose acceleration steps, and for a
-  /// spec of knots.
+  /// Interpolation rule. Omitted: quintic_hermite; but cubic_hermite for a motion whose
+  /// acceleration steps, and for a spec of knots.
   std::optional<Interpolation> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
-  std::optional<std::size_t> intervals;  ///< equal ones, instead of a tolerance
-  /// knots = "fewest": further requirements; rule and tolerance are those above.
+  std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
+  /// For knots = "fewest": further requirements; rule and tolerance are the members above.
   std::optional<Target> target = {};
 };
 
-/// Motion of the master of a cam: a trapezoidal move from 0.
+/// Motion of the master of a cam: a move from 0 with trapezoidal velocity.
 struct MasterSpec {
-  double velocity = 0;                 ///< master unit / time unit
-  double distance = 0;                 ///< master unit
-  std::optional<double> acceleration;  ///< omitted: the (virtual) master starts at full speed
+  double velocity = 0;  ///< master unit / time unit
+  double distance = 0;  ///< master unit
+  /// Master unit / time unit^2; omitted: the (virtual) master starts at full speed.
+  std::optional<double> acceleration;
 };
 
 /// Rule for derivatives that the knots of a cam omit.
 enum class Boundaries {
-  rest,                       ///< zero, unless a neighbour requires another value
-  minimum_jerk,               ///< least rms geo_jerk: jounce/cam/design/boundaries.hpp
-  minimum_peak_acceleration,  ///< least peak geo_acceleration: jounce/optimize/least_peak.hpp
+  rest,                       ///< zero, unless a neighbor requires another value
+  minimum_jerk,               ///< least rms of geo_jerk: jounce/cam/design/boundaries.hpp
+  minimum_peak_acceleration,  ///< least peak of geo_acceleration: jounce/optimize/least_peak.hpp
 };
 
-/// Quantities that `jounce optimize` may change, and its objective: the `free` of the knots and [optimize].
+/// Quantities of a cam that `jounce optimize` may change, and its objective: `free` of the knots,
+/// and section [optimize].
 struct OptimizeSpec {
-  std::vector<FreeKnot> free;
+  std::vector<FreeKnot> free;  ///< knots with free values
+  /// Objectives, the most important first.
   std::vector<Objective> minimize{Objective::peak_acceleration};
-  std::optional<std::size_t> seed;
-  std::optional<std::size_t> starts;
-  std::optional<double> tolerance;
-  std::optional<double> seconds = {};  ///< time budget
-  ShapeSpec shape = {};  ///< if segments are free in shape; then `minimize` above is not used
+  std::optional<std::size_t> seed;     ///< seed of the random starts
+  std::optional<std::size_t> starts;   ///< number of starts of the search
+  std::optional<double> tolerance;     ///< relative tolerance of the objective
+  std::optional<double> seconds = {};  ///< s, greatest duration of the search
+  /// Free shapes of segments, if there are any; `minimize` above is then not used.
+  ShapeSpec shape = {};
 };
 
-/// The servo axis that the table is proven against: [drive] and [drive.limits].
+/// The servo axis whose simulation validates the table: [drive] and [drive.limits].
 struct DriveSpec {
   Drive drive;
   DriveLimits limits;
-  double settle = 0.2;                           ///< s of standstill after the motion's end
-  bool periodic = false;                         ///< the motion repeats endlessly: its steady state
-  std::vector<Interval> sync = {};               ///< [[drive.sync]], s of the motion
+  double settle = 0.2;    ///< s, standstill after the end of the motion
+  bool periodic = false;  ///< true: the motion repeats endlessly, and the steady state is simulated
+  std::vector<Interval> sync = {};               ///< [[drive.sync]]: s, intervals of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
+  /// Options of the simulation.
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
     return {
         .settle = settle, .samples = samples, .limits = limits, .sync = sync, .periodic = periodic};
   }
 };
 
-/// The cam follower that the lift is proven against: [follower] and [follower.limits].
+/// The cam follower whose simulation validates the lift: [follower] and [follower.limits].
 struct FollowerSpec {
   SpringFollower follower;
   FollowerLimits limits;
-  double settle = 0;  ///< s of standstill after the motion's end
+  double settle = 0;  ///< s, standstill after the end of the motion
 };
 
-/// The plate that a cam is cut into: [disc] and [disc.limits].
+/// The plate of a disc cam: [disc] and [disc.limits].
 struct DiscPart {
   DiscSpec geometry;
   DiscLimits limits;
-  double tolerance = 0;              ///< tolerance of the contour
-  std::optional<double> hub_radius;  ///< a circle of the drawing
+  double tolerance = 0;              ///< tolerance of the contour, in `length`
+  std::optional<double> hub_radius;  ///< radius of a circle in the drawing
   std::string length;  ///< unit of all lengths: the slave's unit, or mm if the slave is an angle
 };
 
-/// An axis as its executor is configured: `jounce run` takes it, with [limits] over time.
+/// The configuration of an axis for `jounce run`, in addition to its [limits] over time.
 struct AxisSpec {
   /// [homing], as in jounce/axis/axis_config.hpp, in u and the spec's unit of time. A velocity or
-  /// acceleration of 0 means that it was omitted.
+  /// acceleration of 0 was omitted.
   struct Homing {
-    int method = 37;
-    double search_velocity = 0;
-    double index_velocity = 0;
+    int method = 37;             ///< CiA 402 homing method (6098h)
+    double search_velocity = 0;  ///< velocity of the search for the switch
+    double index_velocity = 0;   ///< velocity of the search for edge and index
     double acceleration = 0;
-    double offset = 0;
-    double timeout = 60;  ///< s
-    double distance = 0;  ///< 0: not limited
+    double offset = 0;    ///< new position of the home position
+    double timeout = 60;  ///< s, greatest duration
+    double distance = 0;  ///< greatest distance of each search; 0: no limit
   };
 
-  double cycle = 1e-3;  ///< s
-  double position = 0;  ///< position at the start
-  // Stops and supervision, see jounce/axis/axis_config.hpp; 0: not given. In u and the spec's time.
-  double modulo = 0;
-  double stop_acceleration = 0;
-  double stop_jerk = 0;
-  double abort_acceleration = 0;
-  double limit_acceleration = 0;
-  double following_error = 0;
-  double following_time = 0;  ///< s
-  double in_position = 0;
-  double in_position_time = 0;  ///< s
-  double longest_gap = 0;       ///< s; 0: 100 cycles
-  double session_timeout = 1;   ///< s without a message, after which the owner loses the axis
-  bool require_home = false;
+  double cycle = 1e-3;  ///< s, period of the cyclic thread
+  double position = 0;  ///< u, position at the start
+  // Stops and supervision, see jounce/axis/axis_config.hpp; 0: omitted. Units: u and the spec's
+  // unit of time.
+  double modulo = 0;              ///< u, period of a modulo axis
+  double stop_acceleration = 0;   ///< deceleration of a stop
+  double stop_jerk = 0;           ///< jerk of a stop
+  double abort_acceleration = 0;  ///< deceleration of an abort; 0: the setpoint freezes
+  double limit_acceleration = 0;  ///< deceleration before a soft limit
+  double following_error = 0;     ///< u, greatest following error
+  double following_time = 0;      ///< s, time for which it may be exceeded
+  double in_position = 0;         ///< u, window for "in position"
+  double in_position_time = 0;    ///< s, time in this window
+  double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
+  /// s; without a message for this time, the owner of the session loses the axis.
+  double session_timeout = 1;
+  bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
   std::optional<Homing> homing = {};
-  std::optional<FollowWhom> follow = {};  ///< its live master
+  std::optional<FollowWhom> follow = {};  ///< the leader that the axis follows
 };
 
-/// A drive alone: for `jounce identify`, and as the drive for optimising a cam.
+/// A spec of kind "drive": a drive without an axis, for `jounce identify` and for optimizing a cam.
 struct DriveAlone {};
 
-/// The data of one axis of a spec. A spec with a single axis has one AxisPart, without a name.
+/// The data of one axis of a spec. A spec of a single axis has one AxisPart, without a name.
 struct AxisPart {
-  std::string name;
-  Units units;
-  TableOptions table;
-  Limits limits;  ///< for a cam: per master unit
+  std::string name;    ///< name of the axis
+  Units units;         ///< units of the axis
+  TableOptions table;  ///< conversion of its curve to a table
+  Limits limits;       ///< limits; per master unit for a cam
   std::optional<DriveSpec> drive;
 };
 
-/// An output that is fired along the motion of one axis: [compare] and [compare.device].
+/// An output that fires during the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
   std::string axis = {};  ///< the axis, if the spec has several; "path": the length along the path
-  SwitchesOf of = SwitchesOf::position;  ///< for kind "axis": position, or actual
-  PositionCompare compare;
-  CompareDevice device;                    ///< in the spec's unit of time
-  std::optional<PlaneCompare> plane = {};  ///< modes "zone" and "zone_equal": of two axes
-  std::array<std::string, 2> plane_axes = {};
+  /// For kind "axis": setpoint (`position`) or actual position.
+  SwitchesOf of = SwitchesOf::position;
+  PositionCompare compare;  ///< points and mode
+  CompareDevice device;     ///< in the spec's unit of time
+  /// Modes "zone" and "zone_equal": compare in a plane of two axes.
+  std::optional<PlaneCompare> plane = {};
+  std::array<std::string, 2> plane_axes = {};  ///< names of these two axes
 };
 
-/// A complete spec file: the motion, its axes and its limits.
+/// A complete spec: the motion, its axes and its limits.
 struct Spec {
-  static constexpr int version = 1;  ///< the `jounce = 1` of the file
+  static constexpr int version = 1;  ///< value of the key `jounce` in the file
 
-  Document document;
-  std::string name;
-  Units units;              ///< x is the master's unit for a cam, the time's for the others
-  std::string time_unit;    ///< "s" by default
-  std::string master_unit;  ///< master unit of an axis that follows a master; otherwise ""
+  Document document;  ///< the file, for places in messages
+  std::string name;   ///< name of the motion
+  Units units;        ///< units of x and the position; x is the master of a cam, otherwise the time
+  std::string time_unit;    ///< unit of time; default "s"
+  std::string master_unit;  ///< unit of the master that an axis follows; otherwise ""
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
                AxisSpec, DriveAlone>
       subject;
-  std::vector<Operator> then;  ///< operators on the motion, one after another
-  std::vector<AxisPart> axes;  ///< axes of kinds "axes" and "path"; empty for the others
+  std::vector<Operator> then;  ///< [[then]]: operators on the motion, in order
+  std::vector<AxisPart> axes;  ///< the axes of kinds "axes" and "path"; empty for other kinds
   Boundaries boundaries = Boundaries::rest;  ///< for a cam
-  TableOptions table;
-  Limits limits;  ///< for a cam: per master unit
-  Limits slave;   ///< for a cam: [limits.slave], over time; without positions
-  std::optional<MasterSpec> master;
-  std::optional<CouplingSpec> coupling;  ///< for a cam: how `jounce stream` engages it; in s
-  OptimizeSpec optimize;
-  std::optional<ParametersSpec> parameters;  ///< chosen by `jounce optimize`
-  std::optional<DriveSpec> drive;
-  std::optional<DiscPart> disc;  ///< for a cam
-  std::optional<Mode>
-      polydyne;  ///< for a cam: its knots define the motion of the load behind this mode (Hz)
-  std::optional<FollowerSpec> follower = {};  ///< for a cam with a master
-  AxisSwitches switches;                      ///< for kinds "axis" and "cam"
-  std::optional<CompareSpec> compare;         ///< for a motion over time
-  bool himc = false;                          ///< for kind "pvt": for HIMC's MovePVT
-  Report fill;  ///< for kind "pvt": the findings from filling in omitted velocities
+  TableOptions table;                        ///< conversion to a table
+  Limits limits;                             ///< [limits]; of a cam: per master unit
+  Limits slave;                      ///< for a cam: [limits.slave], over time, without positions
+  std::optional<MasterSpec> master;  ///< for a cam: [master]
+  /// For a cam: the coupling with which `jounce stream` engages it; times in s.
+  std::optional<CouplingSpec> coupling;
+  OptimizeSpec optimize;  ///< for a cam: [optimize]
+  /// [[optimize.parameter]]: parameters that `jounce optimize` may change.
+  std::optional<ParametersSpec> parameters;
+  std::optional<DriveSpec> drive;  ///< [drive]
+  std::optional<DiscPart> disc;    ///< for a cam: [disc]
+  /// For a cam: its knots define the motion of a load on a spring with this mode (Hz).
+  std::optional<Mode> polydyne;
+  std::optional<FollowerSpec> follower = {};  ///< for a cam with a master: [follower]
+  AxisSwitches switches;                      ///< for kinds "axis" and "cam": [[switch]]
+  std::optional<CompareSpec> compare;         ///< for a motion over time: [compare]
+  bool himc = false;                          ///< for kind "pvt": true for MovePVT of HIMC
+  Report fill;  ///< for kind "pvt": findings from filling in omitted velocities
 
-  // Defined in spec.cpp, because inline they would take seconds to compile in every file that copies
+  // Defined in spec.cpp: inline, they would cost seconds of compile time in every file that copies
   // a spec.
   Spec();
   Spec(const Spec& other);
@@ -194,27 +205,28 @@ struct Spec {
   Spec& operator=(Spec&& other) noexcept;
   ~Spec();
 
-  /// The axes: those of kinds "axes" and "path", or the one.
+  /// All axes: those of kinds "axes" and "path", otherwise the only one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  /// True if it describes a cam, given by knots or by a synchronous slave, rather than a motion.
+  /// True for a cam, given by knots or by a synchronous slave; false for a motion over time.
   [[nodiscard]] bool over_master() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
   }
-  /// The period of a periodic cam, in the master's unit.
+  /// Period of a periodic cam, in the master's unit; nullopt for any other spec.
   [[nodiscard]] std::optional<double> master_period() const;
 };
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
-/// rule: syntax, unknown keys (with the nearest known one), a missing key, a wrong type, unit or
-/// version, a number that is not finite, an unknown choice. Throws InputErrors for several errors that do not depend on
-/// each other.
+/// rule for an error of syntax, an unknown key (with the nearest possible one), a missing key, a
+/// wrong type, unit or version, a number that is not finite, and an unknown choice. Throws
+/// InputErrors if there are several errors that do not depend on each other.
 Spec read_spec(const std::string& path);
 
-/// The same from text; messages use `name` as the file name.
+/// Reads a spec from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
 
-/// The kind that a spec names: "cam", "machine", "sweep", ...; empty if it is not TOML or names none.
+/// The kind of a spec: "cam", "machine", "sweep", ...; empty if the text is not TOML or has no
+/// kind.
 std::string spec_kind(const std::string& text);
 
 }  // namespace jounce

@@ -15,33 +15,37 @@
 #include "jounce/gear/sync_cam.hpp"
 
 /// Specs of synchronous slaves: one struct for each kind, with the parameters of its generator in
-/// `gear/`. Numbers are in the spec's units.
+/// the module gear. Numbers are in the spec's units.
+
 namespace jounce {
 
-/// kind = "gear": slave = master * numerator / denominator, without drift.
+/// kind = "gear": slave = master * numerator / denominator, without drift. m is the master's unit.
 struct GearSpec {
-  std::int64_t numerator = 1;
-  std::int64_t denominator = 1;
-  double master_period = 1;  ///< m: period of the table, which continues from its end
+  std::int64_t numerator = 1;    ///< any sign
+  std::int64_t denominator = 1;  ///< > 0
+  double master_period = 1;      ///< m, length of the cam, which continues from its end
 };
 
-/// kind = "gear", engage = "position": MC_GearInPos. With engage = "distance" it is a GearCourse.
+/// kind = "gear" with engage = "position": MC_GearInPos. (With engage = "distance" the spec is a
+/// GearCourse.)
 struct GearInPosPart {
   GearInPosSpec gear;
-  double master_start = 0, master_end = 0;  ///< m: extent of the cam
+  double master_start = 0, master_end = 0;  ///< m, interval of the cam
 };
 
-/// kind = "follow": the tables of a controller, or the motion from which the tables are planned.
+/// kind = "follow": the tables of a controller, or a plan from which the tables are made.
 struct FollowPart {
   std::variant<FollowSpec, FollowPlan> slave;
-  FollowStart start = {};
+  FollowStart start = {};  ///< start event
 };
 
-/// For the kinds "knife", "shear" and "indexer", the spec is the parameter struct of the generator.
+/// A spec of a synchronous slave. For the kinds "knife", "shear" and "indexer" it is the parameter
+/// struct of the generator.
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
                               FlyingShear, Indexer>;
 
-/// Master distance (unit m) after which the slave's motion repeats; nullopt if it runs once.
+/// Travel of the master (m) after which the motion of the slave repeats; nullopt if it does not
+/// repeat.
 std::optional<double> master_period(const SyncSpec& spec);
 
 }  // namespace jounce

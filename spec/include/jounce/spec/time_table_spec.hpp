@@ -11,37 +11,39 @@
 #include "jounce/pvt/profile_table.hpp"
 #include "jounce/pvt/pt.hpp"
 
-/// A spec of kind "pt": a time table that is played unchanged. Numbers are in the spec's
-/// units.
+/// A spec of kind "pt": a time table that is played unchanged. Numbers are in the spec's units.
+
 namespace jounce {
 
-/// A PT table: of a Googol iDEABOX, or of no controller in particular.
+/// A PT table: for a Googol iDEABOX, or for no particular controller.
 struct PtSpec {
   std::vector<PtPoint> points;
-  std::size_t loops = 1;      ///< 0: without end
-  double start_velocity = 0;  ///< initial velocity of a `continue` first point
-  Extrapolation outside = Extrapolation::hold;
-  bool googol = false;  ///< its limits hold
+  std::size_t loops = 1;      ///< number of passes; 0: endless
+  double start_velocity = 0;  ///< initial velocity of a first point of type `continue`
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
+  bool googol = false;                          ///< true: the limits of a Googol controller apply
 };
 
-/// PMC600: MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile.
+/// A table of the PMC600: MC_PositionProfile, MC_VelocityProfile or MC_AccelerationProfile.
 struct ProfileTableSpec {
   enum class Quantity { position, velocity, acceleration } quantity = Quantity::position;
   pmc600::ProfileTable table;
+  /// Motion between the points of a position table.
   pmc600::PositionRule rule = pmc600::PositionRule::cubic;
-  Extrapolation outside = Extrapolation::hold;
+  Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
 };
 
 using TimeTableSpec = std::variant<PtSpec, ProfileTableSpec>;
 
-/// The motion. Throws InputError with the document's keys.
+/// The motion of the table. Throws InputError with the keys of the document.
 Trajectory motion_of(const TimeTableSpec& spec);
 
-/// A name for each of its segments: "2 even", "pass 3: 2 even"; none for PMC600's.
+/// A name for each segment of the motion: "2 even", "pass 3: 2 even"; empty for a table of the
+/// PMC600.
 std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
-/// Its findings: check_pt or velocity_steps, and overshoot. A table in several passes is
-/// looked at once.
+/// The findings of the table: those of check_pt() or velocity_steps(), and of overshoot(). They
+/// cover a table in several passes as a whole.
 Report warnings_of(const TimeTableSpec& spec);
 
 }  // namespace jounce

@@ -8,33 +8,40 @@
 
 namespace jounce {
 
-/// Correction of a cam so that a slave engages without a jump: it goes from the difference at the
-/// start to zero and stays there. Over time it is a Profile within limits. Over master it is a
-/// polynomial that is at rest when the master is. A value type; nothing allocates.
+/// Correction that lets a slave engage with a cam without a jump. It begins at the difference
+/// between slave and cam, ends at zero, and stays there. A correction over time is a Profile within
+/// limits. A correction over the master is a polynomial of the master's position, so it is at rest
+/// when the master is. A value type; nothing allocates.
 class Correction {
  public:
-  Correction() = default;  ///< none: zero everywhere
+  Correction() = default;  ///< no correction: zero everywhere
 
-  /// Follows a profile that ends at rest at zero, starting at time `start`, s.
+  /// A correction that follows a profile from time `start`, s. The profile ends at rest at zero.
   static Correction over_time(const Profile& profile, double start);
 
-  /// Ends after `distance` > 0 of master travel from `origin`, in either direction. The difference
-  /// at the origin is given by its derivatives over the master: u, u/m, u/m^2.
+  /// A correction that ends after `distance` > 0 (m) of master travel from the position `origin`
+  /// (m), in either direction. `difference` is the difference at the origin with its derivatives
+  /// with respect to the master: u, u/m, u/m^2.
   static Correction over_master(const Jet& difference, double origin, double distance);
 
-  /// Value and derivatives by time for the master's jet at t.
+  /// Value and derivatives with respect to time at t (s). `master`: position of the master at t and
+  /// its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, const Jet& master) const;
 
-  /// True if the correction is complete; over master: while the master stays outside the distance.
+  /// True if the correction is complete at t (s). Over the master: true while the master, at
+  /// position `master`, is beyond the distance.
   [[nodiscard]] bool done(double t, double master) const;
 
-  /// Its duration, s; 0 unless it runs over time.
+  /// Duration, s; 0 unless the correction is over time.
   [[nodiscard]] double duration() const { return kind_ == Kind::time ? profile_.duration() : 0; }
+  /// True if it is over the master.
   [[nodiscard]] bool follows_master() const { return kind_ == Kind::master; }
+  /// Its profile; empty unless it is over time.
   [[nodiscard]] const Profile& profile() const { return profile_; }
-  /// True if all its numbers over master are finite: a difference beyond 1e300 is not.
+  /// False if a number of a correction over the master is not finite, as for a difference beyond
+  /// 1e300.
   [[nodiscard]] bool finite() const;
-  /// For one over master: the correction as a curve over the master's position, zero outside.
+  /// A correction over the master as a curve over the master's position; zero outside the distance.
   [[nodiscard]] Cam curve() const;
 
  private:

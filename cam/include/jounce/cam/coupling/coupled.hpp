@@ -9,29 +9,33 @@
 
 namespace jounce {
 
-/// The slave's motion over time for a given master motion, as a Signal: a coupling engaged at the
-/// master's first instant, with its correction. Followed is the same for a cam alone.
+/// The motion of a slave over time for a given motion of the master, as a Signal. The coupling
+/// engages at the start of the master's motion, with its correction. (Followed is the same for a
+/// cam without coupling.)
 ///
 ///     const Engagement in = engage(coupling, slave, master.jet(master.start()), master.start());
 ///     const Coupled motion(coupling, in.engaged, master);
 ///     const Jet now = motion.jet(0.5);
 ///
-/// Exact: its breaks are those of the master, of the cam where the master passes them, and of the
-/// correction. It ends with the correction over time, if that is later than the master's end; the
-/// master then rests at its end. A cam that runs once holds its end value, at rest.
+/// Exact: the breaks are those of the master, the instants at which the master passes a break of
+/// the cam, and those of the correction. The motion ends when the master's motion and a correction
+/// over time have both ended; the master rests at its end meanwhile. A cam that runs once holds its
+/// end value, at rest.
 class Coupled {
  public:
+  /// `engaged`: the result of engage() for this coupling and the start of `master`.
   Coupled(const Coupling& coupling, const Engaged& engaged, const Trajectory& master);
 
   [[nodiscard]] double start() const { return cam_.start(); }
   [[nodiscard]] double end() const { return cam_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  /// Position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return jounce::point<OverTime>(jet(t, side));
   }
 
-  /// s, the time from which the slave stays on its cam; nullopt if the master ends before.
+  /// Time (s) from which the slave stays on its cam; nullopt if the master's motion ends before.
   [[nodiscard]] std::optional<double> in_sync() const { return in_sync_; }
 
  private:

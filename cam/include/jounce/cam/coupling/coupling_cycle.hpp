@@ -10,29 +10,35 @@
 
 namespace jounce {
 
-/// A released slave: it keeps its velocity (PMC600 manual 6.2, MC_CamOut).
+/// A released slave, which keeps its velocity (PMC600 manual 6.2, MC_CamOut). u is the slave's
+/// unit.
 struct Released {
   double t = 0;     ///< s, time of the release
-  Profile profile;  ///< profile of its remaining acceleration
+  Profile profile;  ///< motion from the release on, until the acceleration is zero
 };
 
-/// Releases a slave that moves as `slave` at t: it keeps its velocity. With a jerk limit its
-/// acceleration fades, and it returns to that velocity; without one, the acceleration drops to 0.
+/// Releases a slave at time t (s): it keeps its velocity. `slave`: its position and derivatives
+/// with respect to time. With a jerk limit (u/s^3) the acceleration falls to zero and the slave
+/// returns to its velocity at the release. Without one, the acceleration is zero at once.
 Released cam_out(const Jet& slave, double t, std::optional<double> jerk = {});
 
-/// The setpoint of a released slave.
+/// The setpoint of a released slave at t (s), and its derivatives with respect to time.
 Jet point(const Released& released, double t);
 
 /// Result of one cycle.
 struct Stepped {
+  /// ok; the reason why the start mode could not ramp in; or not_finite.
   CouplingStatus status = CouplingStatus::ok;
-  Engaged engaged{};     ///< for the next cycle
-  Jet slave{};           ///< the setpoint: u, u/s, u/s^2, u/s^3
-  bool in_sync = false;  ///< the correction is complete
-  bool jumped = false;   ///< the master jumped by more than master_jump
-  int periods = 0;  ///< EndOfProfile: ends of the cam passed since the last cycle; backwards: < 0
-  double end_time = 0;  ///< s, time of the last of them: (before, now]; backwards, [before, now)
-  /// Set when the slave was released: at the exact instant at which the master left a cam that runs
+  Engaged engaged{};     ///< state for the next cycle
+  Jet slave{};           ///< setpoint: u, u/s, u/s^2, u/s^3
+  bool in_sync = false;  ///< true if the correction is complete
+  bool jumped = false;   ///< true if the master has jumped by more than master_jump
+  /// Number of period ends that were passed since the last cycle (EndOfProfile); negative if
+  /// backwards.
+  int periods = 0;
+  /// s, time of the last of these ends: in (before, now]; if backwards, in [before, now).
+  double end_time = 0;
+  /// Set if the slave was released: at the exact instant at which the master left a cam that runs
   /// once, or now, if no correction could absorb a jump of the master.
   std::optional<Released> released{};
 };
@@ -46,46 +52,55 @@ struct Stepped {
 ///       state = now.engaged;
 ///     }
 ///
-/// Pure, and does not allocate. The samples' times ascend.
+/// A pure function; does not allocate. The times of the samples must ascend.
 ///
-/// **Master.** For any motion of the master, the slave is on its cam, except for the correction. It
-/// accelerates by the chain rule, runs backwards along the same cam, and follows the noise of a
-/// measured master times the cam's slope. Filter a measured master, and pass the velocity and
-/// acceleration of the filter. With master_jump, `jumped` reports a jump of the master. A slave
-/// with a ramp then keeps its motion and ramps in again; any other slave jumps with its master. If
-/// the start mode cannot ramp in (`status` has the reason: it would have to reverse, the master is
-/// at rest), `ramp_in` does; without dynamics for that, the coupling ends. While the master is NaN
-/// (`not_finite`), the slave keeps its position, and the next valid master counts as a jump.
+/// **Master.** The slave is on its cam, except for the correction, for any motion of the master. It
+/// accelerates by the chain rule and runs backwards along the same cam. It follows the noise of a
+/// measured master, multiplied by the slope of the cam. So filter a measured master, and pass the
+/// velocity and acceleration of the filter.
+///
+/// **Jumps of the master.** With master_jump, `jumped` reports a jump. A slave with a ramp then
+/// keeps its motion and ramps in again; any other slave jumps with the master. If the start mode
+/// cannot ramp in (`status` has the reason: the slave would have to reverse, or the master is at
+/// rest), ramp_in is used instead. If there are no limits for ramp_in, the coupling ends.
+///
+/// **Invalid master.** While the master is NaN (status `not_finite`), the slave keeps its position.
+/// The next valid master counts as a jump.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
-/// Start condition of a coupling, or of its exchange for another.
+/// The condition at which a coupling engages, or replaces another one.
 struct Trigger {
   enum class When : std::uint8_t {
-    now,
+    now,              ///< at once
     period_end,       ///< at the end of the active cam, in either direction
-    master_position,  ///< when the master passes `position`
+    master_position,  ///< when the master passes the position `position`
   };
   When when = When::now;
-  double position = 0;  ///< X, within the cam, in every period of a periodic one
-  double window = 0;    ///< m of X; 0: at that very instant; otherwise the first cycle within it
+  /// X, the master's position on the cam; for a periodic cam, in every period.
+  double position = 0;
+  /// m; 0: at the exact instant; otherwise in the first cycle within this distance of X.
+  double window = 0;
 };
 
-/// Throws InputError, key `prefix`_position or `prefix`_window ("engage", "disengage"), for a
-/// position outside the cam, or a window that is negative or wider than half of it.
+/// Throws InputError with the key `prefix`_position or `prefix`_window (prefix: "engage",
+/// "disengage") if the position is outside the cam, or if the window is negative or wider than half
+/// of the cam.
 void require_valid(const Trigger& trigger, const Cam& cam, const std::string& prefix);
 
-/// Result of a trigger between two cycles.
+/// Result of due().
 struct Due {
-  CouplingStatus status = CouplingStatus::ok;  ///< window_missed: passed without a cycle in it
-  std::optional<Sample> at{};                  ///< the instant; nullopt: not yet
+  /// window_missed: the master passed the window without a cycle in it.
+  CouplingStatus status = CouplingStatus::ok;
+  std::optional<Sample> at{};  ///< time and master at the instant; nullopt: not yet
 };
+/// Returns whether a trigger fires between two cycles, and at which instant.
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,
         const Sample& now);
 
-/// Engages `next` at an instant at which the slave still follows `running`, from its present state.
-/// At a period's end a relative cam begins exactly at the end of the previous one, even if that one
-/// is open. The next cycle outputs the first new setpoint; there is no output at the instant
-/// itself.
+/// Engages `next` at an instant `at`, from the state in which the slave follows `running` at that
+/// instant. At a period's end, a relative cam begins exactly at the end of the previous cam, even
+/// if that one does not close. There is no output at the instant itself: the next cycle sends the
+/// first new setpoint.
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at);
 

@@ -9,16 +9,18 @@
 
 namespace jounce {
 
-/// The chain rule: the derivatives by time of f(x(t)), where f holds the derivatives by x at x(t)
-/// and x those by time; equations (1) to (3) of Followed.
+/// The chain rule: the derivatives with respect to time of f(x(t)). `f`: value and derivatives with
+/// respect to x, at x(t); `x`: position and derivatives with respect to time. Equations (1) to (3)
+/// are those of Followed.
 inline Jet chained(const Jet& f, const Jet& x) {
   return {f[0], f[1] * x[1],                                                  // (1)
           f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
-/// Direction of a master on the given side of an instant: the sign of its first derivative that is
-/// not zero. A master at rest that is about to move backwards therefore counts as moving backwards.
+/// True if a master moves backwards on the given side of an instant: the sign of its first
+/// derivative that is not zero. So a master at rest that is about to move backwards counts as
+/// moving backwards.
 inline bool backwards(const Jet& x, Side side = Side::right) {
   const double s = side == Side::right ? 1 : -1;
   if (x[1] != 0) return x[1] < 0;
@@ -27,24 +29,25 @@ inline bool backwards(const Jet& x, Side side = Side::right) {
 }
 
 /// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to
-/// `last`, or periods from 1e15 on: far more than any machine needs, but before memory runs out.
+/// `last`, or reaches the period 1e15. This is far beyond any machine, and prevents that memory
+/// runs out.
 void require_few_periods(double first, double last, std::size_t breaks);
 
-/// The slave's motion over time when it follows a master: cam(master(t)), a Signal.
+/// The motion over time of a slave that follows a master: cam(master(t)). It is a Signal.
 ///
 ///     TrapezoidSpec travel{.to = 1080, .velocity = 200, .acceleration = 1000};
 ///     const Followed slave(cam, trapezoid(travel).curve());
 ///     Motion now = slave.at(0.5);
 ///
-/// Full chain rule, with the master's acceleration and jerk (f = cam, x = master):
+/// The chain rule includes the master's acceleration and jerk (f: cam, x: master):
 ///
 ///     (1)  y'   = f' x'
 ///     (2)  y''  = f'' x'^2 + f' x''
 ///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
 ///
-/// Its breaks are the master's breaks and every instant at which the master passes a break of the
-/// cam. While the master runs backwards, right and left limits of the cam are exchanged. Throws
-/// InputError if the master leaves a cam that permits no position outside, and like
+/// The breaks are those of the master, and every instant at which the master passes a break of the
+/// cam. While the master moves backwards, right and left limits of the cam are exchanged. Throws
+/// InputError if the master leaves a cam that refuses positions outside, and like
 /// require_few_periods().
 class Followed {
  public:
@@ -53,6 +56,7 @@ class Followed {
   [[nodiscard]] double start() const { return master_.start(); }
   [[nodiscard]] double end() const { return master_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
+  /// Position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return point<OverTime>(jet(t, side));

@@ -9,46 +9,51 @@
 
 namespace jounce {
 
-/// Limits of the master at the same time, in magnitude: m/s^2, m/s^3; both >= 0.
+/// Acceleration and jerk of the master that may occur together with its velocity: magnitudes, >= 0.
+/// u is the slave's unit, m the master's.
 struct MasterRates {
-  double acceleration = 0;
-  double jerk = 0;
+  double acceleration = 0;  ///< m/s^2
+  double jerk = 0;          ///< m/s^3
 };
 
-/// The limit of the master, and the slave's quantity that sets it.
+/// A limit of the master, and the quantity of the slave that sets it.
 struct MasterLimit {
-  double value = std::numeric_limits<double>::infinity();  ///< m/s, or m/s^2; infinite: no limit
-  std::string quantity =
-      {};            ///< quantity of the slave: "velocity", "acceleration", "jerk"; "" if infinite
-  double where = 0;  ///< master position (m) at which the slave is at that limit
+  double value = std::numeric_limits<double>::infinity();  ///< m/s or m/s^2; infinite: no limit
+  /// "velocity", "acceleration" or "jerk" of the slave; "" if the value is infinite.
+  std::string quantity = {};
+  double where = 0;  ///< master position (m) at which the slave reaches its limit
 };
 
-/// Greatest speed of the master, from the limits of the slave over time.
+/// Returns the greatest speed of the master at which the slave keeps its limits.
 ///
 ///     Limits slave{.velocity = 2, .acceleration = 40, .jerk = 4000};   // u/s, u/s^2, u/s^3
 ///     MasterLimit steady = greatest_master_velocity(cam, slave);
 ///     MasterLimit live = greatest_master_velocity(cam, slave, {.acceleration = 0.5});
 ///     MasterLimit ramp = greatest_master_acceleration(cam, slave, 1.2);
 ///
-/// For the cam f over a master at speed w, acceleration a and jerk j, the slave has
+/// If the master has speed w, acceleration a and jerk j, the derivatives of the slave are, for the
+/// cam f,
 ///
 ///     (1)  f' w,   f'' w^2 + f' a,   f''' w^3 + 3 f'' w a + f' j
 ///
-/// The result is the greatest w (or a) at which no position of the cam and no sign of a and j
-/// exceeds a limit. Exact: every maximum over the cam is an isolated extremum (see roots.hpp),
-/// nothing is sampled; accurate to about 1e-12. A step of f (inside, or at the wrap) permits no
-/// speed under any limit; a step of f' permits none under a limit of acceleration or jerk; a step
-/// of f'' permits none under a limit of jerk. The value is then 0 and `where` the step (beyond 1e-9
-/// of the travel, of the derivative's peak, as in `rises`). Omitted limits do not limit; position
-/// limits are ignored.
+/// The result is the greatest w at which these values exceed no limit, for any position on the cam
+/// and any sign of a and j. Exact, not sampled: every maximum over the cam is an isolated extremum
+/// (see roots.hpp). The accuracy is about 1e-12.
 ///
-/// A value of 0 also means that the master's own rates already exceed a limit. Throws InputError
-/// for a limit that is not positive, and rates or a velocity that are negative or not finite.
+/// **Steps.** A step of f (inside, or at the end of a period) permits no speed if there is any
+/// limit. A step of f' permits none if acceleration or jerk has a limit. A step of f'' permits none
+/// if the jerk has a limit. The value is then 0, and `where` is the place of the step. A step
+/// counts if it exceeds 1e-9 of the travel or of the derivative's peak, as in rises().
+///
+/// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
+/// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not
+/// positive, or if a rate of the master is negative or not finite.
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 
-/// The greatest acceleration or deceleration (in magnitude) of a master that runs at `velocity`
-/// (m/s, >= 0, in either direction), anywhere on the cam, while its jerk is at most `jerk` (m/s^3).
+/// The greatest acceleration or deceleration (magnitude, m/s^2) of a master that runs at `velocity`
+/// (m/s, >= 0, in either direction), at any position on the cam, while its jerk is at most `jerk`
+/// (m/s^3).
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
                                          double jerk = 0);
 

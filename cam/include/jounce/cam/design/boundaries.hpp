@@ -7,38 +7,38 @@
 
 namespace jounce {
 
-/// Rule for derivatives that a cam omits.
+/// Rule for derivatives that a cam spec omits at its knots.
 ///
 ///     CamSpec spec{.start = {0, 0},
 ///                  .segments = {{Law::quintic, {90, 30}}, ...}, .periodic = true};
 ///     Cam smooth = design(filled(spec, Fill::minimum_jerk)).cam;
 ///
-/// An omitted derivative at a knot is *free* if only quintics meet there: both segments beside it,
-/// or the only one at an end. Beside a line, a dwell or a rest-to-rest law, it takes the value of
-/// that law. The first and last knot of a periodic cam are one: a value given at one of them holds
-/// for both, and a value that both omit is chosen once.
+/// An omitted derivative at a knot is *free* if only quintics meet at the knot. Beside a line, a
+/// dwell or a law from rest to rest, it has the value of that law. The first and the last knot of a
+/// periodic cam are the same knot: a value given at one of them holds for both, and a value that
+/// both omit is chosen once.
 enum class Fill {
-  rest,          ///< zero unless another rule requires a value, as in resolved_knots()
-  minimum_jerk,  ///< least integral of geo_jerk^2 over the whole cam
+  rest,          ///< zero, unless an adjacent law requires another value (as in resolved_knots())
+  minimum_jerk,  ///< the values with the least integral of geo_jerk^2 over the whole cam
 };
 
-/// "rest", "minimum_jerk": the words of the spec. The third word, "minimum_peak_acceleration", is a
-/// convex program: filled_for_least_peak() in jounce/optimize/least_peak.hpp.
+/// The word of the spec: "rest" or "minimum_jerk". For the third word of the spec,
+/// "minimum_peak_acceleration", see filled_for_least_peak() in jounce/optimize/least_peak.hpp.
 const char* name(Fill fill);
 
-/// Derivatives of one knot that a Fill may choose.
+/// Free derivatives of one knot: those that a Fill may choose.
 struct FreeDerivatives {
   bool geo_velocity = false;
   bool geo_acceleration = false;
 };
 
-/// One entry for each knot, start included; for a periodic cam the first and the last are equal.
-/// Throws like resolved_knots().
+/// Returns one entry for each knot, start included. For a periodic cam the first and the last are
+/// equal. Throws like resolved_knots().
 std::vector<FreeDerivatives> free_derivatives(const CamSpec& spec);
 
-/// Returns the spec with every derivative filled in (except an acceleration that an adjacent law
-/// defines itself), exact to rounding (a positive definite linear system). Apply design() to it. If
-/// a whole cam is one quintic with none of its four derivatives given, the result is the straight
+/// Returns the spec with every derivative filled in, except an acceleration that an adjacent law
+/// defines itself. Exact to rounding (the solution of a linear system). Pass the result to
+/// design(). If the whole cam is one quintic without given derivatives, the result is the straight
 /// line. Throws like resolved_knots().
 CamSpec filled(CamSpec spec, Fill how);
 

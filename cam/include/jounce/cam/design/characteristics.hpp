@@ -5,45 +5,47 @@
 
 namespace jounce {
 
-/// A coefficient and the master position (m) at which the rise has it.
+/// A characteristic value, and the master position (m) at which it occurs. u is the slave's unit, m
+/// the master's.
 struct Coefficient {
-  double value = 0;
-  double where = 0;
+  double value = 0;  ///< normalized, no unit
+  double where = 0;  ///< m
 };
 
-/// The characteristic values of a rise (VDI 2143), normalized to stroke 1 over master length 1. For
-/// stroke h, length b and a master at constant speed w, the slave's peaks are cv h w / b, ca h (w /
-/// b)^2 and cj h (w / b)^3.
+/// The characteristic values of a rise (VDI 2143), normalized to stroke 1 and master length 1. For
+/// stroke h, length b and a master at constant speed w, the slave's peaks are: velocity cv h w / b,
+/// acceleration ca h (w / b)^2, jerk cj h (w / b)^3.
 ///
 ///     Characteristics c = characteristics(Cam(normalised(Law::modified_sine)));
 ///     double peak = c.cv.value;                    // 1.7596...
 ///
-/// Cv, Ca and Cj are exact extrema (to rounding), the rms an exact quadrature; Cm is the value at
-/// one position, and no other exceeds it by more than 1e-10 of it. Infinite values: Ca, Cm and rms
-/// if the velocity steps, Cj if the acceleration steps, inside or against the neighbors (see
-/// rises).
+/// Cv, Ca and Cj are exact extrema (to rounding), and the rms is an exact quadrature. Cm is the
+/// value at one position; no other position exceeds it by more than 1e-10 of it. Ca, Cm and rms are
+/// infinite if the velocity steps; Cj is infinite if the acceleration steps. A step counts inside
+/// the rise or against the neighbors (see rises()).
 struct Characteristics {
   double stroke = 0;  ///< h, u, signed
   double length = 0;  ///< b, m
 
-  Coefficient cv;        ///< max |f'|: velocity, and the static torque's factor
-  Coefficient ca;        ///< max f'': towards the stroke
-  Coefficient ca_star;   ///< max -f'': against it
-  Coefficient cj;        ///< max |f'''|
-  double cj_inside = 0;  ///< the same between the steps: finite
-  Coefficient cm;        ///< max |f' f''|: dynamic torque
-  double rms = 0;        ///< sqrt of the mean of f''^2
+  Coefficient cv;        ///< Cv, max |f'|: velocity, and factor of the static torque
+  Coefficient ca;        ///< Ca, max f'': acceleration in the direction of the stroke
+  Coefficient ca_star;   ///< max -f'': acceleration against it
+  Coefficient cj;        ///< Cj, max |f'''|
+  double cj_inside = 0;  ///< max |f'''| between steps; always finite
+  Coefficient cm;        ///< Cm, max |f' f''|: factor of the dynamic torque
+  double rms = 0;        ///< square root of the mean of f''^2
 
-  /// max |f''|.
+  /// The greater of ca and ca_star: max |f''|.
   [[nodiscard]] double peak_acceleration() const {
     return ca.value > ca_star.value ? ca.value : ca_star.value;
   }
 };
 
+/// The characteristic values of a rise.
 Characteristics characteristics(const Rise& rise);
 
-/// For a whole cam: a law, or any piece from one position to another. Throws InputError("stroke",
-/// ...) if it ends at its start position.
+/// The characteristic values of a whole cam, taken as one rise (for a law, or a part of a cam).
+/// Throws InputError("stroke", ...) if it ends at its start position.
 Characteristics characteristics(const Cam& law);
 
 }  // namespace jounce

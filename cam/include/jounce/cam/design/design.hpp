@@ -10,79 +10,90 @@
 
 namespace jounce {
 
-/// Knot between two segments of a cam: master position m, slave position u, and the slave's
-/// derivatives by master position (u/m, u/m^2). An omitted derivative follows from the adjacent
-/// laws; otherwise it is zero (or chosen: see boundaries.hpp).
+/// A knot: the joint of two segments of a cam, or one of its ends. Derivatives are with respect to
+/// the master's position. An omitted derivative follows from the adjacent laws; if they leave it
+/// free, it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the master's.
 struct CamKnot {
-  double master = 0;
-  double slave = 0;
-  std::optional<double> geo_velocity = {};
-  std::optional<double> geo_acceleration = {};
+  double master = 0;                            ///< m, master position
+  double slave = 0;                             ///< u, slave position
+  std::optional<double> geo_velocity = {};      ///< u/m
+  std::optional<double> geo_acceleration = {};  ///< u/m^2
 };
 
-/// A condition of a law through points inside its segment. Splines take positions alone; hermite
-/// takes slave, geo_velocity and geo_acceleration at each, and geo_jerk at all or none. A point at
-/// an end of the segment gives the derivatives that the knot omits, and its geo_jerk.
+/// A condition at a point inside a segment, for laws through points. Splines take positions only.
+/// The law `hermite` takes slave, geo_velocity and geo_acceleration at each point, and geo_jerk at
+/// all points or at none. A point at an end of the segment gives the derivatives that the knot
+/// omits, and its geo_jerk.
 struct CamPoint {
-  double master = 0;
-  std::optional<double> slave = {};
-  std::optional<double> geo_velocity = {};
-  std::optional<double> geo_acceleration = {};
-  std::optional<double> geo_jerk = {};  ///< also at the segment's ends
-  double tolerance = 0;                 ///< u, >= 0, of the slave; quintic_spline alone
+  double master = 0;                            ///< m, master position
+  std::optional<double> slave = {};             ///< u, slave position
+  std::optional<double> geo_velocity = {};      ///< u/m
+  std::optional<double> geo_acceleration = {};  ///< u/m^2
+  std::optional<double> geo_jerk = {};  ///< u/m^3; permitted at the ends of the segment, too
+  double tolerance = 0;  ///< u, >= 0: permitted deviation of the slave; for quintic_spline only
 };
 
-/// One segment: its law, and the knot at its end. It begins at the end of the previous one.
+/// One segment: its law and the knot at its end. It begins at the end of the previous segment.
 struct CamSegment {
   Law law = Law::quintic;
   CamKnot end;
-  std::string name = {};  ///< for reports; may be empty
-  LawForm form = {};
-  /// For polynomial, cubic_spline, quintic_spline, hermite; ascending.
+  std::string name = {};  ///< name in reports; may be empty
+  LawForm form = {};      ///< shape parameters of the law
+  /// Points, for polynomial, cubic_spline, quintic_spline and hermite; masters ascend.
   std::vector<CamPoint> points = {};
 };
 
-/// A cam as an engineer specifies it: a start and a list of segments.
+/// A cam as an engineer specifies it: a start knot and a list of segments.
 struct CamSpec {
   CamKnot start;
   std::vector<CamSegment> segments;
-  bool periodic = false;  ///< wraps from the last knot to the first; otherwise holds its end value
-  /// For a periodic cam on a rotary slave: one turn of the slave, u. The cam then ends a whole
-  /// number of turns from its start, and continues from there (Extrapolation::advance).
+  /// True: periodic, with the last knot equal to the first; false: holds its end values.
+  bool periodic = false;
+  /// Period of a rotary slave, u, for a periodic cam. The cam then ends a whole number of turns
+  /// from its start and continues from there (Extrapolation::advance).
   std::optional<double> slave_period = {};
 };
 
-/// The segment of `spec` that each segment of design(spec) belongs to (a law may need several).
+/// A cam made from a spec.
 struct CamDesign {
   Cam cam;
+  /// For each segment of the cam: index of its segment in the spec (a law may need several).
   std::vector<std::size_t> origin;
 };
 
-/// All knots of the spec, start included, with every derivative filled in. Precedence: the value of
-/// the knot; the value that an adjacent line, dwell or law from rest demands; the value that an
-/// adjacent law defines itself (a sine's reversal, a spline's end), if the neighbor accepts it;
-/// zero. The first and last knot of a periodic cam are one.
+/// Returns all knots of the spec, start included, with every derivative filled in. A value comes
+/// from the first of these sources that gives one:
+/// - the knot;
+/// - an adjacent line, dwell or law from rest, which requires it;
+/// - an adjacent law that defines it itself (a sine's reversal, a spline's end), if the neighbor
+///   accepts it;
+/// - zero.
 ///
-/// A law with different ends (R-U) has its rest at the side with acceleration zero. If it takes an
-/// inflection and the knot of its reversal gives the acceleration, the inflection follows from
-/// that.
+/// The first and the last knot of a periodic cam are the same knot. A law between different ends
+/// (R-U: rest to reversal) has its rest at the end with acceleration zero. If such a law takes an
+/// inflection, and the knot of its reversal gives the acceleration, the inflection follows from the
+/// acceleration.
 ///
-/// Throws InputError if master positions do not ascend, a derivative contradicts an adjacent law
-/// (beyond 1e-9 of the slope), a dwell moves, a law does not accept its form, a reversal meets a
-/// rest, no inflection gives the requested acceleration, or the slave does not end on a whole turn.
+/// Throws InputError if
+/// - master positions do not ascend;
+/// - a derivative contradicts an adjacent law (by more than 1e-9 of the slope), or a dwell moves;
+/// - a law does not accept its form, or a reversal meets a rest;
+/// - no inflection gives the requested acceleration;
+/// - the slave does not end on a whole turn.
 std::vector<CamKnot> resolved_knots(const CamSpec& spec);
 
-/// The exact cam. Throws like resolved_knots.
+/// Makes the exact cam. Throws like resolved_knots().
 CamDesign design(const CamSpec& spec);
 
-/// Parts of each segment of the spec: linear in the values at its knots (law.hpp), as long as no
-/// law's side or inflection follows from them. Throws like resolved_knots, and for a law through
-/// points.
+/// Returns the pieces of each segment of the spec. They are linear in the values at its knots
+/// (law.hpp), unless a law's orientation or inflection follows from these values. Throws like
+/// resolved_knots(), and for a law through points.
 std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec);
 
-/// Returns the transition of a segment of the spec, counted from 0: "R-G", "U-R", ... (VDI 2143).
-/// The letters are derived from the cam's own values, to 1e-9 of their peaks in the segment: R
-/// rest, G velocity, U acceleration (reversal), B both.
+/// Returns the transition of a segment of the spec (counted from 0) in the notation of VDI 2143:
+/// "R-G", "U-R", ... The letters follow from the values of the cam, to 1e-9 of their peaks in the
+/// segment: R rest, G constant velocity, U reversal (acceleration without velocity), B motion
+/// (both).
 std::string transition(const CamDesign& made, std::size_t segment);
 
 }  // namespace jounce

@@ -14,27 +14,31 @@ namespace jounce {
 ///     (1)  X = master_scaling x + master_offset
 ///     (2)  y = slave_scaling CAM(X) + n advance + slave_offset,    n: whole periods before X
 ///
-/// A cam that is not periodic holds its end values outside. Here a cam is any type with start(),
-/// end(), length() and jet(x, side): a Cam, or a Table over master.
+/// A cam that is not periodic holds its end values outside. The functions below take as a cam any
+/// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master. u is the
+/// slave's unit, m the master's.
+
+/// Scale and offset of a cam on both axes.
 struct Placement {
-  double master_scaling = 1;
-  double master_offset = 0;  ///< master offset of the cam, after scaling
-  double slave_scaling = 1;
-  double slave_offset = 0;  ///< u, after scaling
-  double advance = 0;       ///< u per period: advance of the slave in each
-  bool periodic = false;
+  double master_scaling = 1;  ///< > 0
+  double master_offset = 0;   ///< m, added after scaling
+  double slave_scaling = 1;   ///< > 0
+  double slave_offset = 0;    ///< u, added after scaling
+  double advance = 0;         ///< u, change of the slave in each period
+  bool periodic = false;      ///< true: the cam repeats
 
-  [[nodiscard]] double at(double x) const { return master_scaling * x + master_offset; }  // (1)
+  /// The position X on the cam for a master at x: equation (1).
+  [[nodiscard]] double at(double x) const { return master_scaling * x + master_offset; }
 };
 
-/// A position on a cam: X = period * length + at.
+/// A position on a cam, reduced to one period: X = period * length + at.
 struct Spot {
-  double at = 0;       ///< in [start, start + length); also the end if it is not periodic
-  double period = 0;   ///< whole number; 0 if it is not periodic
-  bool inside = true;  ///< within the cam, except for rounding
+  double at = 0;  ///< m, in [start, start + length); includes the end if the cam is not periodic
+  double period = 0;   ///< number of whole periods; 0 if the cam is not periodic
+  bool inside = true;  ///< true if X is within the cam, or outside only by rounding
 };
 
-/// Position X within a cam from `start` on.
+/// Reduces the position X to a cam that begins at `start`.
 inline Spot spot(double X, double start, double length, bool periodic) {
   if (periodic) {
     const double at = wrapped(X, start, length);
@@ -44,9 +48,9 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= 1e-9 * length};
 }
 
-/// Position X approached from one side. Within rounding (`near`) of the seam between two periods it
-/// counts as on the seam: from the left as the end of one period, from the right as the start of
-/// the next.
+/// Reduces the position X of a periodic cam, approached from one side. A position within `near` of
+/// the joint between two periods counts as on the joint: from the left it is the end of a period,
+/// from the right the start of the next.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
   const Spot s = spot(X, start, end - start, true);
   const bool behind = s.at - start <= near;
@@ -55,9 +59,9 @@ inline Spot spot_on(Side side, double X, double start, double end, double near) 
   return side == Side::left ? Spot{end, next - 1, true} : Spot{start, next, true};
 }
 
-/// The slave's motion, [y, y', y'', y'''] by time, for a master at [x, x', x'', x''']. `side`
-/// selects the limit from after (right) or before (left) an instant. While the master runs
-/// backwards, right and left limits of the cam are exchanged, as in Followed.
+/// The motion of the slave, [y, y', y'', y'''] with respect to time, for a master at [x, x', x'',
+/// x''']. `side` selects the limit after (right) or before (left) an instant. While the master
+/// moves backwards, right and left limits of the cam are exchanged, as in Followed.
 template <class C>
 Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;

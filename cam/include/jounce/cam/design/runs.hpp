@@ -7,7 +7,8 @@
 
 namespace jounce {
 
-/// A run of the slave: one interval of the master over which it moves in one direction, or rests.
+/// A run: a longest interval of the master on which the slave moves in one direction, or rests. u
+/// is the slave's unit, m the master's.
 ///
 ///     for (const CamRun& run : runs(cam))               // rise 0..120, dwell 120..200, fall ..360
 ///       if (run.kind == CamRun::Kind::dwell) use(run.to - run.from);
@@ -15,26 +16,26 @@ namespace jounce {
 struct CamRun {
   enum class Kind { rise, dwell, fall };
   Kind kind = Kind::dwell;
-  double from = 0;  ///< master position, from < to
-  double to = 0;
-  double slave_from = 0;  ///< slave position at `from`, and at `to`
-  double slave_to = 0;
+  double from = 0;        ///< m, master position at the start; below `to`
+  double to = 0;          ///< m, master position at the end
+  double slave_from = 0;  ///< u, slave position at `from`
+  double slave_to = 0;    ///< u, slave position at `to`
 };
 
-/// The runs of a cam, in the order of the master. They meet at the turning points (isolated, not
-/// sampled: roots.hpp) and at the ends of the dwells. Travel below 1e-15 of a segment's magnitude
-/// counts as standstill. A jump of the position also ends a run.
+/// Returns the runs of a cam, in the order of the master. They meet at turning points (isolated,
+/// not sampled: roots.hpp) and at the ends of dwells. A movement below 1e-15 of a segment's
+/// magnitude counts as rest. A jump of the position also ends a run.
 std::vector<CamRun> runs(const Cam& cam);
 
-/// Master positions at which the slave is at one position: a single one (from == to), or a dwell.
+/// Master positions at which the slave has a given position: a single one (from == to), or a dwell.
 struct MasterSpan {
-  double from = 0;
-  double to = 0;
+  double from = 0;  ///< m
+  double to = 0;    ///< m
 };
 
-/// Returns all of them within the cam's interval, ascending; for a cam that wraps, omits the end if
-/// the start is included (a dwell across the wrap gives two spans). Throws InputError for a
-/// position that is not finite.
+/// Returns all master positions within the cam's interval at which the slave is at `slave`,
+/// ascending. For a cam that wraps, the end is omitted if the start is included; a dwell across the
+/// end gives two spans. Throws InputError if the position is not finite.
 std::vector<MasterSpan> positions_for(const Cam& cam, double slave);
 
 }  // namespace jounce

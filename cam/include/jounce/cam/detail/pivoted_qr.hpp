@@ -7,26 +7,28 @@
 
 namespace jounce::cam_detail {
 
-/// A P = Q R by Householder's reflections, columns pivoted so that the diagonal of R falls. A
-/// separate source file instantiates Eigen's template, which takes seconds to compile.
+/// The factorization A P = Q R by Householder reflections. The columns are pivoted so that the
+/// diagonal of R does not increase. Its own source file instantiates Eigen's template, because that
+/// compiles for seconds.
 class PivotedQr {
  public:
   using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
 
+  /// Factorizes a; the rank is that of Eigen's default threshold.
   explicit PivotedQr(const Eigen::MatrixXd& a);
-  /// The rank counts the pivots above `threshold` times the greatest.
+  /// The rank is the number of pivots above `threshold` times the greatest pivot.
   PivotedQr(const Eigen::MatrixXd& a, double threshold);
   ~PivotedQr();
   PivotedQr(const PivotedQr&) = delete;
   PivotedQr& operator=(const PivotedQr&) = delete;
 
   [[nodiscard]] Eigen::Index rank() const;
-  /// The first columns of Q.
+  /// The first `columns` columns of Q.
   [[nodiscard]] Eigen::MatrixXd q(Eigen::Index columns) const;
-  /// The upper triangle of the first `rank` rows and columns of R.
+  /// The upper triangle of R, first rank() rows and columns.
   [[nodiscard]] Eigen::MatrixXd r() const;
   [[nodiscard]] const Permutation& permutation() const;
-  /// The x of least |A x - b|; entries beyond the rank are 0.
+  /// The x with the least |A x - b|; entries beyond the rank are 0.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

@@ -11,16 +11,16 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-/// Gauss-Legendre quadrature: every rule of Jounce.
+/// Gauss-Legendre quadrature: all rules that Jounce uses.
 namespace jounce::cam_detail {
 
-/// A node in [0, 1] with its weight.
+/// A node in [0, 1] and its weight.
 struct QuadratureNode {
   double s = 0;
   double weight = 0;
 };
 
-/// Six points: exact for polynomials to degree 11.
+/// The rule with six nodes: exact for polynomials up to degree 11.
 inline constexpr std::array gauss_6{QuadratureNode{0.033765242898423975, 0.085662246189585178},
                                     QuadratureNode{0.16939530676686776, 0.18038078652406930},
                                     QuadratureNode{0.38069040695840156, 0.23395696728634552},
@@ -28,7 +28,8 @@ inline constexpr std::array gauss_6{QuadratureNode{0.033765242898423975, 0.08566
                                     QuadratureNode{0.83060469323313224, 0.18038078652406930},
                                     QuadratureNode{0.96623475710157603, 0.085662246189585178}};
 
-/// Any number of points, by Newton's method on Legendre's polynomial: exact to degree 2 points - 1.
+/// The rule with any number of nodes, by Newton's method on the Legendre polynomial: exact up to
+/// degree 2 points - 1.
 inline std::vector<QuadratureNode> gauss(int points) {
   std::vector<QuadratureNode> rule;
   for (int i = 0; i < points; ++i) {
@@ -48,8 +49,8 @@ inline std::vector<QuadratureNode> gauss(int points) {
   return rule;
 }
 
-/// The integral of f over [0, 1]: five points on 16 panels. Exact for a polynomial of degree 9; error below
-/// 1e-13 for the square of a sine over one turn.
+/// The integral of f over [0, 1] by five nodes on each of 16 panels. Exact for polynomials up to
+/// degree 9. The error is below 1e-13 for the square of a sine over one turn.
 template <class F>
 double integral(const F& f) {
   constexpr std::array<double, 3> node{0, 0.53846931010568309104, 0.90617984593866399280};
@@ -68,11 +69,11 @@ double integral(const F& f) {
   return sum / (2 * panels);
 }
 
-/// Calls visit(s, weight) so that the sum of weight * g(s) is the integral of g over s in [0, 1],
-/// for a g that is a product of two of f's derivatives: Gauss-Legendre with ten points, exact for
-/// polynomials to degree 19 (the square of a first derivative has at most 20: 1e-13 then). A sine
-/// is cut into panels of at most 2 rad, where the remainder, (10!)^4 / (21 (20!)^3) of the 20th
-/// derivative, is below 1e-16 of the terms: rounding.
+/// Calls visit(s, weight) for nodes s in [0, 1]. The sum of weight * g(s) is the integral of g over
+/// [0, 1], if g is a product of two derivatives of f. It uses ten Gauss-Legendre nodes, exact for
+/// polynomials up to degree 19. (The square of a first derivative has degree 20 at most: error
+/// 1e-13.) A segment with sines is divided into panels of at most 2 rad. There the remainder,
+/// (10!)^4 / (21 (20!)^3) times the 20th derivative, is below 1e-16 of the terms: rounding.
 template <class Visit>
 void quadrature(const Segment& f, const Visit& visit) {
   constexpr std::array<double, 5> node{0.14887433898163122, 0.43339539412924719,

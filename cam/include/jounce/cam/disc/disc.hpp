@@ -9,17 +9,18 @@
 
 namespace jounce {
 
-/// The follower of the plate cam: a roller (radius 0: a knife edge) on a slide, or at the end of
-/// a swinging arm.
+/// The follower of a plate cam: a roller on a slide, or at the end of a swinging arm. A roller of
+/// radius 0 is a knife edge.
 enum class Follower {
-  translating,  ///< along a line `offset` beside the cam's center
-  oscillating,  ///< on an arm of `arm_length`, with its pivot `centre_distance` from the center
+  translating,  ///< on a line beside the cam's center, at the distance `offset`
+  /// On an arm of `arm_length` whose pivot is `centre_distance` from the cam's center.
+  oscillating,
 };
 
-/// Direction of the cam as the master advances.
+/// Direction in which the cam turns as the master advances.
 enum class Rotation { counterclockwise, clockwise };
 
-/// A plate cam's geometry; lengths in the unit u of the slave.
+/// The geometry of a plate cam. Lengths are in the unit u of the slave.
 ///
 ///     Cam cam = design(spec).cam;                   // 360 deg of master, mm of lift
 ///     Disc disc(cam, {.base_radius = 30, .roller_radius = 8});
@@ -28,69 +29,72 @@ enum class Rotation { counterclockwise, clockwise };
 ///     Report report = check(disc, {.pressure_angle = 0.52});
 ///     Contour profile = contour(disc, -8, 0.001);   // see disc_contour.hpp
 ///
-/// **Vocabulary.** The *base circle* is the smallest circle of the profile about the cam's center,
-/// at the least position of the slave; *lift* is the slave's position above that. The *pitch curve*
-/// is the path of the roller's center in the frame of the cam; the *profile*, which the roller
-/// touches, is parallel to it at the roller's radius. *Pressure angle*: between the normal of the
-/// profile, along which the cam pushes, and the direction in which the roller center can move.
+/// **Vocabulary.** The *base circle* is the smallest circle of the profile around the cam's center;
+/// the slave is at its least position there. *Lift* is the slave's position above that. The *pitch
+/// curve* is the path of the roller's center in the frame of the cam. The *profile*, which the
+/// roller touches, is parallel to the pitch curve at the distance of the roller's radius. The
+/// *pressure angle* is the angle between the normal of the profile, along which the cam pushes, and
+/// the direction in which the roller center moves.
 ///
-/// **Frame.** The cam's center is the origin, and the cam is drawn at master 0. The translating
-/// follower then moves along +y at x = offset: a positive offset lowers the pressure angle of the
-/// rise if the cam turns counterclockwise, and raises it if clockwise. The arm's pivot is at
-/// (centre_distance, 0), the roller on the +y side of it; lift turns the arm clockwise, away from
-/// the cam.
+/// **Frame.** The origin is the cam's center, and the cam is drawn at master 0. A translating
+/// follower then moves along +y at x = offset. A positive offset lowers the pressure angle of the
+/// rise if the cam turns counterclockwise, and raises it if the cam turns clockwise. The pivot of
+/// an arm is at (centre_distance, 0), with the roller on the +y side; lift turns the arm clockwise,
+/// away from the cam.
 struct DiscSpec {
-  Follower follower = Follower::translating;
-  double base_radius = 0;      ///< u, > 0
-  double roller_radius = 0;    ///< u, >= 0
-  double offset = 0;           ///< u; translating
-  double arm_length = 0;       ///< u, > 0; oscillating
-  double centre_distance = 0;  ///< u, > 0; oscillating
+  Follower follower = Follower::translating;  ///< kind of follower
+  double base_radius = 0;                     ///< u, > 0: radius of the base circle
+  double roller_radius = 0;                   ///< u, >= 0
+  double offset = 0;                          ///< u, any sign; for a translating follower
+  double arm_length = 0;                      ///< u, > 0; for an oscillating follower
+  double centre_distance = 0;                 ///< u, > 0; for an oscillating follower
   Rotation rotation = Rotation::counterclockwise;
-  double angle = std::numbers::pi / 180;  ///< rad per master unit: that of a master in deg
-  /// rad of the arm per slave unit, for a slave that is an angle; omitted: the slave is the travel
-  /// of the roller's center along its arc, 1 / arm_length.
+  /// rad of the cam per master unit; default: a master in deg.
+  double angle = std::numbers::pi / 180;
+  /// rad of the arm per slave unit, for a slave that is the angle of the arm. Omitted: the slave is
+  /// the travel of the roller's center along its arc, so the factor is 1 / arm_length.
   std::optional<double> arm_angle = {};
 };
 
-/// A place in the plane of the cam, u.
+/// A point in the plane of the cam, u.
 struct Place {
   double x = 0;
   double y = 0;
 };
 
-/// The cam at one position of the master; positions and directions in the frame of the cam.
+/// The geometry at one position of the master; positions and directions in the frame of the cam.
 struct DiscPoint {
-  Place centre;                ///< center of the roller: a point of the pitch curve
-  Place contact;               ///< a point of the profile
-  Place normal;                ///< normal of both, outwards, of length 1
-  double pressure_angle = 0;   ///< rad; > 0 if the side force on the follower is in the direction
-                               ///< of the cam's rotation, as on the rise; beyond pi/2 it jams
-  double pitch_curvature = 0;  ///< 1/u, > 0 where convex
+  Place centre;   ///< center of the roller, on the pitch curve
+  Place contact;  ///< contact point on the profile
+  Place normal;   ///< unit normal of both curves, outwards
+  /// rad; positive if the side force on the follower has the direction of the cam's rotation, as on
+  /// the rise; beyond pi/2 the follower jams.
+  double pressure_angle = 0;
+  double pitch_curvature = 0;  ///< 1/u; positive where the pitch curve is convex
 };
 
-/// A plate cam with its follower: an immutable value.
+/// A plate cam and its follower: an immutable value.
 ///
-/// The cam must close: its length is a turn, or a turn divided by an integer (the number of lobes),
-/// and it ends at its start position. Its extrapolation is ignored: it wraps.
+/// The cam must close: its length is one turn, or one turn divided by an integer (the number of
+/// lobes), and it ends at its start position. The plate cam is periodic for any policy of the given
+/// cam.
 ///
-/// **Throws** InputError for lengths that are not finite or have the wrong sign, a cam that does
-/// not close, an offset that is not less than base + roller radius, and an arm that does not reach
-/// the base circle or swings through the line of centers ("arm_length").
+/// **Throws** InputError if a length is not finite or has the wrong sign; if the cam does not
+/// close; if the offset is not less than base radius plus roller radius; and if the arm does not
+/// reach the base circle or swings through the line between both centers ("arm_length").
 class Disc {
  public:
   Disc(const Cam& cam, const DiscSpec& spec);
 
-  /// Over one whole turn, least value 0, wraps.
+  /// The lift over one whole turn: least value 0, wraps.
   [[nodiscard]] const Cam& lift() const { return lift_; }
   [[nodiscard]] const DiscSpec& spec() const { return spec_; }
 
-  /// Position of the roller at lift 0: for a translating follower, the height over the cam's center
-  /// (u); for an oscillating one, the angle between the arm and the line of centers (rad).
+  /// Position of the roller at lift 0. For a translating follower: height above the cam's center,
+  /// u. For an oscillating one: angle between the arm and the line of centers, rad.
   [[nodiscard]] double start() const { return start_; }
 
-  /// The point at any master position. At a step of the velocity there are two points, one for each
-  /// side.
+  /// The geometry at any master position. Where the velocity steps, each side gives its own point.
   [[nodiscard]] DiscPoint at(double master, Side side = Side::right) const;
 
  private:
@@ -99,51 +103,57 @@ class Disc {
   double start_ = 0;
 };
 
-/// The ranges over the turn. Nothing is sampled: the search drops an interval only if an enclosure
-/// (interval arithmetic, second order) shows that it contains no greater value, and brackets a peak
-/// only if the second derivative's enclosure excludes zero. `error`: upper bound of the excess of
-/// the true extrema, as a share of the peak; 1e-12 or less unless the cam is degenerate.
+/// The exact ranges over one turn. Nothing is sampled: the search discards an interval only if an
+/// enclosure (interval arithmetic, second order) excludes a greater value, and it brackets a peak
+/// only if the enclosure of the second derivative excludes zero.
 struct DiscExtremes {
-  Range pressure_angle;   ///< rad: of the rise (max) and the return (min)
-  Range pitch_curvature;  ///< 1/u: most convex (max) and most concave (min)
+  Range pressure_angle;   ///< rad: max is that of the rise, min that of the return
+  Range pitch_curvature;  ///< 1/u: max is the most convex, min the most concave
+  /// Bound of the error of the extrema, as a share of the peak; at most 1e-12 unless the cam is
+  /// degenerate.
   double error = 0;
 };
+/// The extremes of pressure angle and curvature over one turn.
 DiscExtremes extremes(const Disc& disc);
 
-/// An overlap of the profile with itself: the circle of radius `radius` that touches it at master
-/// position `circle` covers its point at master position `covered` by `depth` u.
+/// An overlap of the profile with itself: a circle that touches the profile at one place covers the
+/// profile at another place.
 struct Interference {
-  double circle = 0;
-  double covered = 0;
-  double depth = 0;
+  double circle = 0;   ///< master position at which the circle touches
+  double covered = 0;  ///< master position of the covered point
+  double depth = 0;    ///< u, depth of this point inside the circle
 };
 
-/// Returns the deepest overlap, its depth to 1e-3 of the radius, if a circle rolled around the
-/// outside of the profile (radius roller_radius: the roller; a larger one: a cutter) cuts into a
-/// distant part of it; nullopt otherwise. Proven by enclosures over all pairs of intervals.
-/// Undercuts and narrow hollows (within a quarter turn of the tangent) depend on the curvature
-/// alone; this function does not look for them. A clearance below 1e-5 of the radius counts as none.
+/// Searches for an overlap: a circle of the given radius rolls around the outside of the profile
+/// and cuts into a distant part of it. The circle is the roller (roller_radius) or a larger cutter.
+/// Returns the deepest overlap, with its depth to 1e-3 of the radius, or nullopt if there is none.
+/// The result is proven by enclosures over all pairs of intervals. A clearance below 1e-5 of the
+/// radius counts as an overlap of depth 0. Undercuts and narrow hollows (within a quarter turn of
+/// the tangent) follow from the curvature; this function does not find them.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
-/// Limits of the disc; an omitted value is not limited. A profile must always have a radius > 0.
+/// Limits of the disc; an omitted limit does not apply. The radius of the profile must always be >
+/// 0.
 struct DiscLimits {
-  std::optional<double> pressure_angle = {};  ///< rad, in (0, pi/2), of rise and return
-  std::optional<double> profile_radius = {};  ///< u, least radius of curvature where convex
-  std::optional<double> cutter_radius = {};   ///< u: this tool must fit into every hollow
+  std::optional<double> pressure_angle = {};  ///< rad, in (0, pi/2); for rise and return
+  std::optional<double> profile_radius = {};  ///< u, least radius of curvature of convex parts
+  /// u, radius of the cutter, which must fit into every hollow.
+  std::optional<double> cutter_radius = {};
 };
 
-/// Pressure angle (in deg), undercut, interference, cutter and corners against the limits, with
-/// `where` in master units. Advice names the smallest sufficient base radius, if there is one.
-/// Rules: "disc/pressure_angle", "disc/profile_radius", "disc/interference", "disc/cutter_radius",
-/// "disc/corner". Throws InputError for a limit out of its range.
+/// Checks pressure angle (in deg), undercut, interference, cutter and corners against the limits;
+/// `where` is a master position. If a larger base radius would suffice, the advice names the
+/// smallest one. Rules: "disc/pressure_angle", "disc/profile_radius", "disc/interference",
+/// "disc/cutter_radius", "disc/corner". Throws InputError for a limit out of range.
 Report check(const Disc& disc, const DiscLimits& limits);
 
-/// Returns the least base radius with which the cam keeps the limits on pressure angle and profile
-/// radius, with the rest of `spec` unchanged (its base_radius is ignored); nullopt if there is
-/// none. The result keeps both limits (exact extrema); a base radius smaller by 1e-9 of it breaks
-/// one of them.
-/// The search goes up in steps of 2 % (translating) or 1/400 of the reach of the arm (oscillating)
-/// and returns the first result: it misses a narrower window further down.
+/// Returns the least base radius with which the cam keeps the limits of pressure angle and profile
+/// radius. The rest of `spec` is used as it is; its base_radius is ignored. nullopt if there is
+/// none. The result keeps both limits (exact extrema); a radius smaller by 1e-9 of it breaks one of
+/// them.
+///
+/// The search increases the radius in steps of 2 % (translating), or 1/400 of the reach of the arm
+/// (oscillating), and returns the first result. So it can miss a narrower range of smaller radii.
 std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
                                         const DiscLimits& limits);
 

@@ -9,28 +9,27 @@
 
 namespace jounce {
 
-/// A point of a piecewise polynomial, with its derivatives by master position: an entry of a
-/// controller's cam table of format XYVA. m: master unit; u: slave unit.
+/// A point of a cam table with derivatives with respect to the master, as in a controller's table
+/// of format XYVA. u is the slave's unit, m the master's.
 struct HermitePoint {
-  double master = 0;
-  double slave = 0;                     ///< u
+  double master = 0;                    ///< m, master position
+  double slave = 0;                     ///< u, slave position
   double geo_velocity = 0;              ///< u/m
   double geo_acceleration = 0;          ///< u/m^2
-  std::optional<double> geo_jerk = {};  ///< u/m^3; of all points or of none
+  std::optional<double> geo_jerk = {};  ///< u/m^3; given at all points or at none
 };
 
-/// The polynomials between neighboring points: of degree 5, or 7 if the points have a jerk. Any
-/// spline of degree 5 (7) with continuous geo_acceleration (geo_jerk) consists of these pieces: its
-/// values at its breaks define it, without approximation.
+/// Returns the polynomials between successive points: of degree 5, or 7 if the points have a jerk.
+/// Every spline of degree 5 (7) with continuous geo_acceleration (geo_jerk) consists of such
+/// pieces, so its values at its breaks define it without approximation.
 ///
 ///     auto pieces = hermite(std::vector<HermitePoint>{{0, 0}, {60, 25, 0.8}, {120, 50}});
 ///     Cam cam(pieces, 0, Extrapolation::hold);
 ///
-/// Positions are rounded to double precision, and over a piece of length h that rounding causes an
-/// error of about |slave| 1e-14 / h^3 of geo_jerk. Throws InputError (key "points[2].slave", ...)
-/// for fewer than two points, a number that is not finite, masters that do not ascend, and a jerk
-/// at some points only. Source: any text on interpolation, e.g. J. Stoer, R. Bulirsch, Introduction
-/// to Numerical Analysis, 2.1.5.
+/// Positions are rounded to double precision. Over a piece of length h, this causes an error of
+/// geo_jerk of about |slave| 1e-14 / h^3. Throws InputError (key "points[2].slave", ...) for fewer
+/// than two points, a number that is not finite, masters that do not ascend, and a jerk at some
+/// points only. Source: J. Stoer, R. Bulirsch, Introduction to Numerical Analysis, 2.1.5.
 std::vector<Segment> hermite(std::span<const HermitePoint> points);
 
 }  // namespace jounce

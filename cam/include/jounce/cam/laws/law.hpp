@@ -14,119 +14,125 @@ namespace jounce {
 /// The motion laws of cams (VDI 2143; Norton, Cam Design and Manufacturing Handbook, ch. 2-5).
 /// docs/laws.md is the guide to choosing one; `jounce laws` prints it.
 enum class Law {
-  line,            ///< straight line: constant velocity
+  line,            ///< straight line, constant velocity
   dwell,           ///< the slave stands still
-  quintic,         ///< 5th degree from position, velocity, acceleration at both ends
-  septic,          ///< 7th degree: the same with jerk 0 at both ends
-  nonic,           ///< 9th degree: the same with jerk and jounce 0 at both ends
-  polynomial,      ///< through points and derivatives inside the segment: up to degree 11
+  quintic,         ///< polynomial of degree 5 from position, velocity and acceleration at both ends
+  septic,          ///< degree 7: the same, with jerk 0 at both ends
+  nonic,           ///< degree 9: the same, with jerk and jounce 0 at both ends
+  polynomial,      ///< through points and derivatives inside the segment; up to degree 11
   cubic_spline,    ///< cubic pieces through points
-  quintic_spline,  ///< quintic pieces through points, least rms jerk
-  hermite,         ///< polynomial pieces through points with their derivatives
+  quintic_spline,  ///< quintic pieces through points, with the least rms jerk
+  hermite,         ///< polynomial pieces through points with given derivatives
   cubic,           ///< 2-3 polynomial
   poly345,         ///< 3-4-5 polynomial
   poly4567,        ///< 4-5-6-7 polynomial
   poly56789,       ///< 5-6-7-8-9 polynomial
-  parabola,        ///< quadratic parabola: constant acceleration, then deceleration
-  simple_sine,     ///< harmonic
-  inclined_sine,   ///< cycloid (Bestehorn)
-  modified_sine,
-  modified_trapezoid,
+  parabola,        ///< constant acceleration, then constant deceleration
+  simple_sine,     ///< harmonic (half a cosine)
+  inclined_sine,   ///< cycloid
+  modified_sine,   ///< modified sine
+  modified_trapezoid,          ///< modified trapezoid
   modified_constant_velocity,  ///< modified sine around a straight part
-  scca,                        ///< sine, constant, cosine acceleration in given shares
-  gutman13,                    ///< two harmonics
-  freudenstein13,              ///< two harmonics
-  freudenstein135,             ///< three harmonics
-  minimum_peak_jerk,           ///< lowest peak jerk (perfect spline)
-  sine_straight,               ///< U-U: half a cosine at each end of a line
+  scca,                        ///< sine, constant and cosine acceleration in given shares (scca())
+  gutman13,                    ///< Gutman: two harmonics
+  freudenstein13,              ///< Freudenstein: two harmonics
+  freudenstein135,             ///< Freudenstein: three harmonics
+  minimum_peak_jerk,           ///< perfect spline: the lowest peak jerk
+  sine_straight,               ///< U-U: half a cosine, with a straight line in its middle
   harmonic_combination,        ///< R-U: half a modified sine, then a quarter cosine
   modified_trapezoid_ru,       ///< R-U: half a modified trapezoid, then constant deceleration
-  double_harmonic,             ///< R-U
-  eighth_degree,               ///< R-U: 8th degree polynomial
+  double_harmonic,             ///< R-U: two harmonics
+  eighth_degree,               ///< R-U: polynomial of degree 8
 };
 
-/// Permitted ends of a law (VDI 2143 letters: R rest, G velocity, U acceleration, B both).
+/// States that a law permits at its ends. Letters of VDI 2143: R rest, G constant velocity, U
+/// reversal, B motion.
 enum class Ends {
-  given,             ///< B: velocity and acceleration of the knots
-  straight,          ///< G at the slope of its own chord
-  standing,          ///< R, and no stroke
-  moving,            ///< G or R: any velocity, acceleration 0
-  moving_free,       ///< any velocity; the acceleration follows from the law
-  rest_to_reversal,  ///< R at one end; at the other U, whose acceleration follows from the law
+  given,        ///< B: velocity and acceleration are those of the knots
+  straight,     ///< G: the velocity is the mean velocity of the segment
+  standing,     ///< R: rest, and no stroke
+  moving,       ///< R or G: any velocity, with acceleration 0
+  moving_free,  ///< any velocity; the law determines the acceleration
+  /// R at one end, U at the other; the law determines the acceleration at the reversal.
+  rest_to_reversal,
 };
 
-/// Description of a law: the words of the spec, the guide and the error messages.
+/// Facts about a law, for specs, the guide and error messages.
 struct LawInfo {
   Law law = Law::line;
-  const char* name = "";   ///< the word of the spec: "modified_sine"
-  const char* title = "";  ///< "Modified sine"
-  Ends ends = Ends::given;
-  bool inflection = false;  ///< takes LawForm::inflection
-  const char* use = "";
-  const char* strength = "";
-  const char* weakness = "";
+  const char* name = "";      ///< the word of the spec: "modified_sine"
+  const char* title = "";     ///< the name in words: "Modified sine"
+  Ends ends = Ends::given;    ///< permitted states at its ends
+  bool inflection = false;    ///< true if it takes LawForm::inflection
+  const char* use = "";       ///< typical use
+  const char* strength = "";  ///< advantages
+  const char* weakness = "";  ///< disadvantages
 };
 
 /// All laws, in the order of the enum.
 std::span<const LawInfo> all_laws();
-const LawInfo& info(Law law);
-const char* name(Law law);
-std::optional<Law> law_named(std::string_view name);
+const LawInfo& info(Law law);                         ///< facts about a law
+const char* name(Law law);                            ///< the word of the spec
+std::optional<Law> law_named(std::string_view name);  ///< the law of a word; nullopt if unknown
 
-/// The shape parameters of a law. An omitted value is the default of the law.
+/// Shape parameters of a law. An omitted value is the law's default.
 struct LawForm {
-  /// lambda in (0, 1): the share of the segment before its inflection, the point of peak velocity.
+  /// lambda in (0, 1): the share of the segment before its inflection, where the velocity peaks.
   std::optional<double> inflection = {};
-  /// Share of constant velocity, in [0, 1): of scca, modified_constant_velocity (1/2), and of
-  /// sine_straight (1/2).
+  /// Share of constant velocity, in [0, 1): for scca (default 0), modified_constant_velocity and
+  /// sine_straight (default 1/2).
   std::optional<double> straight = {};
-  /// scca: of each half, the shares of sine, constant and cosine; >= 0, their sum 1.
+  /// For scca, which requires them: shares of sine, constant and cosine in each half; each >= 0,
+  /// sum 1.
   std::optional<std::array<double, 3>> shares = {};
 };
 
-/// Throws InputError for a form that the law does not accept, or a value out of range.
+/// Throws InputError if the law does not accept the form, or if a value is out of range.
 void require_valid(Law law, const LawForm& form);
 
-/// A piece of a law over z in [0, 1]: the law from 0 to 1 at rest, and the contribution of each
-/// value at its ends. Every law is linear in these. With the stroke h = p1 - p0, the length L, and
-/// velocity and acceleration by master position at both ends,
+/// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at its ends.
+/// Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the velocity
+/// v and acceleration a with respect to the master at both ends (0: start, 1: end),
 ///
 ///     f = p0 + h rise + v0 L enter + v1 L leave + a0 L^2 bend_in + a1 L^2 bend_out
 ///
-/// The shape of a value that the law does not take is zero. The lengths of all pieces sum to 1.
+/// So `rise` is the law from 0 to 1 at rest. The shape of a value that the law does not take is
+/// zero. The lengths of all pieces of a law have the sum 1.
 struct LawPiece {
-  Segment rise;
-  Segment enter;
-  Segment leave;
-  Segment bend_in;
-  Segment bend_out;
+  Segment rise;      ///< factor of the stroke h
+  Segment enter;     ///< factor of v0 L
+  Segment leave;     ///< factor of v1 L
+  Segment bend_in;   ///< factor of a0 L^2
+  Segment bend_out;  ///< factor of a1 L^2
 };
 
-/// The law as pieces. For all laws except polynomial, hermite and the splines, which have no shape
-/// of their own; dwell is a line without stroke. R-U laws run from rest to the reversal. Throws
-/// InputError for a form that the law does not accept, or a value out of range.
+/// Returns the pieces of a law. polynomial, hermite and the splines have no pieces, because their
+/// shape follows from their points. dwell is a line without stroke. An R-U law begins at rest and
+/// ends at the reversal. Throws InputError if the law does not accept the form, or if a value is
+/// out of range.
 std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 
-/// The rise alone, from 0 to 1: segments whose lengths sum to 1.
+/// Returns the rise of a law from 0 to 1: segments whose lengths have the sum 1.
 std::vector<Segment> normalised(Law law, const LawForm& form = {});
 
-/// True if pieces() supports the law. The others go through points: polynomial, hermite, the
-/// splines.
+/// False for the laws through points: polynomial, hermite and the splines. True if pieces()
+/// supports the law.
 bool has_own_shape(Law law);
-bool is_spline(Law law);
+bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 
-/// The sine-constant-cosine acceleration family: a quarter sine over the share b of each half, a
-/// constant over c, a quarter cosine over d; b + c + d = 1, each >= 0. They surround an interval of
-/// constant velocity over the share `straight` in [0, 1) of the whole. Its members are the parabola
-/// (0,1,0), simple sine (0,0,1), cycloid (1/2,0,1/2), modified sine (1/4,0,3/4), modified trapezoid
-/// (1/4,1/2,1/4), and with a straight share the modified constant velocity (1/4,0,3/4) and the U-U
-/// sine-straight (0,0,1). Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
+/// Sine-constant-cosine acceleration. In each half: a quarter sine over the share b, a constant
+/// over c, a quarter cosine over d; b + c + d = 1, each >= 0. Between the halves the velocity is
+/// constant over the share `straight` in [0, 1) of the whole. Members (b,c,d): parabola (0,1,0),
+/// simple sine (0,0,1), cycloid (1/2,0,1/2), modified sine (1/4,0,3/4), modified trapezoid
+/// (1/4,1/2,1/4); with a straight share, modified constant velocity (1/4,0,3/4) and sine-straight
+/// (0,0,1). Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
-/// lambda of an R-U law that ends with the normalized acceleration f''(1) = -`deceleration` (stroke
-/// 1, length 1), which must be above least_deceleration(law), the value for lambda = 0. For the R-U
-/// laws that take an inflection.
+/// The lambda with which an R-U law ends with the normalized acceleration f''(1) = -`deceleration`
+/// (stroke 1, length 1). The deceleration must exceed least_deceleration(law), which belongs to
+/// lambda = 0. For the R-U laws that take an inflection.
 double inflection_for(Law law, double deceleration);
+/// The deceleration -f''(1) of an R-U law for lambda = 0.
 double least_deceleration(Law law);
 
 }  // namespace jounce

@@ -7,34 +7,36 @@
 
 namespace jounce {
 
-/// A cam that makes a follower on a spring move as specified, and warnings about it.
+/// A cam that moves a follower on a spring as specified.
 struct Polydyne {
-  Cam cam;
-  Report warnings;  ///< "polydyne/geo_acceleration": the cam's acceleration steps
+  Cam cam;          ///< the cam f of (1) below
+  Report warnings;  ///< "polydyne/geo_acceleration" if the cam's geo_acceleration steps
 };
 
-/// The polydyne cam: a follower on a spring (Mode, jounce/profiles/vibration/vibration.hpp, over
-/// the master instead of time) that is moved by the cam f follows the required output y exactly,
+/// Returns the polydyne cam f for a required motion y of a follower on a spring. If the cam f moves
+/// the spring, the follower moves exactly as y:
 ///
-///     (1)  f = y + (2 D / w) y' + y'' / w^2,    w = 2 pi frequency
+///     (1)  f = y + (2 D / w) y' + y'' / w^2,    w = 2 pi frequency, D the damping
 ///
-/// and is at rest whenever y is: there is no residual vibration.
+/// The follower is the load of Mode (jounce/profiles/vibration/vibration.hpp), over the master
+/// instead of time. It is at rest whenever y is at rest, so no residual vibration remains.
 ///
 ///     const Cam output = design(spec).cam;                      // e.g. 5-6-7-8-9 rises, dwells
 ///     const double speed = 400;                                 // deg/s: exact only at this speed
 ///     const Polydyne made = polydyne(output, {.frequency = 12 / speed, .damping = 0.02});
 ///
-/// **Units.** mode.frequency in cycles per unit of the master: Hz over the master's speed. At other
-/// speeds the follower oscillates (see residual_vibration()), and less for a smoother y.
+/// **Units.** mode.frequency is in cycles per unit of the master: the frequency in Hz divided by
+/// the speed of the master. At other speeds the follower oscillates (see residual_vibration()),
+/// less so for a smoother y.
 ///
-/// **Exact** on every Segment (degree 11, three sines): (1) of such a segment is again such a
-/// segment. The cam has the breaks of the output and the same Outside policy.
+/// **Exact.** For y on any Segment (degree 11, three sines), (1) is a Segment. The cam has the
+/// breaks of y and its policy outside.
 ///
-/// **Smoothness.** The cam has two continuous derivatives fewer than the output. Throws InputError
-/// `polydyne` for a mode out of range, and if the cam itself or its geo_velocity would step,
-/// because the output's geo_velocity, geo_acceleration or geo_jerk steps (also at the ends of a cam
-/// that holds). A step of the cam's geo_acceleration (any 4-5-6-7 rise: 840 / w^2 of stroke over
-/// length squared) is a warning: 5-6-7-8-9, or `nonic`, has none.
+/// **Smoothness.** The cam has two continuous derivatives fewer than y. Throws InputError
+/// `polydyne` for a mode out of range, and if the cam or its geo_velocity would step. The cause is
+/// a step of y's geo_velocity, geo_acceleration or geo_jerk (also at the ends of a cam that holds).
+/// A step of the cam's geo_acceleration is a warning. Every 4-5-6-7 rise causes one, of 840 stroke
+/// / (w^2 length^4); 5-6-7-8-9 and `nonic` do not.
 ///
 /// Source: W. M. Dudley, "New methods in valve cam design", SAE Quarterly Transactions 2 (1948); D.
 /// A. Stoddart, "Polydyne cam design", Machine Design, 1953.

@@ -15,57 +15,63 @@ namespace jounce {
 ///     Cam cam(quintic_spline(table), 0, Extrapolation::wrap);
 ///     double hardest = extrema(cam, 2).peak().value;      // exact, as for every curve
 ///
-/// **Vocabulary.** The curve passes through the *points*; two segments meet at a *joint*. Every
-/// joint is a point. A cubic spline joins its segments up to geo_acceleration, a quintic spline up
+/// **Vocabulary.** The curve passes through the *points*; two segments meet at a *joint*, which is
+/// a point. A cubic spline is continuous at its joints up to geo_acceleration, a quintic spline up
 /// to the fourth derivative. An end is *clamped* if a derivative is given there, and *natural* if
-/// it is omitted: the curve takes the smoothest value.
+/// it is omitted: the curve then takes the smoothest value.
 ///
-/// **Smoothest.** The cubic spline has the least integral of geo_acceleration^2 of all functions
-/// through the points with the given end values; the quintic spline has the least integral of
+/// **Smoothest.** Of all functions through the points with the given end values, the cubic spline
+/// has the least integral of geo_acceleration^2, and the quintic spline the least integral of
 /// geo_jerk^2 (except with not_a_knot ends).
 ///
-/// **Units.** master m, slave u; derivatives by master: u/m, u/m^2.
+/// **Units.** Master m, slave u; derivatives with respect to the master in u/m, u/m^2.
 ///
-/// **Throws** InputError unless there are two points or more, all finite, masters ascending; for a
-/// derivative that the kind of end does not accept; and for a tolerance that is not zero: for
-/// tolerances, see smoothing_spline.hpp.
+/// **Throws** InputError unless there are at least two points, all finite, with ascending masters;
+/// for a derivative that the kind of end does not accept; and for a tolerance that is not zero
+/// (smoothing_spline() accepts tolerances).
+
+/// A point of a spline.
 struct SplinePoint {
-  double master = 0;
-  double slave = 0;
-  double tolerance = 0;  ///< u, >= 0; for smoothing_spline() alone
+  double master = 0;     ///< m
+  double slave = 0;      ///< u
+  double tolerance = 0;  ///< u, >= 0; for smoothing_spline() only
 };
 
-/// Conditions at the first and the last point.
+/// Conditions at the first and at the last point.
 enum class SplineEnds {
-  natural,     ///< given values are kept, omitted ones are free
-  periodic,    ///< all derivatives wrap from the end to the start; the slave may advance
-  not_a_knot,  ///< one polynomial over the first two (quintic: three) intervals, and the last ones
+  natural,   ///< given derivatives hold, omitted ones are free
+  periodic,  ///< value and derivatives continue from the end to the start; the slave may advance
+  /// The first two intervals share one polynomial, and so do the last two (quintic: three).
+  not_a_knot,
 };
 
-/// Derivatives at one end; for SplineEnds::natural alone.
+/// Derivatives at one end; for SplineEnds::natural only.
 struct SplineEnd {
-  std::optional<double> geo_velocity = {};
-  std::optional<double> geo_acceleration = {};  ///< quintic_spline() and smoothing_spline() alone
+  std::optional<double> geo_velocity = {};  ///< u/m
+  /// u/m^2; for quintic_spline() and smoothing_spline() only.
+  std::optional<double> geo_acceleration = {};
 };
 
+/// Input of the splines.
 struct SplineSpec {
   std::vector<SplinePoint> points;
-  SplineEnds ends = SplineEnds::natural;
-  SplineEnd start = {};
-  SplineEnd end = {};
+  SplineEnds ends = SplineEnds::natural;  ///< kind of both ends
+  SplineEnd start = {};                   ///< derivatives at the first point
+  SplineEnd end = {};                     ///< derivatives at the last point
 };
 
-/// The cubic spline: geo_acceleration is continuous, geo_jerk jumps at every point. One segment per
-/// interval (not_a_knot: one for the first two, one for the last two; through three points a
-/// parabola). An end without a given slope has geo_acceleration zero. Error between the points of a
-/// smooth function: order h^4 (natural ends: h^2 near them). Source: C. de Boor, A Practical Guide
-/// to Splines, ch. IV.
+/// Returns the cubic spline: geo_acceleration is continuous, geo_jerk steps at every joint. It has
+/// one segment for each interval (not_a_knot: one for the first two and one for the last two; three
+/// points give a parabola). An end without a given slope has geo_acceleration zero. For points of a
+/// smooth function at distance h, the error is of order h^4 (near natural ends h^2). Source: C. de
+/// Boor, A Practical Guide to Splines, ch. IV.
 std::vector<Segment> cubic_spline(const SplineSpec& spec);
 
-/// The quintic spline: continuous up to the fourth derivative, least integral of geo_jerk^2. A
-/// natural end has third (and, if the slope is omitted, fourth) derivative zero. Error between
-/// points: order h^6 (natural ends: h^3 near them). Through two points with nothing given: the
-/// straight line. Source: I. Schoenberg 1964, natural splines of degree 2 m - 1 with m = 3.
+/// Returns the quintic spline: continuous up to the fourth derivative, least integral of
+/// geo_jerk^2. At a natural end the third derivative is zero, and also the fourth if the slope is
+/// omitted. For points of a smooth function at distance h, the error is of order h^6 (near natural
+/// ends h^3). Two points without derivatives give the straight line. Source: I. Schoenberg 1964,
+/// natural splines of degree 2 m - 1 with m = 3.
 std::vector<Segment> quintic_spline(const SplineSpec& spec);
 
 }  // namespace jounce

@@ -13,43 +13,45 @@ namespace cam_detail {
 class SwitchMachine;
 }
 
-/// Changes of the switches since the previous step.
+/// Outputs after a step, and the edges since the previous step.
 struct SwitchStep {
-  static constexpr std::size_t most_edges = 32;
+  static constexpr std::size_t most_edges = 32;  ///< greatest number of edges that a step returns
 
-  std::uint32_t outputs = 0;  ///< now: bit k - 1 is track k
-  std::uint32_t count = 0;    ///< count of edges
-  std::uint32_t lost = 0;     ///< edges beyond the capacity (PMC600 error 629); outputs are valid
-  std::array<SwitchEdge, most_edges> edge{};  ///< ascending; time: s since that step, [0, dt)
+  std::uint32_t outputs = 0;  ///< present outputs: bit k - 1 is track k
+  std::uint32_t count = 0;    ///< number of edges
+  /// Number of edges beyond most_edges (PMC600 error 629); the outputs are valid.
+  std::uint32_t lost = 0;
+  /// Ascending in time; time in s since the previous step, in [0, dt).
+  std::array<SwitchEdge, most_edges> edge{};
 
   [[nodiscard]] std::span<const SwitchEdge> edges() const { return {edge.data(), count}; }
 };
 
-/// The cam switches of an axis, stepped by its cycle. Definitions: cam_switch.hpp.
+/// The cam switches of an axis, computed cycle by cycle. Definitions: cam_switch.hpp.
 ///
 ///     CamSwitches bits({.switches = {{.first_on_position = 30, .last_on_position = 80}}});
 ///     bits.step(0, 100, 1e-3);                             // initial position: no edges yet
 ///     for (const SwitchEdge& edge : bits.step(30.05, 100, 1e-3).edges())
 ///       latch(edge.track, edge.on, edge.time);             // edge.time: s after the previous step
 ///
-/// **Within a cycle** the axis moves on the cubic through position and velocity at both ends (exact
-/// for a constant jerk); its crossings are computed on that cubic, like in switch_times(). If the
-/// cubic does not fit (noise, a jump), a straight line replaces it: the axis passes every switch in
-/// between, and both edges are in that step. Velocities of opposite sign mean that the axis
-/// reversed in between.
+/// **Within a cycle** the axis moves on the cubic through position and velocity at both ends, which
+/// is exact for a constant jerk. Its crossings are computed on that cubic, as in switch_times(). If
+/// the cubic is implausible (noise, a jump), a straight line replaces it: the axis passes every
+/// switch between both positions, and the step returns both edges. Velocities of opposite sign at
+/// the ends mean that the axis has reversed within the cycle.
 ///
-/// **Accuracy** of an edge at 1 ms, measured: on a constant acceleration 1e-12 s; on S-curve,
-/// trapezoidal and sinusoidal masters below 1 us. A step of the acceleration within the cycle
-/// causes an error of at most dt^2 / (32 T), after T seconds of that acceleration from rest.
+/// **Accuracy** of an edge, measured with cycles of 1 ms: 1e-12 s at constant acceleration; below 1
+/// us for S-curve, trapezoidal and sinusoidal masters. A step of the acceleration within a cycle dt
+/// causes an error of at most dt^2 / (32 T), if the axis has accelerated from rest for T seconds.
 ///
-/// **Rotary axes** may give positions that wrap or that count on: of the positions one period
-/// apart, the nearest to the one predicted by the velocities counts.
+/// **Rotary axes** may give positions that wrap, or that continue. Of the positions that differ by
+/// whole periods, the one nearest to the position predicted by the velocities is used.
 ///
-/// An edge is available in the step after it. For an output terminal that switches by time stamp,
-/// include a lead of one cycle and its own delay in the compensations.
+/// step() returns an edge in the step after the edge. For an output terminal that switches by time
+/// stamp, include one cycle and the delay of the terminal in the compensations.
 ///
-/// step() does not allocate, lock or throw. A step with a number that is not finite changes
-/// nothing; its time counts with the next one. The constructor throws like require_valid.
+/// step() does not allocate, lock or throw. If an argument is not finite, the step changes nothing,
+/// and its time is added to the next step. The constructor throws like require_valid().
 class CamSwitches {
  public:
   explicit CamSwitches(const CamSwitchSpec& spec);
@@ -57,15 +59,17 @@ class CamSwitches {
   CamSwitches(CamSwitches&& other) noexcept;
   CamSwitches& operator=(CamSwitches&& other) noexcept;
 
-  /// `position` u and `velocity` u/s of the axis now, `dt` > 0 s after the previous step.
+  /// Computes the outputs. Arguments: the present position (u) and velocity (u/s) of the axis, and
+  /// the time since the previous step (s, > 0).
   const SwitchStep& step(double position, double velocity, double dt);
 
-  /// Moves the axis elsewhere from the next step on, without motion (a new reference, a new
-  /// master): it passes nothing, but outputs may change, at time 0 of that step. Durations
+  /// The next step moves the axis to its position without motion, as after a new reference or a new
+  /// master. The axis passes no switch; outputs may change, at time 0 of that step. Durations
   /// continue.
   void place() { placed_ = false; }
 
-  /// Bit k - 1 enables track k (PLCopen EnableMask), from the next step on.
+  /// Enables the tracks of the mask from the next step on: bit k - 1 is track k (PLCopen
+  /// EnableMask).
   void enable(std::uint32_t mask);
 
   [[nodiscard]] std::uint32_t outputs() const { return step_.outputs; }

@@ -57,7 +57,8 @@ T choice(const std::string& text, std::span<const T, n> all, Fail fail) {
 template <class Fail>
 void require_version(const std::string& version, Fail fail) {
   if (version != std::to_string(schema_version))
-    fail(version, "this program reads schema version " + std::to_string(schema_version));
+    fail(version, "must be " + std::to_string(schema_version) +
+                      ", the format version that this program reads");
 }
 
 /// Reads the parts from CSV or JSON. `name`: name of the file for errors. Throws InputError.

@@ -19,29 +19,32 @@ namespace jounce {
 ///     std::size_t k = index.find(breaks, 90, Side::left);    // 0: the one that ends there
 ///     std::size_t last = index.find(breaks, 1e9, Side::right);                   // 2: clamped
 ///
-/// **Vocabulary.** The breaks' whole length is cut into equal *cells*, two an interval; the index
-/// holds the number of interior breaks in the cells before. It does not keep the breaks, which stay
-/// with their owner: 8 bytes an interval, none for up to `few` intervals. At most 2^32 - 1 of them.
+/// **How.** The length from the first to the last break is divided into equal *cells*, two for each
+/// interval. The index stores how many interior breaks lie before each cell. It does not store the
+/// breaks, which stay with their owner. Size: 8 bytes for each interval, nothing for up to `few`
+/// intervals. At most 2^32 - 1 breaks.
 ///
-/// **Intervals** are counted from 0, half-open, [breaks[i], breaks[i + 1]) to the right and
-/// (breaks[i], breaks[i + 1]] to the left; positions before or after belong to the first and the
-/// last. The answer equals that of a search through all breaks, to the bit, for all breaks: cells
-/// with many of them are searched by bisection. Throws only std::bad_alloc.
+/// **Intervals** are counted from 0. They are half-open: [breaks[i], breaks[i + 1]) for
+/// Side::right, (breaks[i], breaks[i + 1]] for Side::left. A position before the first break
+/// belongs to the first interval, a position after the last break to the last. The result is
+/// exactly that of a search through all breaks: in a cell with many breaks, find() bisects. Throws
+/// only std::bad_alloc.
 class BreakIndex {
  public:
-  static constexpr std::size_t few = 4;
-  static constexpr std::size_t per_interval = 2;
+  static constexpr std::size_t few = 4;  ///< up to this number of intervals no cells are stored
+  static constexpr std::size_t per_interval = 2;  ///< cells for each interval
 
   BreakIndex() = default;
-  /// `breaks`: at least two, ascending; the same are given to find().
+  /// `breaks`: at least two, ascending. Pass the same breaks to find().
   explicit BreakIndex(std::span<const double> breaks);
 
+  /// Index of the interval that contains x. NaN: the last interval.
   [[nodiscard]] std::size_t find(std::span<const double> breaks, double x, Side side) const {
     return side == Side::right ? find<Side::right>(breaks, x) : find<Side::left>(breaks, x);
   }
 
-  /// The first interval that reaches into x's cell: at most the interval of x, and seldom far from
-  /// it. It needs no read of a break, so a caller can prefetch.
+  /// Index of the first interval that overlaps the cell of x: never above that of find(x), and
+  /// rarely far below. It reads no break, so a caller can use it to prefetch.
   [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
 
  private:
@@ -56,16 +59,17 @@ class BreakIndex {
   double start_ = 0;
   double cells_per_unit_ = 0;
   double last_cell_ = 0;
-  std::vector<std::uint32_t> before_;  ///< by cell, and one more; empty: one cell
+  /// Breaks before each cell, and their total number; empty: one cell.
+  std::vector<std::uint32_t> before_;
 };
 
-// Every step of cell() ascends with x, rounding included. So a break in a cell before that of x
-// lies before x, and only the breaks in x's own cell remain to be compared with it.
+// Every operation of cell() is monotone in x, rounding included. So a break in a cell before that
+// of x lies before x, and find() compares x only with the breaks in the cell of x.
 
 inline std::size_t BreakIndex::cell(double x) const {
   const double at = (x - start_) * cells_per_unit_;
   return static_cast<std::size_t>(static_cast<std::int64_t>(
-      at < last_cell_ ? (at > 0 ? at : 0) : last_cell_));  // NaN: the last
+      at < last_cell_ ? (at > 0 ? at : 0) : last_cell_));  // NaN: the last cell
 }
 
 template <Side side>
@@ -78,11 +82,11 @@ template <Side side>
     i = before_[k];
     last = before_[k + 1];
   }
-  // Without a branch, because random positions go either way: two steps, then seldom more.
+  // Two steps without a branch, because random positions are unpredictable; more are rarely needed.
   const auto more = [&] { return passed<side>(x, breaks[i + 1]) & (i < last); };
   i += static_cast<std::size_t>(more());
   i += static_cast<std::size_t>(more());
-  while (more()) {  // by halves: at least i + 1, at most last
+  while (more()) {  // bisection: the result is at least i + 1 and at most last
     const std::size_t middle = i + 1 + (last - i) / 2;
     if (passed<side>(x, breaks[middle]))
       i = middle;

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// outer(inner(x)), exactly: a curve over the inner's axis.
+/// Returns outer(inner(x)), exactly, as a curve over the axis of the inner curve.
 ///
 ///     Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100})
 ///                           .curve();
@@ -14,31 +14,36 @@ namespace jounce {
 ///     Trajectory slow = composed(move, clock);
 ///     Trajectory slave = composed(cam, master);               // cam: a Cam, master: a Trajectory
 ///
-/// **Vocabulary.** The *inner* curve gives the position on the axis of the outer: a clock (path time over
-/// time) or a master; the *outer* is played along it: a motion over path time, or a cam.
+/// **Vocabulary.** The *inner* curve gives the position on the axis of the outer curve. It is a
+/// clock (path time over time) or a master. The *outer* curve is a motion over path time, or a cam.
 ///
-/// **Breaks** are those of the inner and every place where the inner passes a break of the outer
-/// (isolated as in roots.hpp). **Outside**: the result has the inner's policy. If the inner leaves
-/// the outer's interval, the outer's policy applies: hold gives a rest, wrap the next turn.
+/// **Breaks** of the result are those of the inner curve, and every place where the inner curve
+/// passes a break of the outer curve (isolated as in roots.hpp). **Outside** its interval the
+/// result has the policy of the inner curve. Where the inner curve leaves the interval of the outer
+/// curve, the policy of the outer curve applies: `hold` gives a rest, `wrap` the next period.
 ///
-/// **Exact if it fits a Segment**: on each piece the product of the two degrees is at most 11, the
-/// outer's sines meet an inner that is linear there, and the inner's sines an outer that is linear
-/// there. So an S-curve (degree 3) may be played along a jerk-limited clock (3), a quintic cam
-/// behind a trapezoidal master (2), but not a quintic along a cubic.
+/// **Exact if it fits a Segment.** On each piece,
+/// - the product of the two degrees is at most 11;
+/// - if the outer curve has sines, the inner curve is linear;
+/// - if the inner curve has sines, the outer curve is linear.
 ///
-/// Throws InputError("composed", ...) with the place if it does not fit, and "inner" if the inner
-/// leaves (by more than rounding) an outer that refuses, or if one segment of it travels over more
-/// than 1e6 segments of an outer that wraps.
+/// So an S-curve (degree 3) can run on a jerk-limited clock (3), and a quintic cam can follow a
+/// trapezoidal master (2). A quintic cannot run on a cubic clock; see composed_within().
 ///
-/// The result ends with the inner, to the last digit (except for an inner that runs from far below
-/// 0 to about 0: then the lengths have fewer digits than the end).
+/// Throws InputError("composed", ...) with the place if a piece does not fit. Throws
+/// InputError("inner", ...) if the inner curve leaves the interval of an outer curve that refuses
+/// (by more than rounding), or if one inner segment passes more than 1e6 segments of a periodic
+/// outer curve.
+///
+/// The result ends exactly where the inner curve ends. Exception: an inner curve from a large
+/// negative start to about 0, whose segment lengths have fewer digits than its end.
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 
-/// The same for any degrees and sines: exact on every piece that fits, otherwise a fit within
-/// `tolerance` (unit of the value) with a certified error, see fitted.hpp. Throws InputError
-/// "tolerance" unless it is positive and above rounding (1e-14 of the outer's magnitude), and
-/// "inner" like `composed`.
+/// Returns the same for any degrees and sines: exact on every piece that fits, otherwise a fit
+/// within `tolerance` (in the unit of the value) whose error is certified, see fitted.hpp. Throws
+/// InputError("tolerance", ...) unless the tolerance is positive and above rounding (1e-14 of the
+/// magnitude of the outer curve), and InputError("inner", ...) like composed().
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

@@ -10,35 +10,35 @@
 
 namespace jounce {
 
-/// An immutable piecewise function of one scalar: the result of every generator, and the input of
-/// every check, sampler, validator and stream.
+/// An immutable piecewise function of one variable. Every generator returns one; checks, samplers,
+/// validators and streams take one.
 ///
 ///     Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve();
 ///     Motion now = move.at(0.25);               // position, velocity, acceleration, jerk
-///     Range v = extrema(move, 1);               // exact: where and how fast at most
+///     Range v = extrema(move, 1);               // exact: extreme velocities and their times
 ///     Trajectory back = reversed(move);
 ///     Trajectory both = concatenated(move, back);
 ///     Report report = check(both, {.velocity = 10});
 ///
-/// **Vocabulary.** The curve runs over time (a Trajectory) or over master position (a Cam). A
-/// *segment* is one formula; the *breaks* are the points where segments meet, start and end
-/// included, so there is one more break than segments. Segments store lengths; breaks are their
-/// running sum.
+/// **Vocabulary.** The curve runs over time (a Trajectory) or over the master's position (a Cam):
+/// its *axis*. A *segment* is one formula. The *breaks* are the start, the points where segments
+/// meet, and the end, so there is one more break than segments. Segments store lengths; breaks are
+/// start plus their running sum.
 ///
-/// **Intervals.** Segments are half-open, the last one closed: at a break the curve takes the value
-/// of the segment that begins there (right-continuous). Side::left asks for the other limit.
+/// **Intervals.** Segments are half-open, the last one closed: at a break the curve has the value
+/// of the segment that begins there (right-continuous). Side::left selects the limit from the left.
 ///
-/// **Outside [start, end]** the policy given at construction applies: refuse, hold, wrap, or
-/// advance.
+/// **Outside [start, end]** the policy given at construction applies; see Extrapolation in jet.hpp.
 ///
-/// **Throws** InputError if there is no segment, a length is not finite and positive, a coefficient
-/// is not finite, or start is not finite or so distant that rounding removes a whole length.
-/// Nothing else throws; evaluation never allocates.
+/// **Throws** InputError if there is no segment, if a length is not finite and positive, if a
+/// coefficient is not finite, or if start is not finite or so large that rounding removes a whole
+/// length. Other members throw nothing. Evaluation never allocates.
 template <class Over>
 class Curve {
  public:
-  using Point = typename Over::Point;
+  using Point = typename Over::Point;  ///< Motion for a Trajectory, Transfer for a Cam
 
+  /// `start`: the first break, in the unit of the axis.
   explicit Curve(std::vector<Segment> segments, double start = 0,
                  Extrapolation outside = Extrapolation::refuse);
 
@@ -46,18 +46,19 @@ class Curve {
   [[nodiscard]] double end() const { return breaks_.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] Extrapolation outside() const { return outside_; }
-  /// Advance of the value in one period: Extrapolation::advance; otherwise 0.
+  /// Change of the value over one period if outside() is Extrapolation::advance; otherwise 0.
   [[nodiscard]] double advance() const;
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
 
-  /// Value with three derivatives.
+  /// Value and three derivatives at x, as an array.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
+  /// Value and three derivatives at x, as named members.
   [[nodiscard]] Point at(double x, Side side = Side::right) const {
     return point<Over>(jet(x, side));
   }
 
-  /// A block of points: the same as at() for each x, faster if x ascends. Spans of equal size.
+  /// Writes at(x[i]) to out[i] for all i; fastest if x ascends. Both spans have the same size.
   void sample(std::span<const double> x, std::span<Point> out) const;
 
  private:
@@ -74,42 +75,42 @@ using Cam = Curve<OverMaster>;
 
 // ---- algebra: each returns a new curve over the same axis -------------------------------------
 
-/// d/dx of the curve, as a curve of the same kind.
+/// The first derivative, as a curve over the same axis.
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
-/// The integral from start(), beginning at start_value, continuous at every break. Throws
-/// InputError if a segment already has degree 11.
+/// The integral of f: start_value at start(), continuous at every break. Throws InputError if a
+/// segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 
-/// The same shape moved along the axis by dx, and in value by dy.
+/// f moved by dx along the axis and by dy in value.
 template <class Over>
 Curve<Over> shifted(const Curve<Over>& f, double dx, double dy = 0);
 
-/// The value times `factor`, the axis (start included) times `stretch` > 0.
+/// f with its value multiplied by `factor`, and its axis (start included) by `stretch` > 0.
 template <class Over>
 Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch = 1);
 
-/// Run backwards over the same interval: g(start + u) = f(end - u).
+/// f backwards over the same interval: g(start + u) = f(end - u).
 template <class Over>
 Curve<Over> reversed(const Curve<Over>& f);
 
-/// f, then g from the end of f on the axis. Values are not moved: a jump is kept (and `check` finds
-/// it). The policy outside is f's.
+/// f, then g, which begins at the end of f. Values do not change: a step of the value stays, and
+/// check_continuity() finds it. The result has the policy of f outside.
 template <class Over>
 Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 
-/// f, `times` >= 1 times, one after another.
+/// f, repeated `times` >= 1 times.
 template <class Over>
 Curve<Over> repeated(const Curve<Over>& f, int times);
 
-/// f + g over the same interval, with the breaks of both. Throws InputError if a sum needs more
-/// than three sines or the intervals differ by more than rounding.
+/// f + g over the same interval, with the breaks of both. Throws InputError if a piece needs more
+/// than three sines, or if the intervals differ by more than rounding.
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g);
 
-/// The same segments under another policy outside.
+/// f with another policy outside.
 template <class Over>
 Curve<Over> with(const Curve<Over>& f, Extrapolation outside);
 

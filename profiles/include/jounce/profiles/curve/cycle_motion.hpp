@@ -5,15 +5,16 @@
 
 namespace jounce {
 
-/// Motion of an axis within a cycle of dt s between its two known ends, as a segment of that
-/// length: on the cubic through both positions and velocities (exact for a constant jerk), or on a
-/// straight line if the cubic is not in order (noise, a jump).
+/// Returns the motion of an axis within one cycle of length dt (s), from position x0 (u) and
+/// velocity v0 (u/s) to x1 and v1. It is the cubic with these four values, which is exact for a
+/// constant jerk. If noise or a jump makes this cubic implausible, it is the straight line from x0
+/// to x1. u is the axis' unit.
 ///
 ///     const Segment f = cycle_motion(x0, v0, x1, v1, 1e-3);
 ///
-/// In order means: without reversal, monotone by the condition of Fritsch and Carlson (1980) that
-/// |v| dt <= 3 |d| at both ends; or with one reversal, for which the mean velocity lies between
-/// those at the ends.
+/// The cubic is plausible in two cases. Without reversal: it is monotone by the sufficient
+/// condition of Fritsch and Carlson (1980), |v| dt <= 3 |x1 - x0| at both ends. With one reversal:
+/// the mean velocity lies between v0 and v1.
 Segment cycle_motion(double x0, double v0, double x1, double v1, double dt);
 
 }  // namespace jounce

@@ -11,80 +11,82 @@
 
 namespace jounce {
 
-/// Exact changes from one curve to another: last week's cam and this week's, a cam and its
-/// table, a motion before and after an operator.
+/// Compares two curves exactly: two versions of a cam, a cam and its table, a motion before and
+/// after a filter.
 ///
 ///     const Changes changes = compare(before, after);
-///     changes[0].largest;                // the position differs by at most this, and where
-///     changes[2].before.peak();          // the peak acceleration it had
-///     changes[2].after.peak();           // and has
+///     changes[0].largest;                // the largest difference of position, and where it is
+///     changes[2].before.peak();          // peak acceleration of the first curve
+///     changes[2].after.peak();           // peak acceleration of the second
 ///     if (changes[1].within(1e-6)) ...   // the velocities agree to a millionth of their range
 ///     for (const KnotChange& knot : knot_changes(before, after)) ...
 ///
-/// **Vocabulary.** The *difference* is after - before, over the interval that both curves have; a
-/// change is in the unit of its quantity; the place of its maximum is a position on their axis.
-/// *Rounding* is the greatest effect of rounding in the numbers of both curves at that place: a
-/// difference up to it counts as none.
+/// **Vocabulary.** The *difference* is after - before, over the interval that both curves share.
+/// Each change is in the unit of its quantity; its place is a position on the axis of the curves.
+/// *Rounding* is an upper bound of the effect of rounding in the numbers of both curves at that
+/// place. A difference of at most this size counts as none.
 ///
-/// **Exact**: the difference of two segments is a segment, and its extrema are isolated, not
-/// sampled. Where the two have more than three sines of different frequency between them, the piece
-/// is cut so short that each sine is its Taylor polynomial to within that rounding.
+/// **Exact.** The difference of two segments is a segment, and its extrema are isolated, not
+/// sampled. If both segments together have more than three sines of different frequency, the piece
+/// is divided until the Taylor polynomial of each sine is accurate to that rounding.
 ///
-/// **Throws** InputError("interval", ...) for curves without a stretch in common.
+/// **Throws** InputError("interval", ...) if the curves share no interval.
 
-/// after - before, piece by piece.
+/// The curve after - before, with its rounding.
 template <class Over>
 struct Difference {
-  Curve<Over> curve;  ///< refuses outside
-  std::vector<Jet>
-      rounding;  ///< rounding of each of its segments: of the value and of three derivatives
+  Curve<Over> curve;  ///< refuses positions outside
+  /// For each segment of the curve: rounding of the value and of its three derivatives.
+  std::vector<Jet> rounding;
 };
 template <class Over>
 Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after);
 
-/// One quantity of two curves: the value, or one of its derivatives.
+/// The change of one quantity: of the value or of one of its derivatives.
 struct Change {
-  /// The difference of largest magnitude, signed. Places where it is within rounding count only if
+  /// The signed difference of largest magnitude. A place where it is within rounding counts only if
   /// there is no other.
   Extremum largest;
-  double rounding = 0;  ///< at that place
-  Range before;         ///< over the whole of each curve
-  Range after;
+  double rounding = 0;  ///< at the place of `largest`
+  Range before;         ///< range of the first curve, over its whole length
+  Range after;          ///< range of the second curve
 
-  /// True if there is no difference except for rounding.
+  /// True if the difference is everywhere within rounding.
   [[nodiscard]] bool none() const;
-  /// Reference of a share: the wider of the two ranges.
+  /// The reference for a relative difference: the wider of the two ranges.
   [[nodiscard]] double span() const;
-  /// True if the difference is at most `share` of the span, or none.
+  /// True if the difference is at most `share` * span(), or within rounding.
   [[nodiscard]] bool within(double share) const;
 };
 
-/// Value, first, second and third derivative.
+/// The changes of the value and of its first, second and third derivative.
 using Changes = std::array<Change, 4>;
 
+/// Compares two curves over their common interval.
 template <class Over>
 Changes compare(const Curve<Over>& before, const Curve<Over>& after);
 
-/// A knot that was added, removed, moved along the axis, or that carries other values.
+/// A knot that was added or removed, that moved along the axis, or whose values changed.
 struct KnotChange {
   struct Knot {
-    std::size_t index = 0;  ///< among the knots of its curve, counted from 0
-    double where = 0;
-    Jet jet{};  ///< right limits; at the end of the curve left ones
+    std::size_t index = 0;  ///< index in its curve, from 0
+    double where = 0;       ///< position on the axis
+    Jet jet{};  ///< value and derivatives from the right; at the end of the curve from the left
   };
 
-  std::optional<Knot> before = {};  ///< none: added
-  std::optional<Knot> after = {};   ///< none: removed
+  std::optional<Knot> before = {};  ///< none: the knot was added
+  std::optional<Knot> after = {};   ///< none: the knot was removed
 
-  /// True if its place, value, velocity or acceleration changed by more than rounding; false if
-  /// only one curve has the knot.
+  /// True if the knot's place on the axis changed by more than rounding. False if only one curve
+  /// has it.
   bool moved = false;
-  std::array<bool, 3> changed{};
+  std::array<bool, 3> changed{};  ///< the same for its value, first and second derivative
 };
 
-/// All changed knots in the order of the axis. Knots at one place (to 1e-12 of it) are one knot; of
-/// those left between two that stayed, two are one knot that moved if each is the other's nearest.
-/// Knots are ascending places in [start, end] of their curve, by default its breaks.
+/// Returns all changed knots in ascending order. The knots of a curve are given as ascending
+/// positions in [start, end]; default: its breaks. Knots at the same position (to 1e-12 of it) are
+/// the same knot. Of the other knots between two unchanged positions, two count as one knot that
+/// moved if each is the nearest to the other.
 template <class Over>
 std::vector<KnotChange> knot_changes(const Curve<Over>& before,
                                      std::span<const double> knots_before, const Curve<Over>& after,

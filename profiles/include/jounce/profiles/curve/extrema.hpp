@@ -8,11 +8,12 @@
 
 namespace jounce {
 
-/// A value that a curve takes (or approaches, from `side`), and its place.
+/// An extreme value of a curve, and its place. If the value is only a one-sided limit, `side` is
+/// the side.
 struct Extremum {
-  double value = 0;
-  double where = 0;
-  Side side = Side::right;
+  double value = 0;         ///< in the unit of the value or its derivative
+  double where = 0;         ///< position on the curve's axis
+  Side side = Side::right;  ///< side from which the value is approached
 };
 
 /// The least and the greatest value.
@@ -20,45 +21,49 @@ struct Range {
   Extremum min;
   Extremum max;
 
-  /// Whichever of the two is larger in magnitude.
+  /// The one of larger magnitude.
   [[nodiscard]] const Extremum& peak() const;
 };
 
-/// Value, first, second and third derivative of one stretch of the curve.
+/// The ranges of the value and of its first, second and third derivative.
 using Ranges = std::array<Range, 4>;
 
-/// The exact range of the `order`th derivative (0: the value) over the closed curve, both one-sided
-/// limits at every jump included. Critical points are isolated, not sampled (see roots.hpp); the
-/// first of equal extrema is reported. Accurate to rounding: about 1e-15 of the curve's magnitude.
+/// The exact range of the derivative of this order (0: the value, at most 3) over the whole curve.
+/// At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
+/// roots.hpp). Of equal extrema, the first is returned. Accurate to rounding: about 1e-15 of the
+/// curve's magnitude.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 
-/// The same for all four orders at once.
+/// The same for the orders 0 to 3.
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// The range of one derivative on one segment of the curve, by index.
+/// The range of one derivative on the segment of this index.
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
-/// The same of a segment that lies between `start` and `end` on its axis.
+/// The same for a segment whose ends are at `start` and `end` on its axis.
 Range segment_range(const Segment& f, double start, double end, int order);
 
-/// All four orders for one segment of the curve, by index, and for several from `first` up to `last`.
+/// The ranges of all four orders on one segment, or on the segments first, ..., last - 1.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
-/// A step of the `order`th derivative at a break: its size and place.
+/// A step of a derivative at a break.
 struct Jump {
-  double step = 0;  ///< right limit minus left limit
-  double where = 0;
+  double step = 0;   ///< right limit minus left limit
+  double where = 0;  ///< position on the curve's axis
 };
 
-/// The largest step (in magnitude) at the interior breaks. For a curve that wraps, also from its
-/// end to its start (for one that advances, only of the derivatives). For one that holds, steps of
-/// the derivatives also from rest at its start and to rest at its end. Zero if there is none.
+/// The largest step (in magnitude) of the derivative of this order; 0 if there is none. It
+/// considers
+/// - all interior breaks;
+/// - for a curve that wraps, the step from its end to its start (for one that advances, from order
+///   1);
+/// - for a curve that holds, from order 1, the steps from rest at its start and to rest at its end.
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order);
 

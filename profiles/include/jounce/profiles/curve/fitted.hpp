@@ -5,28 +5,32 @@
 
 namespace jounce {
 
-/// A curve that approximates a function which fits no Segment, and its greatest error.
+/// A curve that approximates a function, with a bound of its error. For functions that do
+/// not fit a Segment.
 ///
 ///     Fitted<OverMaster> slave = composed_within(cam, camshaft, 1e-9);   // degree 25: not exact
-///     double strays = slave.error[0];                   // <= 1e-9, certified
-///     double jerk_strays = slave.error[3];
+///     double error = slave.error[0];                    // <= 1e-9, certified
+///     double jerk_error = slave.error[3];
 ///     Report report = check(slave.curve, limits);       // a curve like any other
 ///
-/// **How.** Piecewise polynomials of degree 11 that take the function's value and its first five
-/// derivatives at both ends of each piece: the joints are as smooth as the function itself. Pieces
-/// are halved until the bound meets the tolerance; a piece that fits exactly stays exact.
+/// **How.** The curve consists of polynomials of degree 11. At both ends of each piece they have
+/// the value and the first five derivatives of the function, so the joints are as smooth as the
+/// function. Pieces are halved until the error bound is within the tolerance. A piece that
+/// fits a Segment stays exact.
 ///
-/// **Certified**: `error` bounds |curve - function| and the same for the first three derivatives,
-/// from a bound of the twelfth derivative over the whole piece, not from samples. Rounding comes on
-/// top: some 1e-14 of the magnitude, times 10^order for the derivatives of a piece of length 1.
+/// **Certified.** `error` bounds |curve - function| and the same for the first three derivatives.
+/// The bound comes from a bound of the twelfth derivative over the whole piece, not from samples.
+/// Rounding is not included: about 1e-14 of the magnitude, times 10^order for the derivatives on a
+/// piece of length 1.
 template <class Over>
 struct Fitted {
   Curve<Over> curve;
-  Jet error{};  ///< units of the value and its derivatives
+  Jet error{};  ///< bounds of the errors of the value and of its three derivatives, in their units
 };
 
-/// f without sines. Throws InputError "tolerance" unless it is positive and above the rounding of f,
-/// 1e-14 of its magnitude.
+/// Returns f with polynomials in place of its sines. Throws InputError("tolerance", ...) unless the
+/// tolerance (in the unit of the value) is positive and above the rounding of f, 1e-14 of its
+/// magnitude.
 template <class Over>
 Fitted<Over> polynomial_within(const Curve<Over>& f, double tolerance);
 

@@ -7,27 +7,30 @@
 
 namespace jounce {
 
-/// A value with its first three derivatives by the variable of the curve: [f, f', f'', f'''].
+/// A value and its first three derivatives with respect to the variable of the curve: [f, f', f'',
+/// f'''].
 using Jet = std::array<double, 4>;
 
-/// Side of a jump of a derivative. Curves are right-continuous, so right is the
-/// rule.
+/// The side from which a derivative is taken at a jump. Curves are right-continuous, so the default
+/// is right.
 enum class Side { right, left };
 
-/// Policy outside [start, end]; chosen when a signal is made.
+/// Policy for queries outside [start, end]. It is chosen when a curve or a table is made.
 enum class Extrapolation {
-  refuse,   ///< a query outside is the caller's mistake: asserts, and holds in a release build
-  hold,     ///< the end value, at rest
-  wrap,     ///< periodic: the query is reduced into [start, end)
-  advance,  ///< like wrap, but every period continues from the end of the one before: a rotary slave
+  /// A query outside is an error of the caller: asserts in a debug build, holds in a release build.
+  refuse,
+  hold,  ///< the end value, at rest
+  wrap,  ///< periodic: the query is reduced to [start, end)
+  /// Like wrap, but each period begins at the end value of the previous one (a rotary slave).
+  advance,
 };
 
-/// True if the derivatives are periodic: wrap or advance.
+/// True for a periodic policy: wrap or advance.
 constexpr bool repeats(Extrapolation outside) {
   return outside == Extrapolation::wrap || outside == Extrapolation::advance;
 }
 
-/// Position and its derivatives by time, in user units u: u, u/s, u/s^2, u/s^3.
+/// Position and its derivatives with respect to time, in user units u: u, u/s, u/s^2, u/s^3.
 struct Motion {
   double position = 0;
   double velocity = 0;
@@ -35,9 +38,10 @@ struct Motion {
   double jerk = 0;
 };
 
-/// Slave position and its derivatives by *master position* (VDI 2143: transfer functions of order
-/// 0 to 3). The prefix keeps them from being taken for derivatives by time: at master speed w the
-/// slave's velocity is geo_velocity * w, its acceleration geo_acceleration * w^2.
+/// Slave position and its derivatives with respect to the *master's position* (VDI 2143: transfer
+/// functions of order 0 to 3). The prefix `geo_` distinguishes them from derivatives with respect
+/// to time. At constant master speed w, the slave's velocity is geo_velocity * w and its
+/// acceleration geo_acceleration * w^2.
 struct Transfer {
   double position = 0;
   double geo_velocity = 0;
@@ -45,8 +49,8 @@ struct Transfer {
   double geo_jerk = 0;
 };
 
-/// Tags: a curve over time is a Trajectory, one over master position is a Cam. A compile-time tag,
-/// so that one cannot be played as the other.
+/// Tags of the variable of a curve: a Curve<OverTime> is a Trajectory, a Curve<OverMaster> is a
+/// Cam. As types they keep a program from playing one as the other.
 struct OverTime {
   using Point = Motion;
   static constexpr std::array<const char*, 4> names{"position", "velocity", "acceleration", "jerk"};
@@ -57,8 +61,8 @@ struct OverMaster {
                                                     "geo_jerk"};
 };
 
-/// std::fmod(u, length) for u >= 0 and length > 0, to the bit: if the quotient of a division is
-/// right, the remainder of a fused multiply-add has no rounding. Several times as fast.
+/// Returns std::fmod(u, length) exactly, for u >= 0 and length > 0, but several times as fast: if
+/// the quotient is correct, the fused multiply-add gives the remainder without rounding.
 inline double remainder_of(double u, double length) {
   const double quotient = u / length;
   if (!(quotient < 0x1p53)) return std::fmod(u, length);
@@ -67,21 +71,20 @@ inline double remainder_of(double u, double length) {
   return left >= 0 && left < length ? left : std::fmod(u, length);
 }
 
-/// x reduced into [start, start + length): the reduction of a query by Extrapolation::wrap and
-/// advance.
+/// Reduces x to [start, start + length), as Extrapolation::wrap and advance do.
 inline double wrapped(double x, double start, double length) {
   const double u = x - start;
   const double turned = remainder_of(std::abs(u), length);
   const double at = start + (u < 0 && turned > 0 ? length - turned : turned);
-  return at < start + length ? at : start;  // a hair below the end: no double is nearer
+  return at < start + length ? at : start;  // only rounding reaches the end: take the start
 }
 
-/// A query of a periodic signal: its place in [start, end] (the end for a left limit there), and how
-/// many periods it is away.
+/// A position reduced to one period.
 struct InPeriod {
-  double at = 0;
-  double turns = 0;
+  double at = 0;     ///< in [start, end); `end` for a left limit at the end
+  double turns = 0;  ///< whole number of periods from `at` to the position
 };
+/// Reduces x to [start, end), or to (start, end] for Side::left.
 inline InPeriod in_period(double x, Side side, double start, double end) {
   const double length = end - start;
   double at = wrapped(x, start, length);
@@ -89,6 +92,7 @@ inline InPeriod in_period(double x, Side side, double start, double end) {
   return {at, std::round((x - at) / length)};
 }
 
+/// The jet as a point with named members.
 template <class Over>
 constexpr typename Over::Point point(const Jet& f) {
   return {f[0], f[1], f[2], f[3]};

@@ -5,68 +5,75 @@
 
 namespace jounce {
 
-/// A position on an axis that comes round again: turns * period + position.
+/// A position on a modulo axis. The unreduced position is turns * period + position.
 struct Turned {
   double position = 0;  ///< u, in [0, period)
-  double turns = 0;     ///< whole turns; exact up to 2^53
+  double turns = 0;     ///< whole number of turns; exact up to 2^53
 };
 
-/// Reduces a position into one turn (Agito ModRev; HIMC SetRollover and GetRolloverTurns, HMPL
-/// manual 5.3.39).
+/// Reduces a position to one turn. This is ModRev of Agito, and SetRollover with GetRolloverTurns
+/// of HIMC (HMPL manual 5.3.39).
 ///
 ///     Turned spot = rolled(-10, 360);               // 350 in turn -1
-///     double far = rolled(1e15 + 90, 360).position; // exact: no drift, however many turns
+///     double far = rolled(1e15 + 90, 360).position; // exact for any number of turns
 ///
-/// The remainder is exact (no rounding in a division). Below zero, position = remainder + period is
-/// rounded once; a result that would round to a whole period is position 0 of the next turn. Throws
-/// InputError unless the period is positive and x finite, and for more turns than a double can
-/// hold.
+/// The remainder is exact. For x below zero, position = remainder + period is rounded once; if it
+/// rounds to a whole period, the result is position 0 of the next turn. Throws InputError unless
+/// the period is positive and x is finite, or if the number of turns exceeds the range of a double.
 Turned rolled(double x, double period);
 
-/// turns * period + position, rounded once.
+/// Returns turns * period + position, rounded once.
 double unrolled(const Turned& spot, double period);
 
-/// Direction to a target on a modulo axis; PMC600 MC_DIRECTION and its codes (section 4.1).
+/// Direction to a target on a modulo axis. The values are those of MC_DIRECTION (PMC600 manual,
+/// section 4.1).
 enum class Direction {
   negative = -1,
   shortest = 0,
   positive = 1,
-  current = 2,  ///< the way the axis moves now; at rest the shortest
-  fastest = 3,  ///< the way that takes less time, from the state it is in
+  current = 2,  ///< the direction in which the axis moves now; at rest the shortest
+  fastest = 3,  ///< the direction that needs less time from the present state
 };
 
-/// Target of a modulo axis.
+/// Target of a move on a modulo axis.
 struct ModuloTarget {
-  MoveStatus status = MoveStatus::ok;  ///< why there is none (current, fastest and one-way only)
-  double distance = 0;                 ///< u, signed, from the present position
-  double position = 0;                 ///< u, not reduced: present position + distance
+  /// Not ok: the reason why there is no target (only for current, fastest, positive and negative).
+  MoveStatus status = MoveStatus::ok;
+  double distance = 0;  ///< u, signed, from the present position
+  double position = 0;  ///< u, not reduced: present position + distance
 };
 
-/// Resolves the target `to` (in turn, any position congruent to it will do) for an axis at `from`.
+/// Returns the nearest position in the given direction that equals `to` modulo `period`, for an
+/// axis in the state `from`. The unit is u.
 ///
 ///     const Bounds axis = within(720, 7200);
 ///     const ModuloTarget target =
 ///         modulo_target({.position = 350}, 10, Direction::shortest, 360, axis);
-///     const Move move = move_to({.position = 350}, {.position = target.position}, axis);  // +20
+///     const MoveResult move = move_to({.position = 350}, {.position = target.position},
+///                                     axis);  // +20
 ///
-/// **Shortest** counts from the present position, even in motion: at most half a turn; exactly half
-/// a turn goes in the positive direction. **Positive** and **negative** never reverse an axis that
-/// moves in the requested direction: a target nearer than the stopping distance is reached one turn
-/// later. An axis that moves in the other direction stops first, and counts from there. At the
-/// target already (within 1e-12 of a turn): no motion. **Fastest** compares the minimum durations
-/// (`durations`) of the nearest targets on both sides of the present position and of the stopping
-/// point; a tie goes to the shorter way, then to the positive one.
+/// - **shortest** counts from the present position, even in motion: at most half a turn. Exactly
+///   half a turn goes in the positive direction.
+/// - **positive**, **negative**: an axis that moves in this direction does not reverse. If it
+///   cannot stop before the target, it stops there one turn later. An axis that moves in the other
+///   direction stops first, and the target is counted from the stopping point. No motion if the
+///   axis is at the target (within 1e-12 of a turn).
+/// - **fastest** takes the target with the least duration (`durations`) among the nearest targets
+///   on both sides of the present position and of the stopping point. Of equal durations, the
+///   shorter distance wins, then the positive direction.
 ///
-/// Exact for any number of turns: the distance is formed from the remainders. Keep the position of
-/// an endless axis reduced, and plan by distance; a sum of 1e12 turns loses digits.
-/// Throws InputError for a period that is not positive or values that are not finite.
+/// Exact for any number of turns, because the distance is computed from remainders. Keep the
+/// position of an endless axis reduced and plan by distance: a sum of 1e12 turns loses digits.
+/// Throws InputError if the period is not positive or a value is not finite.
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);
 
-/// Agito's conditions for ModRev (PCSuite manual 5.3) with a jerk exponent: throws InputError with
-/// the key `ModRev` or `Jerk` unless M is a whole number in [1, 2e9], Jerk one in [0, 9], M *
-/// 2^Jerk < 2^31 - 1, and the time to travel M at the maximum speed (counts/s) exceeds the jerk
-/// time 2^Jerk / 16384 s.
+/// Checks Agito's conditions for a modulo axis with jerk (PCSuite manual 5.3). `modulo` is ModRev
+/// in counts, `jerk` the exponent of the jerk time 2^jerk / 16384 s, `speed_max` in counts/s.
+/// Throws InputError with the key `ModRev` or `Jerk` unless
+/// - modulo is a whole number in [1, 2e9], and jerk is in [0, 9];
+/// - modulo * 2^jerk < 2^31 - 1;
+/// - the travel of one modulo at speed_max takes longer than the jerk time.
 void require_agito_modulo(double modulo, int jerk, double speed_max);
 
 }  // namespace jounce

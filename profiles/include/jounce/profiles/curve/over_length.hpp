@@ -7,18 +7,19 @@
 
 namespace jounce {
 
-/// Coordinate of one axis along a path, with its derivatives by the path parameter q: u, u/m, u/m^2,
-/// u/m^3, u the unit of the axis and m that of q. In the unit of length q is the arc length, except in
-/// a corner, where it runs slightly faster (see Path).
+/// Position of one axis along a path, and its derivatives with respect to the path parameter q.
+/// Units: u, u/m, u/m^2 and u/m^3, where u is the unit of the axis and m the unit of q. If both are
+/// the same unit of length, q is the arc length, except in a rounded corner, where q advances
+/// slightly faster (see Path).
 struct PathPoint {
-  double position = 0;
-  double direction = 0;       ///< component of the tangent
-  double curvature = 0;       ///< component of the curvature vector
-  double curvature_rate = 0;  ///< its derivative
+  double position = 0;        ///< u
+  double direction = 0;       ///< this axis' component of the tangent
+  double curvature = 0;       ///< this axis' component of the curvature vector
+  double curvature_rate = 0;  ///< derivative of the curvature
 };
 
-/// Tag of a curve over path length, in addition to OverTime and OverMaster (decision 0002): a
-/// compile-time tag, so that a shape cannot be played as a motion.
+/// Tag of a curve over path length, beside OverTime and OverMaster (decision 0002). As a type it
+/// keeps a program from playing a shape as a motion.
 struct OverLength {
   using Point = PathPoint;
   static constexpr std::array<const char*, 4> names{"position", "direction", "curvature",

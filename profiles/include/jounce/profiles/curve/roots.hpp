@@ -7,18 +7,20 @@
 
 namespace jounce {
 
-/// Every s in (0, 1) where f vanishes, ascending, appended to `out` (which is cleared first).
+/// Writes every s in (0, 1) where f vanishes to `out`, in ascending order. `out` is cleared first.
 ///
-/// Nothing is sampled: a piece is dropped only when an enclosure of f over it (the hull of its
-/// Bernstein coefficients, sines as Taylor polynomials with their remainder) excludes zero, and
-/// finished only when the enclosure of f' does, so that the one root in it can be bracketed.
-/// `flat` >= 0 is the size below which |f| counts as zero: a stretch where f stays within it yields
-/// one point, its middle. A root of even multiplicity yields at least one point within 1e-7.
+/// Nothing is sampled. A piece is discarded only if an enclosure of f over it excludes zero. A
+/// piece is finished only if the enclosure of f' excludes zero, so that its only root can be
+/// bracketed. The enclosure is the hull of the Bernstein coefficients, with each sine replaced by
+/// its Taylor polynomial and remainder.
+///
+/// `flat` >= 0 is the size below which |f| counts as zero. A stretch where |f| stays below it gives
+/// one point, its middle. A root of even multiplicity gives at least one point within 1e-7 of it.
 void roots(const Segment& f, double flat, std::vector<double>& out);
 
-/// Every position where the curve's `order`th derivative (0: the value) takes `level`, ascending,
-/// including breaks with the level on one side. A stretch that stays at the level, to rounding,
-/// yields its start. Throws InputError for a level that is not finite.
+/// Returns every position where the derivative of this order (0: the value) equals `level`, in
+/// ascending order. A break counts if the level is reached on one of its sides. A stretch that
+/// stays at the level (to rounding) gives its start. Throws InputError if the level is not finite.
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level);
 

@@ -8,68 +8,68 @@
 
 namespace jounce {
 
-/// amplitude * sin(angle * s + phase), s in [0, 1] over the segment; angle and phase in rad.
+/// A sine term: amplitude * sin(angle * s + phase) for s in [0, 1], the position in the segment.
 struct SineTerm {
-  double amplitude = 0;
-  double angle = 0;
-  double phase = 0;
+  double amplitude = 0;  ///< in the unit of the value
+  double angle = 0;      ///< rad over the whole segment
+  double phase = 0;      ///< rad at s = 0
 };
 
-/// One piece of a curve: a polynomial and a few sine terms over a length.
+/// One piece of a curve: a polynomial and up to three sine terms over a length.
 ///
 ///     f(s) = c[0] + c[1] s + ... + c[degree] s^degree + sum of sine terms,   s = u / length
 ///
-/// u is the distance from the segment's start in the unit of the axis below (s, deg, pulse, ...);
-/// every coefficient is in the unit of the value. Stretching a segment changes `length` alone.
+/// u is the distance from the start of the segment, in the unit of the axis (s, deg, pulse, ...).
+/// Every coefficient is in the unit of the value, so a stretched segment differs only in `length`.
 /// The capacity (degree 11, three sines) makes every profile and every classical cam law exact;
-/// only the degree in use is evaluated. The set is closed under derivative, shift, scale, reversal
-/// and sub-interval; `sum` returns nothing if the result no longer fits.
+/// only the degree in use is evaluated. Derivatives, shifted, scaled and reversed segments and
+/// parts are again segments; `sum` returns nothing if the result does not fit.
 struct Segment {
-  static constexpr int max_degree = 11;
-  static constexpr int max_sines = 3;
+  static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
+  static constexpr int max_sines = 3;    ///< greatest number of sine terms
 
-  double length = 1;  ///< > 0, finite
-  int degree = 0;
-  int sines = 0;
-  std::array<double, max_degree + 1> c{};  ///< zero above degree
-  std::array<SineTerm, max_sines> sine{};
+  double length = 1;                       ///< > 0, finite
+  int degree = 0;                          ///< degree of the polynomial, 0 to max_degree
+  int sines = 0;                           ///< number of sine terms, 0 to max_sines
+  std::array<double, max_degree + 1> c{};  ///< coefficients; zero above the degree
+  std::array<SineTerm, max_sines> sine{};  ///< the first `sines` are used
 };
 
-/// Value and three derivatives by u at s in [0, 1].
+/// Value and three derivatives with respect to u, at s in [0, 1].
 Jet evaluate(const Segment& f, double s);
 
-/// The value alone.
+/// The value at s.
 double value(const Segment& f, double s);
 
-/// df/du. Exact; the degree falls by one, sines stay sines.
+/// The derivative with respect to u. Exact: the degree falls by one, sines stay sines.
 Segment derivative(const Segment& f);
 
-/// The integral that starts at `start_value`; nothing if the degree would pass max_degree.
+/// The integral over u that begins at `start_value`. Nothing if the degree would exceed max_degree.
 std::optional<Segment> integral(const Segment& f, double start_value);
 
-/// g(u) = f(length - u).
+/// The segment backwards: g(u) = f(length - u).
 Segment reversed(const Segment& f);
 
-/// The piece between s0 < s1 as a segment of its own; outside [0, 1] the formula goes on.
+/// The part from s0 to s1, s0 < s1, as a segment. Outside [0, 1] the formula is continued.
 Segment part(const Segment& f, double s0, double s1);
 
 /// g = factor * f + offset.
 Segment scaled(const Segment& f, double factor, double offset = 0);
 
-/// f + g, which have the same length. Sines of one frequency are merged; nothing if more than
+/// f + g; both have the same length. Sines of the same frequency are merged. Nothing if more than
 /// max_sines remain.
 std::optional<Segment> sum(const Segment& f, const Segment& g);
 
-/// Upper bound of |f| over the segment (sum of the magnitudes of all terms): the scale that
-/// rounding is measured against.
+/// Upper bound of |f| over the segment: the sum of the magnitudes of all terms. Rounding errors are
+/// relative to it.
 double magnitude(const Segment& f);
 
-/// The segment of degree 3, resp. 5, through the values at both ends: Hermite interpolation.
-/// p in the value's unit, v and a its derivatives by u.
+/// Hermite interpolation: the segment of degree 3 (cubic) or 5 (quintic) with the given values at
+/// its ends. p: value, v and a: its first and second derivative with respect to u.
 Segment cubic(double length, double p0, double v0, double p1, double v1);
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1);
 
-/// The straight line from p0 to p1.
+/// The straight line from p0 to p1 over the given length.
 Segment line(double length, double p0, double p1);
 
 }  // namespace jounce

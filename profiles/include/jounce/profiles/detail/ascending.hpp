@@ -9,8 +9,8 @@
 
 namespace jounce::profiles_detail {
 
-/// Throws InputError unless the `time` of every event is finite and above that of the one before; the
-/// key counts from 1: `key[2].time`.
+/// Throws InputError unless the `time` of every event is finite and greater than that of the
+/// previous event. The key of the error counts from 1: `key[2].time`.
 template <class Event>
 void require_ascending(const std::string& key, std::span<const Event> events) {
   for (std::size_t i = 0; i < events.size(); ++i) {

@@ -10,13 +10,16 @@
 
 namespace jounce::profiles_detail {
 
-/// The Bernstein coefficients of a polynomial of degree n over an interval: it lies within their
-/// hull, its derivative within the hull of their differences (times n).
+/// The Bernstein coefficients of a polynomial of degree n over an interval. The polynomial lies
+/// within their hull, its derivative within n times the hull of their differences.
 template <std::size_t n>
 using Bernstein = std::array<double, n + 1>;
 
-/// The coefficients of f's polynomial over the whole segment; f.degree <= n:
-///     beta_i = sum over k <= i of C(i, k) / C(n, k) c_k,   by differences of the scaled c_k
+/// The coefficients of the polynomial of f over the whole segment; f.degree <= n:
+///
+///     beta_i = sum over k <= i of C(i, k) / C(n, k) c_k
+///
+/// They are computed by repeated addition from the scaled c_k.
 template <std::size_t n>
 Bernstein<n> to_bernstein(const Segment& f) {
   Bernstein<n> beta{};
@@ -30,7 +33,7 @@ Bernstein<n> to_bernstein(const Segment& f) {
   return beta;
 }
 
-/// De Casteljau at the middle: the coefficients over both halves.
+/// Divides the interval at its middle (de Casteljau): the coefficients over both halves.
 template <std::size_t n>
 void halve(const Bernstein<n>& whole, Bernstein<n>& left, Bernstein<n>& right) {
   right = whole;
@@ -40,6 +43,7 @@ void halve(const Bernstein<n>& whole, Bernstein<n>& left, Bernstein<n>& right) {
   }
 }
 
+/// The least and the greatest coefficient.
 template <std::size_t n>
 std::pair<double, double> hull(const Bernstein<n>& beta) {
   double lo = beta[0];
@@ -51,7 +55,7 @@ std::pair<double, double> hull(const Bernstein<n>& beta) {
   return {lo, hi};
 }
 
-/// body(std::integral_constant<std::size_t, n>) with n = degree, which is at most max_degree.
+/// Calls body(std::integral_constant<std::size_t, degree>); degree <= Segment::max_degree.
 template <class Body>
 void with_degree(std::size_t degree, Body body) {
   [&]<std::size_t... n>(std::index_sequence<n...>) {

@@ -8,14 +8,16 @@
 
 namespace jounce::profiles_detail {
 
-/// Places on an axis whose numbers are of size `scale`, equal except for rounding.
+/// True if two positions are equal except for rounding; `scale` is the magnitude of positions on
+/// the axis.
 inline bool same_place(double a, double b, double scale) {
   return std::abs(a - b) <= 1e-12 * scale;
 }
 
-/// Calls visit(start, f, i, g, k) for each stretch of the interval that both curves have on which
-/// either is one segment: f is the part of segment i, g that of segment k, of equal length. Breaks
-/// that differ by rounding are one; the result has the break of f.
+/// Calls visit(start, f_part, i, g_part, k) for each stretch on which each of the two curves is a
+/// single segment, within the interval that both share. f_part is the part of segment i of f,
+/// g_part that of segment k of g; both have the same length. Two breaks that differ only by
+/// rounding count as one, at the break of f.
 template <class Over, class Visit>
 void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) {
   const double scale = std::max(std::abs(f.start()), std::abs(f.end()));
@@ -23,8 +25,8 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
   double x = near(f.start(), g.start()) ? f.start() : std::max(f.start(), g.start());
   const auto first = [&](const Curve<Over>& c) {
     std::size_t n = 0;
-    // A segment that ends at x within rounding is over; if c begins at x, its first segment is just
-    // short.
+    // A segment that ends at x (within rounding) is over. If c begins at x, the end of its first
+    // segment only lies near x because the segment is short.
     const auto over = [&](double end) { return end <= x || (x != c.start() && near(end, x)); };
     while (n < c.segments().size() && over(c.breaks()[n + 1])) ++n;
     return n;
@@ -38,7 +40,8 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
     const double next = both ? f_end : std::min(f_end, g_end);
     const bool f_ends = both || next == f_end;
     const bool g_ends = both || next == g_end;
-    // A whole segment keeps its own length: the difference of two places has fewer digits.
+    // A whole segment keeps its own length, because the difference of two positions has fewer
+    // digits.
     const bool f_whole = f_ends && near(x, f.breaks()[i]);
     const bool g_whole = g_ends && near(x, g.breaks()[k]);
     const double length = f_whole   ? f.segments()[i].length
@@ -50,7 +53,7 @@ void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) 
       const double s0 =
           ends_here ? 1 - width : std::clamp((x - c.breaks()[n]) / whole.length, 0.0, 1 - width);
       const double s1 = std::min(1.0, s0 + width);
-      // Beside a piece that is shorter than the rounding of this one, this one does not change.
+      // If the other piece is shorter than the rounding of this one, this one is constant over it.
       Segment cut =
           s0 < s1 ? part(whole, s0, s1) : line(length, value(whole, s0), value(whole, s0));
       cut.length = length;

@@ -8,8 +8,8 @@
 
 namespace jounce::profiles_detail {
 
-/// c[0] + c[1] s + ... + c[n] s^n with its three derivatives by s: Horner's rule for the value and
-/// the derivatives / k!, without the first steps, which would only add zeros.
+/// c[0] + c[1] s + ... + c[n] s^n with its three derivatives with respect to s. Horner's rule for
+/// the value and for the derivatives / k!, without the first steps, which would only add zeros.
 template <std::size_t n, std::size_t capacity>
 [[gnu::always_inline]] inline Jet horner(const std::array<double, capacity>& c, double s) {
   static_assert(n < capacity);
@@ -29,12 +29,13 @@ template <std::size_t n, std::size_t capacity>
   return {p, d1, 2 * d2, 6 * d3};
 }
 
-/// Derivatives by s as derivatives by u = length * s.
+/// Converts derivatives with respect to s to derivatives with respect to u = length * s.
 inline Jet over_length(const Jet& by_s, double length) {
   const double r = 1 / length;
   return {by_s[0], by_s[1] * r, by_s[2] * r * r, by_s[3] * r * r * r};
 }
 
+/// The polynomial of f and its derivatives with respect to s.
 [[gnu::always_inline]] inline Jet polynomial(const Segment& f, double s) {
   const auto& c = f.c;
   switch (f.degree) {
@@ -65,10 +66,10 @@ inline Jet over_length(const Jet& by_s, double length) {
   }
 }
 
-/// The same for a segment with sines; out of line, as most have none.
+/// evaluate() for a segment with sines; out of line, because most segments have none.
 Jet evaluate_with_sines(const Segment& f, double s);
 
-/// jounce::evaluate, for loops that call nothing.
+/// An inlined jounce::evaluate(), for evaluation loops.
 [[gnu::always_inline]] inline Jet evaluate(const Segment& f, double s) {
   if (f.sines > 0) [[unlikely]]
     return evaluate_with_sines(f, s);

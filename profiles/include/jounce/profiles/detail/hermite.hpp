@@ -9,26 +9,27 @@
 
 #include "jounce/profiles/curve/segment.hpp"
 
-// The two-point Hermite polynomial of degree 11, and bounds for the distance of a function from it.
+// The two-point Hermite polynomial of degree 11, and bounds of its distance from a function.
 
 namespace jounce::profiles_detail {
 
-/// Taylor coefficients f^(k) / k! by s, k = 0 .. n - 1.
+/// Taylor coefficients f^(k) / k! with respect to s, k = 0 .. n - 1.
 template <std::size_t n>
 using Series = std::array<double, n>;
 
-/// Coefficients that each end of a piece gives; and those up to the twelfth, which bounds the error.
+/// The six coefficients that each end of a piece gives, and bounds up to the twelfth coefficient,
+/// which bounds the error.
 using EndSeries = Series<6>;
 using Majorant = Series<13>;
 
-/// The coefficients of f at s, any s.
+/// The coefficients of f at s, for any s.
 EndSeries taylor(const Segment& f, double s);
 
-/// Bounds of the magnitude of every coefficient of f over |s| <= reach.
+/// Upper bounds of the magnitude of every coefficient of f over |s| <= reach.
 Majorant majorant(const Segment& f, double reach);
 
-/// The series of F(r0 + d): F's coefficients at r0, d's without its first, which is 0. With majorants
-/// of both it is a majorant.
+/// The series of F(r0 + d(s)). F: its coefficients at r0; d: a series whose first coefficient is 0.
+/// If both are majorants (upper bounds of the coefficients), so is the result.
 template <std::size_t n>
 Series<n> substituted(const Series<n>& F, const Series<n>& d) {
   Series<n> g{};
@@ -42,20 +43,23 @@ Series<n> substituted(const Series<n>& F, const Series<n>& d) {
   return g;
 }
 
-/// The segment of degree 11 with these coefficients at its ends.
+/// The segment of degree 11 with these coefficients at its start and end.
 Segment hermite(double length, const EndSeries& at0, const EndSeries& at1);
 
-/// Bounds of the distance of a function from its `hermite`, and of their derivatives by u, if its
-/// twelfth coefficient by s is at most `twelfth`.
+/// Bounds of the distance between a function and its `hermite`, and of their derivatives with
+/// respect to u. `twelfth` bounds the magnitude of the function's twelfth coefficient with respect
+/// to s.
 Jet hermite_error(double length, double twelfth);
 
-/// Throws InputError "tolerance" unless the tolerance is positive and exceeds the rounding of
-/// `magnitude`; and if a fit has more than a million pieces.
+/// require_tolerance() throws InputError("tolerance", ...) unless the tolerance is positive and
+/// exceeds the rounding of `magnitude`. require_fitting() throws it if a fit has more than a
+/// million pieces.
 void require_tolerance(double tolerance, double magnitude);
 void require_fitting(std::size_t pieces);
 
-/// Appends the fit of a piece, halved until it strays at most by `tolerance`, and widens `error`. A
-/// Piece has length(), end(0 or 1) as EndSeries, twelfth(), and halves().
+/// Appends the fit of a piece to `out` and widens `error`. The piece is halved until its error is
+/// at most `tolerance`. A Piece has length(), end(0) and end(1) as EndSeries, twelfth(), and
+/// halves().
 template <class Piece>
 void fit(const Piece& piece, double tolerance, std::vector<Segment>& out, Jet& error) {
   const Jet here = hermite_error(piece.length(), piece.twelfth());

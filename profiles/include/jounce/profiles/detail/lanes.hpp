@@ -9,8 +9,9 @@
 #include <immintrin.h>
 #endif
 
-// Arithmetic for formulas that hold for a double and for a vector of them, lane by lane
-// (`__attribute__((vector_size))`): a comparison is then a mask, and `mask ? a : b` picks by lane.
+// Arithmetic for formulas that hold for a double and, lane by lane, for a vector of doubles
+// (`__attribute__((vector_size))`). The comparison of two vectors is a mask, and `mask ? a : b`
+// selects by lane.
 namespace jounce::profiles_detail {
 
 #define JOUNCE_INLINE inline __attribute__((always_inline))
@@ -21,9 +22,11 @@ using Vector8 = double __attribute__((vector_size(64)));
 template <class Real>
 using Mask = decltype(Real{} < Real{});
 
+/// Number of doubles in a Real.
 template <class Real>
 constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
 
+/// Reads and writes a Real at an address without alignment.
 template <class Real>
 JOUNCE_INLINE Real load(const double* from) {
   Real x;
@@ -35,10 +38,12 @@ JOUNCE_INLINE void store(double* to, Real x) {
   __builtin_memcpy(to, &x, sizeof x);
 }
 
+/// The value x in every lane.
 template <class Real>
-JOUNCE_INLINE Real every(double x) {  // in every lane
-  return x - Real{};  // not Real{} + x: that would make 0 of -0, and cost an addition
+JOUNCE_INLINE Real every(double x) {
+  return x - Real{};  // Real{} + x would change -0 to 0 and cost an addition
 }
+/// Minimum, maximum, magnitude and square root of each lane.
 template <class Real>
 JOUNCE_INLINE Real least(Real a, Real b) {
   return a < b ? a : b;
@@ -71,12 +76,13 @@ JOUNCE_INLINE Real root_of(Real x) {
   for (std::size_t i = 0; i < sizeof(Real) / sizeof(double); ++i) x[i] = __builtin_sqrt(x[i]);
   return x;
 }
+/// The square root; 0 for an x that rounding made negative.
 template <class Real>
-JOUNCE_INLINE Real square_root(Real x) {  // 0 for an x that rounding made negative
+JOUNCE_INLINE Real square_root(Real x) {
   return root_of(greatest(x, every<Real>(0)));
 }
 
-/// The bits of a Real, lane by lane.
+/// The unsigned integer type with the size and lanes of a Real.
 template <class Real>
 struct BitsOf;
 template <>
@@ -96,8 +102,8 @@ struct BitsOf<Vector8> {
   using Type = std::uint64_t __attribute__((vector_size(64)));
 };
 
-/// {a, b}, or {b, a} if they are to be swapped: without a branch, and without memory, from which two
-/// doubles written one by one return late as a vector.
+/// {a, b}, or {b, a} if `swapped`, without a branch and without memory. (Two doubles that are
+/// stored one by one are slow to load as a vector.)
 JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
   using Bits = BitsOf<Vector2>::Type;
   const Bits mask = Bits{} - static_cast<std::uint64_t>(swapped);
@@ -106,8 +112,9 @@ JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
   return std::bit_cast<Vector2>((other & mask) | (given & ~mask));
 }
 
-/// The cube root within 4 %, for normal x > 0: a third of the exponent, linear in between. 1/3 is
-/// (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, since a vector has no product of 64 bits.
+/// The cube root within 4 %, for a normal x > 0: a third of the exponent, linear in between. The
+/// division by 3 is a product of shifts, 1/3 = (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, because
+/// vectors have no 64-bit product.
 template <class Real>
 JOUNCE_INLINE Real rough_cube_root(Real x) {
   using Bits = typename BitsOf<Real>::Type;
@@ -119,8 +126,8 @@ JOUNCE_INLINE Real rough_cube_root(Real x) {
   return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
 }
 
-/// The cube root within two ulps from a rough root r and the inverse of x: a series in e = 1 - r^3/x about
-/// r, good to 1e-8, then one of Newton's steps.
+/// The cube root of x within two ulps. r: a rough root; per_x: 1/x. A series in e = 1 - r^3/x,
+/// accurate to 1e-8, is followed by one Newton step.
 template <class Real>
 JOUNCE_INLINE Real cube_root_near(Real r, Real per_x) {
   const Real e = 1 - r * r * r * per_x;
@@ -129,14 +136,14 @@ JOUNCE_INLINE Real cube_root_near(Real r, Real per_x) {
   return y + y * (1. / 3) * (1 - y * y * y * per_x);
 }
 
-/// The cube root of a normal x > 0, given its inverse.
+/// The cube root of a normal x > 0; per_x is 1/x.
 template <class Real>
 JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
   return cube_root_near(rough_cube_root(x), per_x);
 }
 
-/// The same for one double. The root of 8 x is exactly twice that of x, so that units that differ by powers of two
-/// give the same result.
+/// The same for one double. The root of 8 x is exactly twice that of x, so units that differ by
+/// powers of two give the same result.
 JOUNCE_INLINE double cube_root_in_units(double x, double per_x) {
   const std::uint64_t third = std::bit_cast<std::uint64_t>(x) / 3;
   return cube_root_near(std::bit_cast<double>(third + 0x2a9f789300000000U), per_x);

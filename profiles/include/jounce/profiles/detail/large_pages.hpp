@@ -6,12 +6,12 @@
 
 namespace jounce::profiles_detail {
 
-/// Requests large pages (2 MiB under Linux) if a block is large enough: a table of a million knots
-/// then takes a dozen pages instead of thousands, one page fault each. A hint, before the block is
-/// first written; its content does not change.
+/// Requests large pages (2 MiB on Linux) for a block that is large enough. A table of a million
+/// knots then needs about a dozen page faults instead of thousands. This is a hint; call it before
+/// the first write to the block. The content does not change.
 void prefer_large_pages(void* block, std::size_t bytes) noexcept;
 
-/// Memory for so many elements, asked for at once.
+/// Reserves memory for `count` elements, with large pages.
 template <class T>
 void reserve_large(std::vector<T>& column, std::size_t count) {
   column.reserve(count);

@@ -9,43 +9,46 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-// Findings of `check` from extrema: those of a curve, one segment after another, or only the extrema of
-// a table that can matter.
+// Turns extrema into the findings of `check`. A curve gives the extrema of each of its segments; a
+// table gives only those that can affect the result.
 namespace jounce::profiles_detail {
 
-/// One bound on one derivative: it must stay below `limit` (upper), or above.
+/// A limit on one derivative, to one side.
 struct Bound {
-  std::size_t order;
+  std::size_t order;  ///< 0: position, ..., 3: jerk
   Rule rule;
-  double limit;
-  bool upper;
-  double scale;  ///< value of a margin of 1
+  double limit;  ///< in the unit of the derivative
+  bool upper;    ///< true: the value must not exceed the limit; false: it must not fall below
+  double scale;  ///< the value of a relative margin of 1, in the same unit
 };
 
-/// Distance from the worst value of a range to a bound, in the bound's scale.
+/// Margin between the limit and the worst value of the range, relative to the bound's scale.
 double room_of(const Bound& bound, const Range& range);
 
-/// A limit that is met exactly is met: what may be passed is this share, the rounding of the evaluation.
+/// A value beyond the limit by less than this share of the scale counts as equal to it: rounding.
 inline constexpr double forgiven = 1e-12;
 
+/// Collects the ranges of all segments and makes the report.
 class LimitCheck {
  public:
-  /// Names of the value and its derivatives; `stroke` is asked for where one end of the position is
-  /// limited alone.
+  /// `names`: those of the value and its derivatives. `stroke`: range of the position; used only if
+  /// needs_stroke().
   LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke);
+  /// True if the position is limited at one end only: the stroke is then the scale of its margin.
   [[nodiscard]] static bool needs_stroke(const Limits& limits) {
     return limits.position_min.has_value() != limits.position_max.has_value();
   }
 
-  /// Bounds of one derivative stand together.
+  /// All bounds, ordered by derivative.
   [[nodiscard]] const std::vector<Bound>& bounds() const { return bounds_; }
-  /// The range of a bound's derivative on a segment that begins at `start`. Segments ascend. A
-  /// segment may be left out if it does not break the bound or come closer to it than an earlier
-  /// one.
+  /// Takes the range of the derivative of a bound on a segment that begins at `start`. Call it in
+  /// ascending order of segments. A segment may be omitted if it neither breaks the bound nor comes
+  /// closer to it than an earlier segment.
   void consider(std::size_t bound, const Range& range, double start, std::size_t segment);
-  /// The value that is closest to a bound and keeps it, if there was one.
+  /// The value closest to a bound among those that keep it; nothing if none was considered.
   [[nodiscard]] std::optional<double> closest(std::size_t bound) const;
 
+  /// The report on all considered ranges.
   [[nodiscard]] Report report() &&;
 
  private:
@@ -55,18 +58,18 @@ class LimitCheck {
   std::array<const char*, 4> names_;
   std::vector<Bound> bounds_;
   std::vector<std::optional<Finding>> closest_;
-  std::vector<std::optional<Finding>> broken_;  // the last of each
+  std::vector<std::optional<Finding>> broken_;  // the last finding of each bound
   Report report_;
 };
 
-/// The independent axis of a motion: its ends, and whether it repeats beyond them.
+/// The interval of a motion on its axis, and whether the motion repeats.
 struct Ends {
   double start = 0;
   double end = 0;
   bool repeats = false;
 };
 
-/// The report of `check_continuity` from all ranges and the largest step of every order.
+/// The report of `check_continuity`, from the ranges and the largest step of every order.
 Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
                          const std::array<const char*, 4>& names, const Ends& extent, int order,
                          double tolerance);

@@ -8,8 +8,9 @@
 
 namespace jounce::profiles_detail {
 
-inline constexpr double rounding = 0x1p-49;    ///< eight units in the last place
-inline constexpr double rounded_input = 1e-9;  ///< relative: forgives numbers rounded in a file
+inline constexpr double rounding = 0x1p-49;  ///< relative: eight units in the last place
+/// Relative: tolerance for numbers that were rounded in a file.
+inline constexpr double rounded_input = 1e-9;
 inline constexpr double two_pi = 2 * std::numbers::pi;
 inline constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -21,12 +22,12 @@ inline double cube(double x) {
   return x * x * x;
 }
 
-/// The square root, of zero where rounding made less of it.
+/// The square root; 0 if rounding made x negative.
 inline double root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
-/// `which ? a : b` without a branch, for a condition that no processor foresees.
+/// `which ? a : b` without a branch, for an unpredictable condition.
 inline double either(bool which, double a, double b) {
   const double pair[] = {b, a};
   return pair[which];

@@ -9,15 +9,16 @@
 
 namespace jounce {
 
-/// Margin of each segment of a curve to one bound: check() gives the least margin of a limit,
-/// these are all of them. A limit of a rate has two bounds, and so two of these with the same rule.
+/// Margin of every segment of a curve to one limit, where check() gives only the least margin. A
+/// limit of a rate gives two of them with the same rule: one for the positive and one for the
+/// negative direction.
 struct LimitMargin {
-  std::string rule;              ///< the text of the rule of a Finding
-  std::vector<double> segments;  ///< margin of each segment, as in Finding
+  std::string rule;              ///< text of the rule, as in a Finding: "limit/velocity"
+  std::vector<double> segments;  ///< margin of each segment; defined in Finding::margin
 };
 
-/// Margins of a curve under its limits, in the order of the limits. Exact, like check(). Throws
-/// InputError like require_valid(Limits).
+/// The margins of a curve under its limits, in the order of the members of Limits. Exact, like
+/// check(). Throws InputError like require_valid().
 template <class Over>
 std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limits);
 

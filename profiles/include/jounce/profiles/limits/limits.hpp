@@ -11,69 +11,75 @@
 
 namespace jounce {
 
-/// Limits of an axis, in its own unit u; an omitted value is not limited. For a Cam the three
-/// rates are per master unit: u/m, u/m^2, u/m^3. All rates are magnitudes > 0.
+/// Limits of an axis in its unit u: u, u/s, u/s^2, u/s^3. For a Cam, the limits of the three rates
+/// are per master unit m: u/m, u/m^2, u/m^3. A limit of a rate is a magnitude > 0. An omitted limit
+/// does not apply.
 struct Limits {
-  std::optional<double> position_min = {};
-  std::optional<double> position_max = {};
-  std::optional<double> velocity = {};
-  std::optional<double> acceleration = {};
-  std::optional<double> jerk = {};
+  std::optional<double> position_min = {};  ///< u
+  std::optional<double> position_max = {};  ///< u
+  std::optional<double> velocity = {};      ///< u/s; cam: u/m
+  std::optional<double> acceleration = {};  ///< u/s^2; cam: u/m^2
+  std::optional<double> jerk = {};          ///< u/s^3; cam: u/m^3
 };
 
-/// Throws InputError for a limit that is not finite, a rate that is not positive, or min > max.
+/// Throws InputError if a limit is not finite, a limit of a rate is not positive, or min > max.
 void require_valid(const Limits& limits);
 
-/// Meaning of a finding that is not broken.
+/// Kind of a finding.
 enum class Severity {
-  required,  ///< it must hold, and does: the margin is the remainder
-  warning,   ///< allowed, but perhaps not meant: an overshoot, a step of the acceleration
-  note,      ///< a fact: how far above a known bound a quantity is
+  required,  ///< a rule that must hold
+  warning,   ///< permitted, but perhaps not intended: an overshoot, a step of the acceleration
+  note,      ///< a fact: how far a quantity is above a known bound
 };
 
-/// One statement of a check: a quantity at its worst place against its limit.
+/// One result of a check: a quantity at its worst place, against its limit.
 struct Finding {
-  Rule rule;             ///< "limit/velocity", "continuity/position", ...
+  Rule rule;             ///< the rule, such as "limit/velocity" or "continuity/position"
   std::string axis;      ///< name of the axis, if several are checked; may be empty
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
-  double where = 0;      ///< on the curve's axis
-  double value = 0;      ///< value of the curve there
-  double limit = 0;      ///< permitted value, with the sign of the value
-  /// Margin, as a share of the limit (for a position: of the permitted travel, or of the stroke if
-  /// only one end is limited); below 0: broken.
+  double where = 0;      ///< place on the curve's axis
+  double value = 0;      ///< value of the quantity at this place
+  double limit = 0;      ///< permitted value, with the sign of `value`
+  /// Distance from the value to the limit, as a share of the limit; negative if the rule is broken.
+  /// For a position it is a share of the permitted travel, or of the curve's stroke if only one end
+  /// is limited.
   double margin = 0;
-  bool broken = false;
-  std::optional<std::size_t> segment;  ///< segment of the curve, zero-based
-  std::string advice;                  ///< suggested change; may be empty
-  std::string unit = {};        ///< unit of value and limit, if the quantity does not define it
-  std::string where_unit = {};  ///< unit of `where`, if it is not the axis of the curve
-  Severity severity = Severity::required;
-  /// false: a step or a figure that has no limit; `limit` and `margin` then only order the findings.
+  bool broken = false;                 ///< true: the rule is broken
+  std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0
+  std::string advice;                  ///< change that is suggested to the user; may be empty
+  std::string unit = {};               ///< unit of value and limit; empty: the quantity defines it
+  std::string where_unit = {};         ///< unit of `where`; empty: that of the curve's axis
+  Severity severity = Severity::required;  ///< kind of the finding
+  /// False for a step or a figure without a limit; `limit` and `margin` then only order the
+  /// findings.
   bool has_limit = true;
 };
 
-/// Result of a check: it never prints, and never throws for a finding.
+/// Result of a check. Checks do not print, and do not throw for a finding.
 struct Report {
-  std::vector<Finding> findings;  ///< like sort() leaves them
+  std::vector<Finding> findings;  ///< in the order of sort()
 
+  /// True if no finding is broken.
   [[nodiscard]] bool ok() const;
-  [[nodiscard]] std::size_t broken() const;
-  [[nodiscard]] std::size_t warnings() const;  ///< that are not broken
+  [[nodiscard]] std::size_t broken() const;    ///< number of broken findings
+  [[nodiscard]] std::size_t warnings() const;  ///< number of warnings that are not broken
 };
 
-/// Puts the broken findings first, worst first; then the warnings, the kept rules, and the notes,
-/// each by margin.
+/// Orders the findings: broken ones, then warnings, kept rules, and notes; each group by ascending
+/// margin.
 void sort(Report& report);
 
-/// Exact extrema against limits. One finding for each segment and quantity that breaks a limit (a peak
-/// on a break counts for the segment before); for
-/// a limit that holds, one with the smallest margin of the whole curve.
+/// Compares the exact extrema of a curve with the limits. There is one finding for each segment and
+/// each limit that the segment breaks; a peak on a break counts for the segment before the break.
+/// For each limit that holds, there is one finding, with the smallest margin of the whole curve.
+/// Throws like require_valid().
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 
-/// Continuity up to the `order`th derivative, including the wrap of a curve that wraps. A step
-/// counts if it exceeds `tolerance` of that derivative's range: 1e-9 permits rounded input, 0
-/// nothing.
+/// Checks the continuity of the value and of its derivatives up to this order (0 to 3). For a
+/// periodic curve, the joint of its end with its start is included. A step is broken if it exceeds
+/// `tolerance` times the range of the derivative; the default 1e-9 permits numbers that were
+/// rounded in a file.
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance = 1e-9);
 

@@ -5,32 +5,34 @@
 
 namespace jounce {
 
-/// Many independent moves at once on one core, in columns, for planners that compare thousands of
+/// Durations of many independent moves at once on one core, for planners that compare thousands of
 /// candidates.
 ///
-///     const std::vector<double> way = ..., limit = ...;       // a million ways
-///     std::vector<double> seconds(way.size());
-///     minimum_durations({.distance = way, .velocity = v, .acceleration = a, .jerk = j}, seconds);
+///     const std::vector<double> distances = ..., limits = ...;   // a million moves
+///     std::vector<double> seconds(distances.size());
+///     minimum_durations({.distance = distances, .velocity = v, .acceleration = a, .jerk = j},
+///                       seconds);
 ///
-/// Every move is of third order, without acceleration at its ends. A column holds one value for
-/// each move, or one value for all; entry and exit may be empty: at rest. Units as in query.hpp,
-/// which answers the same questions one by one.
+/// Every move has limits of velocity, acceleration and jerk, and zero acceleration at its ends. A
+/// column holds one value for each move, or one value for all moves. query.hpp answers the same
+/// question for a single move. u is the axis' unit.
 struct MoveColumns {
   std::span<const double> distance;      ///< u, of either sign
-  std::span<const double> entry = {};    ///< u/s, of either sign; empty: 0
-  std::span<const double> exit = {};     ///< u/s
-  std::span<const double> velocity;      ///< u/s, limit > 0, may be infinite
-  std::span<const double> acceleration;  ///< u/s^2, limit > 0, finite
-  std::span<const double> jerk;          ///< u/s^3, limit > 0; infinite: acceleration may step
+  std::span<const double> entry = {};    ///< velocity at the start, u/s, any sign; empty: 0
+  std::span<const double> exit = {};     ///< velocity at the end, u/s, any sign; empty: 0
+  std::span<const double> velocity;      ///< limit, u/s, > 0; may be infinite
+  std::span<const double> acceleration;  ///< limit, u/s^2, > 0, finite
+  std::span<const double> jerk;          ///< limit, u/s^3, > 0; infinite: the acceleration steps
 };
 
-/// The least duration of every move, s; NaN if there is none (a limit not > 0, an end above the
-/// velocity limit, a value that is not finite or out of the range of magnitudes in query.hpp).
-/// `peak`, if not empty, receives the signed velocity of the cruise or of the peak. Spans of equal
-/// size (asserted).
+/// Writes the least duration of every move (s) to `durations`. It is NaN if no move exists: a limit
+/// is not positive, the velocity at an end exceeds the limit, or a value is not finite or out of
+/// the range of query.hpp (1e-30 to 1e30). If `peak` is not empty, it receives the signed velocity
+/// of the cruise, or the peak velocity of a move without cruise (u/s). `durations`, `peak` and the
+/// columns with one value for each move have the same size (asserted).
 ///
-/// Uses the widest vectors that the processor has (AVX-512, AVX2, or the baseline). Within 1e-12 of
-/// the scalar answer, relative. Does not allocate, does not throw.
+/// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The relative
+/// difference to the scalar result is at most 1e-12. Does not allocate or throw.
 void minimum_durations(const MoveColumns& moves, std::span<double> durations,
                        std::span<double> peak = {}) noexcept;
 

@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// The dynamics of a command as PLCopen blocks and most controllers take them: magnitudes, with
-/// `deceleration` for slowing down. In any one unit of length and time: u, s here.
+/// Dynamics of a command, as PLCopen blocks and most controllers define them: magnitudes, and a
+/// separate `deceleration` while the axis slows down. The unit of length u is arbitrary.
 ///
 ///     const Dynamics axis{.velocity = 10, .acceleration = 20, .deceleration = 10, .jerk = 200};
 ///     const Trajectory running = point_to_point(0, 50, axis).curve();
@@ -14,62 +14,71 @@ namespace jounce {
 ///     const Trajectory slower = with_velocity(running, 2, 5, axis);    // new velocity at 2 s
 ///     const Trajectory halted = with_velocity(running, 2, 0, axis);    // MC_Halt
 ///
-/// **In flight** position, velocity and (with a jerk) acceleration go on continuously from the
-/// instant of the change. Without jerk the acceleration steps, as in a trapezoid; out of one, a
-/// command with a jerk begins with no acceleration (`state_for` in splice.hpp).
+/// **Change in flight.** Position, velocity and (with a jerk limit) acceleration are continuous
+/// when a command changes a running motion. Without a jerk limit the acceleration steps. If a
+/// command with a jerk limit interrupts a motion without one, it begins at zero acceleration
+/// (`state_for` in splice.hpp).
 ///
-/// **Throws** InputError for values out of range: velocity and acceleration must be > 0, the others
-/// not negative.
+/// **Throws.** The functions below throw InputError for a value out of range: velocity and
+/// acceleration must be > 0, the others >= 0.
 struct Dynamics {
   double velocity = 0;           ///< u/s, > 0
   double acceleration = 0;       ///< u/s^2, > 0
-  double deceleration = 0;       ///< u/s^2; 0: as acceleration
+  double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
   double jerk = 0;               ///< u/s^3; 0: not limited
-  double deceleration_jerk = 0;  ///< u/s^3, while slowing down; 0: as jerk
+  double deceleration_jerk = 0;  ///< u/s^3, while the axis slows down; 0: the same as jerk
 };
 
-/// Rest to rest: trapezoid or s_curve. Throws InputError if `to` equals `from`.
+/// A move from rest to rest: trapezoid() without a jerk limit, otherwise s_curve(). Throws
+/// InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// Limits of a velocity ramp, in one sense (speeding up, or slowing down).
+/// Limits of a velocity ramp in one direction: speeding up or slowing down.
 struct RampLimits {
-  double acceleration = 0;  ///< u/s^2, > 0, magnitude
-  double jerk_begin = 0;    ///< u/s^3, from zero to the greatest acceleration; 0: not limited
-  double jerk_end = 0;      ///< u/s^3, from there to zero; both are limited, or neither is
+  double acceleration = 0;  ///< u/s^2, > 0; magnitude
+  double jerk_begin = 0;    ///< u/s^3, while the acceleration grows from zero; 0: no limit
+  double jerk_end = 0;      ///< u/s^3, while it falls to zero; 0 if and only if jerk_begin is 0
 
   bool operator==(const RampLimits&) const = default;
 };
 
-/// A motion from any state to a velocity (signed) without acceleration, as fast as the limits
-/// permit; `up` while the axis speeds up, `down` while it slows down. With a jerk limit, the
-/// acceleration of the state is taken over. It falls first if it would lead past the velocity; if
-/// it would reverse the axis, it falls until the axis rests. If up and down differ, a change
-/// through rest is two ramps. From a state within them the limits hold throughout, except while an
-/// acceleration at rest, permitted in slowing down, falls. The jerks may differ between begin and
-/// end, or between up and down, but not both. Also throws InputError if time or position would
-/// overflow.
+/// The fastest motion from any state to a velocity (signed, u/s), where it ends with zero
+/// acceleration. `up` applies while the axis speeds up, `down` while it slows down. Rules:
+/// - With a jerk limit, the motion begins with the acceleration of the state. If this acceleration
+///   would lead past the velocity, it falls first. If it would reverse the axis, it falls until the
+///   axis rests.
+/// - If up and down differ, a change of direction consists of two ramps, with rest between them.
+/// - If the state is within the limits, the limits hold throughout. Exception: an acceleration at
+///   rest that only `down` permits, while it falls.
+/// - The jerks may differ between begin and end, or between up and down, but not both.
+///
+/// Throws InputError for a value out of range, and if time or position would overflow.
 Profile velocity_ramp(const MotionState& from, double velocity, const RampLimits& up,
                       const RampLimits& down);
 
-/// The same under dynamics (whose velocity is not used).
+/// The same with the limits of dynamics; dynamics.velocity is not used.
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
 
 // ---- in flight -------------------------------------------------------------------------------
 
-/// `running` up to t, from there to rest at `target`, as fast as the dynamics allow. A target that
-/// has been passed, or that can no longer be met, is reached after a return. A velocity above the
-/// new one is reduced first.
+/// Returns `running` until the time t (s), then the fastest motion to rest at `target` (u). If the
+/// axis has passed the target, or can no longer stop there, it stops and returns. A velocity above
+/// the new dynamics.velocity is reduced first.
 ///
 /// If acceleration and deceleration differ, a motion that must reverse stops first, then moves
-/// back. With two jerks, each holds in its own direction if the motion goes to one velocity and
-/// from there to rest, or only stops: the same move given again changes nothing. Otherwise, if it
-/// must reverse or its target is nearer than that, the larger jerk holds for the rest of the move:
-/// with the smaller one an axis that is speeding up could not help passing its velocity.
+/// back.
+///
+/// If jerk and deceleration_jerk differ, each applies in its own phase, provided that the motion
+/// goes to one velocity and then to rest, or only stops. So commanding the same move again changes
+/// nothing. Otherwise, if the axis must reverse or the target is too near, the larger jerk applies
+/// to the rest of the move: with the smaller one, an axis that is speeding up could not avoid
+/// exceeding its velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 
-/// `running` up to t, from there to `velocity` (signed; dynamics.velocity is not used). The result
-/// ends when it reaches the velocity; it ends at t if `running` already has it.
+/// Returns `running` until the time t (s), then the change to `velocity` (u/s, signed;
+/// dynamics.velocity is not used). The result ends when the velocity is reached: at t, if `running`
+/// already has it.
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics);
 

@@ -7,17 +7,17 @@
 
 namespace jounce {
 
-/// The sentence of explain(status) with the numbers of a rejected move: a value and its bound, or a duration and the
-/// possible ones.
+/// The sentence of explain(status), completed with the numbers of the rejected move: a value and
+/// its bound, or a duration and the possible ones.
 ///
 ///     const MoveResult move = move_to(from, to, bounds);
 ///     if (!move) throw std::runtime_error(explain(move.status, from, to, bounds));
 ///
-/// Units are those of the arguments: u, u/s, u/s^2, u/s^3.
+/// Units: those of the arguments.
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds);
 
-/// The same for a move with a given duration, s.
+/// The same for a move with a required duration, in s.
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds, double duration);
 

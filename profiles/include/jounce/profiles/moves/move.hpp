@@ -11,21 +11,22 @@
 
 namespace jounce {
 
-/// Bounds of a move, separate for each direction: u, u/s, u/s^2, u/s^3, signed. Every max > 0 and
-/// every min < 0 (positions: min < max). An infinite value means no limit: without jerk limits the
-/// motion is of second order (acceleration steps), without those of acceleration of first order.
+/// Bounds of a move, separate for each direction: u, u/s, u/s^2, u/s^3, signed. Every max is > 0
+/// and every min is < 0 (positions: min < max). An infinite value means no limit. Without jerk
+/// limits the motion is of second order: the acceleration steps. Without acceleration limits it is
+/// of first order: the velocity steps. u is the axis' unit.
 struct Bounds {
-  static constexpr double none = std::numeric_limits<double>::infinity();
+  static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
-  double velocity_min = -none, velocity_max = none;
-  double acceleration_min = -none, acceleration_max = none;
-  double jerk_min = -none, jerk_max = none;
-  double position_min = -none, position_max = none;
+  double velocity_min = -none, velocity_max = none;          ///< u/s
+  double acceleration_min = -none, acceleration_max = none;  ///< u/s^2
+  double jerk_min = -none, jerk_max = none;                  ///< u/s^3
+  double position_min = -none, position_max = none;          ///< u
 
   bool operator==(const Bounds&) const = default;
 };
 
-/// Bounds that are the same in both directions; magnitudes > 0.
+/// Bounds that are equal in both directions. The arguments are magnitudes > 0; default: no limit.
 constexpr Bounds within(double velocity, double acceleration = Bounds::none,
                         double jerk = Bounds::none) {
   return {.velocity_min = -velocity,
@@ -36,86 +37,98 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
           .jerk_max = jerk};
 }
 
-/// Reason why there is no move; `ok` if there is one.
+/// The reason why there is no move; `ok` if there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,      ///< a state or the duration is not finite, or greater than 1e50
-  invalid_bounds,  ///< a max that is not > 0 or a min that is not < 0, a magnitude outside 1e-50 to
-                   ///< 1e50 that is not infinite, NaN, or the highest derivative that is limited
-                   ///< limited in one direction alone
-  target_outside,  ///< the target's velocity or acceleration lies outside the bounds
-  target_unreachable,  ///< reaching (or leaving) the target's acceleration needs a velocity outside
-  position_limit,      ///< no move keeps the position limits: start or target runs into them
-  too_short,           ///< the requested duration is below the minimum
-  blocked,             ///< the requested duration lies in a blocked interval
-  not_straight,        ///< phase synchronisation of states that do not lie on one line, or on which
-                       ///< an axis would pass its velocity limit
+  not_finite,  ///< a state or the duration is not finite, or its magnitude exceeds 1e50
+  /// One of: max <= 0, min >= 0, NaN, a finite magnitude outside 1e-50 to 1e50, or a highest
+  /// limited derivative that is limited in one direction only.
+  invalid_bounds,
+  target_outside,  ///< the velocity or acceleration of the target is outside the bounds
+  /// Reaching (or leaving) the acceleration of the target needs a velocity outside the bounds.
+  target_unreachable,
+  /// No move keeps the position limits: from the start, the axis cannot stop before a limit; or the
+  /// motion of the target crosses a limit.
+  position_limit,
+  too_short,  ///< the requested duration is below the minimum
+  blocked,    ///< the requested duration lies in a blocked interval
+  /// Phase synchronization: the states are not on one line, or an axis would exceed its velocity
+  /// limit on that line.
+  not_straight,
 };
 
-/// One sentence for a status, for people.
+/// One sentence that explains a status to a user.
 const char* explain(MoveStatus status) noexcept;
 
-/// A move, if there is one; otherwise the profile is empty.
+/// A move, if one exists; otherwise an empty profile.
 struct MoveResult {
   MoveStatus status = MoveStatus::ok;
-  Profile profile;
+  Profile profile;  ///< empty unless the status is ok
 
+  /// True if the move exists.
   explicit operator bool() const noexcept { return status == MoveStatus::ok; }
 };
 
 /// The time-optimal move between two states that keeps the bounds.
 ///
 ///     const Bounds axis = within(2, 10, 100);                        // u/s, u/s^2, u/s^3
-///     const Move move = move_to({.position = 0}, {.position = 1}, axis);
+///     const MoveResult move = move_to({.position = 0}, {.position = 1}, axis);
 ///     if (!move) throw std::runtime_error(explain(move.status));
 ///     const Motion now = move.profile.at(0.1);
 ///
-/// **A start outside the bounds** (a limit or an override was lowered in flight) comes back inside by
-/// one rule. The acceleration returns at full jerk. The velocity is never higher than on the fastest
-/// return that ends level at its limit, and it may brake harder than that; once inside it stays
-/// there. Of all such motions the move is the shortest. A target at rest that the fastest stop does
-/// not pass is not passed, and the motion does not reverse. Where the start brakes towards a target
-/// at rest harder than the limit of acceleration, and with that limit would pass the target, the
-/// deceleration stays above the limit, but only by as much as the stop needs and never above that of
-/// the start.
+/// **A start outside the bounds** (for example after a limit was lowered in flight) returns inside
+/// them by one rule. The acceleration returns at full jerk. The velocity is never higher than on
+/// the fastest return that ends at its limit with zero acceleration, but the axis may brake harder
+/// than that. Once inside, the velocity stays inside. Of all such motions the move is the shortest.
+/// A target at rest is not passed, and the axis does not reverse, if the fastest stop does not pass
+/// it. The acceleration limit has one exception: the start brakes harder than the limit, towards a
+/// target at rest that the axis would pass with the limit. Then the deceleration stays above the
+/// limit, by only as much as the stop needs, and never above that of the start.
 ///
-/// The target must lie inside (a quantity that may step, like the acceleration of a second-order
-/// motion, steps to it at the end). Never longer than the true minimum by more than rounding; ends
-/// at `to` exactly; results do not depend on the unit. If a position limit forbids the shortest
-/// motion, the move stops first at a point of rest, as near as the limit allows: it then keeps the
-/// limits, but need not be the shortest that does. Does not allocate, does not throw. Derivation:
-/// docs/generators/move.md.
+/// **The target** must be inside the bounds. A quantity that may step (such as the acceleration of
+/// a second-order motion) steps to its target value at the end.
+///
+/// **Accuracy.** The duration is the true minimum, to rounding. The move ends exactly at `to`.
+/// Results do not depend on the unit.
+///
+/// **Position limits.** If a position limit forbids the shortest motion, the axis first stops at a
+/// point as near to the target as the limit allows. Such a move keeps the limits, but is not always
+/// the shortest.
+///
+/// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The same, lasting exactly `duration` >= 0 s, gently (lower velocity first, then lower
-/// accelerations).
+/// The same, with exactly this duration, >= 0 s. It prefers a low velocity, then low accelerations.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept;
 
-/// Possible durations of a move between two states: every T >= minimum except the blocked intervals
-/// (open, ascending, at most two), which exist only if an end moves.
+/// The possible durations of a move between two states: every duration >= `minimum`, except the
+/// blocked intervals. Blocked intervals are open, ascending, and exist only if the axis moves at
+/// one of the ends.
 struct Durations {
   struct Interval {
-    double from = 0;
-    double to = 0;
+    double from = 0;  ///< s
+    double to = 0;    ///< s
   };
-  MoveStatus status = MoveStatus::ok;
-  double minimum = 0;
-  std::array<Interval, 2> blocked{};
-  std::size_t count = 0;  ///< blocked intervals in use
+  MoveStatus status = MoveStatus::ok;  ///< not ok: there is no move
+  double minimum = 0;                  ///< s
+  std::array<Interval, 2> blocked{};   ///< s; the first `count` are used
+  std::size_t count = 0;               ///< number of blocked intervals
 
+  /// True if a move of this duration (s) exists.
   [[nodiscard]] bool allows(double duration) const noexcept;
-  /// The least permitted duration that is not less than the one given.
+  /// The least possible duration that is not below the given one, s.
   [[nodiscard]] double at_least(double duration) const noexcept;
 };
+/// The possible durations of move_to(from, to, bounds).
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The fastest change to a velocity (and acceleration), wherever that ends (PLCopen MC_MoveVelocity).
-/// A start outside the bounds comes inside as in move_to(); its acceleration returns at full jerk.
+/// The fastest change to a velocity (u/s) with the given acceleration (u/s^2), at any position
+/// (PLCopen MC_MoveVelocity). A start outside the bounds returns inside as in move_to().
 MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                          double acceleration = 0) noexcept;
 
-/// The fastest stop (MC_Stop, MC_Halt).
+/// The fastest stop (PLCopen MC_Stop, MC_Halt).
 inline MoveResult stop(const MotionState& from, const Bounds& bounds) noexcept {
   return move_velocity(from, 0, bounds);
 }

@@ -5,31 +5,31 @@
 
 namespace jounce {
 
-/// Trapezoidal velocity, rest to rest.
+/// A move with trapezoidal velocity, from rest to rest. u is the axis' unit.
 struct TrapezoidSpec {
   double from = 0;          ///< u
   double to = 0;            ///< u; must differ from `from`
   double velocity = 0;      ///< u/s, > 0; not reached by a short move
   double acceleration = 0;  ///< u/s^2, > 0
-  double deceleration = 0;  ///< u/s^2, > 0; 0: as acceleration
+  double deceleration = 0;  ///< u/s^2, > 0; 0: the same as acceleration
 };
 
-/// Time-optimal under the limits. Throws InputError for a value out of range.
+/// The time-optimal move under the limits. Throws InputError for a value out of range.
 Profile trapezoid(const TrapezoidSpec& spec);
 
-/// Seven-segment S-curve, rest to rest: acceleration ramps at the given jerk.
+/// An S-curve of up to seven phases, from rest to rest: the acceleration changes at the given jerk.
 struct SCurveSpec {
   double from = 0;               ///< u
   double to = 0;                 ///< u, not equal to `from`
-  double velocity = 0;           ///< u/s, > 0
-  double acceleration = 0;       ///< u/s^2, > 0
-  double deceleration = 0;       ///< u/s^2; 0: as acceleration
-  double jerk = 0;               ///< u/s^3, > 0, of the accelerating half
-  double deceleration_jerk = 0;  ///< u/s^3, of the decelerating half; 0: as jerk
+  double velocity = 0;           ///< u/s, > 0; not reached by a short move
+  double acceleration = 0;       ///< u/s^2, > 0; not reached by a short move
+  double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
+  double jerk = 0;               ///< u/s^3, > 0, while the axis speeds up
+  double deceleration_jerk = 0;  ///< u/s^3, while it slows down; 0: the same as jerk
 };
 
-/// Time-optimal under the limits, each half with its own acceleration and jerk. Velocity and
-/// acceleration are not reached by short moves. Throws InputError for a value out of range.
+/// The time-optimal move under the limits. The speeding-up and the slowing-down part each have
+/// their own acceleration and jerk. Throws InputError for a value out of range.
 Profile s_curve(const SCurveSpec& spec);
 
 }  // namespace jounce

@@ -9,8 +9,9 @@
 
 namespace jounce {
 
-/// Setpoints for N axes, one call per cycle. Targets, bounds and everything else may change at any
-/// time; a motion is planned only if the one under way no longer fits.
+/// Generator of setpoints for N axes, called once in each cycle. Targets, bounds and all other
+/// settings may change at any time. It plans a new motion only if the present motion no longer fits
+/// them. u is the unit of an axis.
 ///
 ///     OnlineGenerator<2> xy(Sync::time);
 ///     xy.set_bounds(0, within(2, 10, 100));          // u/s, u/s^2, u/s^3
@@ -19,50 +20,59 @@ namespace jounce {
 ///     xy.set_target(1, {.position = -0.5});
 ///     while (!xy.step(0.001).arrived) output(xy[0].position, xy[1].position);
 ///
-/// An axis begins at rest at 0 and takes part once it has bounds. Until it has a target it comes to
-/// rest. Beyond a moving target it continues at the target's velocity. Nothing allocates, locks or
-/// throws. An axis index must be less than N. Invalid bounds, states and targets are rejected when
-/// they are set; the previous order stays. Rules for lowered limits: docs/generators/online.md.
+/// **Start.** Every axis begins at rest at position 0. It takes part once it has bounds. Until it
+/// has a target, it comes to rest. After a target with a velocity, it continues at this velocity.
+///
+/// **Errors.** Nothing allocates, locks or throws. An axis index must be less than N. A setter
+/// rejects invalid bounds, states and targets with a status that is not ok; the previous value
+/// stays. Rules for lowered limits: docs/generators/online.md.
 template <std::size_t N>
 class OnlineGenerator {
  public:
+  /// `sync`: synchronization of the axes; see Sync in synchronise.hpp.
   explicit OnlineGenerator(Sync sync = Sync::none) noexcept : sync_(sync) {}
 
-  /// State of an axis; for the beginning, and for an axis that something else has moved. The next
-  /// setpoint steps there.
+  /// Sets the state of an axis: at the beginning, or if something else has moved the axis. The next
+  /// setpoint continues from this state.
   MoveStatus set_state(std::size_t axis, const MotionState& state) noexcept {
     return axes_[axis].set_state(state);
   }
-  /// Goal of the axis; MoveGoal::moving: the target at the beginning of the next step.
+  /// Sets the goal of an axis. With MoveGoal::moving, `target` is the target's state at the
+  /// beginning of the next step.
   MoveStatus set_target(std::size_t axis, const MotionState& target,
                         MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
   }
-  /// A velocity in u/s, wherever that is reached. One beyond the bounds counts as their limit.
+  /// Sets a velocity (u/s) as the goal, at any position. A velocity beyond the bounds is replaced
+  /// by their limit.
   MoveStatus set_velocity(std::size_t axis, double velocity) noexcept {
     return axes_[axis].set_target(MoveGoal::velocity, {0, velocity, 0});
   }
-  /// A velocity limit of 0 forbids that direction. Where both are 0, or one of acceleration or jerk is,
-  /// the axis comes to rest under the limits before, and stays.
+  /// Sets the bounds of an axis. Velocity limits of 0 are permitted: one forbids its direction. If
+  /// both are 0, or a limit of acceleration or jerk is 0, the axis comes to rest under its previous
+  /// limits and stays there.
   MoveStatus set_bounds(std::size_t axis, const Bounds& bounds) noexcept {
     return axes_[axis].set_bounds(bounds);
   }
-  /// An axis that is not enabled comes to rest as fast as possible; the others do not wait for it.
+  /// A disabled axis comes to rest as fast as possible; the other axes do not wait for it. Default:
+  /// enabled.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
-  /// Sets the greatest difference (u and u/s) between a new target and the target of the present
-  /// motion that keeps the present motion. The axis then ends at most that far from the new target.
-  /// 0: only rounding.
+  /// Sets the tolerance (u and u/s) for new targets. If a new target differs from that of the
+  /// present motion by no more than the tolerance, the present motion continues; the axis then ends
+  /// within the tolerance of the new target. Default 0: only rounding is permitted.
   void set_tolerance(std::size_t axis, double position, double velocity = 0) noexcept {
     axes_[axis].set_tolerance(position, velocity);
   }
+  /// Sets the synchronization of the axes.
   void set_sync(Sync sync) noexcept {
     regroup_ = regroup_ || sync != sync_;
     sync_ = sync;
   }
-  /// Motions planned from now on last a multiple of this, s; 0: as long as they need.
+  /// Makes the duration of motions that are planned from now on a multiple of `grid` (s). Default
+  /// 0: any duration.
   void set_grid(double grid) noexcept { grid_ = std::max(0.0, grid); }
 
-  /// Goes on by dt >= 0, s.
+  /// Advances all axes by dt >= 0 s, and plans motions if necessary.
   OnlineStep step(double dt) noexcept {
     const bool regroup = regroup_;
     regroup_ = false;
@@ -70,25 +80,25 @@ class OnlineGenerator {
         dt);
   }
 
-  /// The setpoint of an axis.
+  /// The present setpoint of an axis: u, u/s, u/s^2, u/s^3.
   const Motion& operator[](std::size_t axis) const noexcept { return axes_[axis].now(); }
-  /// Time until the last axis is at its goal, s.
+  /// Time until the last axis reaches its goal, s.
   [[nodiscard]] double remaining() const noexcept {
     double t = 0;
     for (const auto& axis : axes_) t = std::max(t, axis.remaining());
     return t;
   }
-  /// Why an axis does not go to its goal, or ok.
+  /// The reason why an axis does not move to its goal, or ok.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// Bounds of the present motion. Its acceleration and jerk are wider than those that were set while
-  /// the axis would pass its target without them.
+  /// The bounds of the present motion. Their limits of acceleration and jerk may be wider than
+  /// those that were set, as long as the axis would otherwise pass its target.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();
   }
 
  private:
   std::array<profiles_detail::OnlineAxis, N> axes_{};
-  std::array<AxisMove, N> moves_{};  // these three are used within a step alone
+  std::array<AxisMove, N> moves_{};  // these three are used only inside step()
   std::array<Profile, N> next_{}, rests_{};
   double grid_ = 0;
   Sync sync_;

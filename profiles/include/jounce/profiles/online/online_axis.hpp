@@ -5,18 +5,18 @@
 
 namespace jounce::profiles_detail {
 
-/// One axis of an OnlineGenerator: its orders, and the motion under way. docs/generators/online.md
-/// derives when that motion is kept.
+/// One axis of an OnlineGenerator: its settings and its present motion. docs/generators/online.md
+/// derives when the present motion is kept.
 class OnlineAxis {
  public:
-  // Orders.
+  // Settings, as in OnlineGenerator.
   MoveStatus set_state(const MotionState& state) noexcept;
   MoveStatus set_target(MoveGoal goal, const MotionState& target) noexcept;
   MoveStatus set_bounds(const Bounds& bounds) noexcept;
   void set_enabled(bool enabled) noexcept;
   void set_tolerance(double position, double velocity) noexcept;
 
-  // Answers.
+  // Results, as in OnlineGenerator.
   [[nodiscard]] const Motion& now() const noexcept { return now_; }
   [[nodiscard]] const Bounds& in_force() const noexcept { return in_force_; }
   [[nodiscard]] MoveStatus status() const noexcept {
@@ -26,46 +26,50 @@ class OnlineAxis {
   [[nodiscard]] bool arrived() const noexcept;
   [[nodiscard]] double remaining() const noexcept { return ended() ? 0 : duration_ - elapsed_; }
 
-  // For a plan of several axes.
-  /// Compares the motion under way with the orders. True: it must be planned again.
+  // Functions for a plan of several axes.
+  /// Compares the present motion with the settings. True: a new plan is needed.
   bool look() noexcept { return stale_ = is_stale(); }
-  [[nodiscard]] bool stale() const noexcept { return stale_; }
+  [[nodiscard]] bool stale() const noexcept { return stale_; }  ///< result of the last look()
+  /// True if the axis must stop: it is disabled, or a limit of 0 forbids its motion.
   [[nodiscard]] bool must_stop() const noexcept;
-  /// Held by a limit of 0, away from its goal.
+  /// True if the axis must stop because of a limit of 0, and is not at its goal.
   [[nodiscard]] bool is_held() const noexcept {
     return bounded_ && enabled_ && must_stop() && !arrived();
   }
-  /// True if the axis has still a way to go to its goal, or must be planned for.
+  /// True if the axis has not reached its goal, or needs a new plan.
   [[nodiscard]] bool takes_part() const noexcept {
     return bounded_ && status_ == MoveStatus::ok && !must_stop() && (stale_ || !ended());
   }
-  /// Its part in a common motion, from its state now, under the bounds that the rule for lowered limits
-  /// gives; with `widened` under the wider ones, if there are such.
+  /// The axis' part of a common motion, from its present state. The bounds are those of the rule
+  /// for lowered limits; with `widened`, the wider ones of that rule, if there are any.
   [[nodiscard]] AxisMove move(bool widened) const noexcept;
-  [[nodiscard]] bool can_widen() const noexcept;
+  [[nodiscard]] bool can_widen() const noexcept;  ///< true if the wider bounds differ
+  /// Rest of the present motion.
   [[nodiscard]] Profile rest_of_plan() const noexcept { return plan_.after(elapsed_); }
-  /// True if the axis may follow a plan: one direction may be forbidden to it.
+  /// True if the axis may execute the plan. It may not if the plan moves in a forbidden direction.
   [[nodiscard]] bool permits(const Profile& plan) const noexcept;
-  void go(const AxisMove& move, const Profile& plan) noexcept;
-  /// True if the motion under way still leads to the goal: only its bounds have changed.
+  void go(const AxisMove& move, const Profile& plan) noexcept;  ///< executes the plan
+  /// True if the present motion still leads to the goal, so that only its bounds have changed.
   [[nodiscard]] bool is_on_its_way() const noexcept {
     return purpose_ == Purpose::goal && is_aimed();
   }
-  /// The motion under way leaves the requested line.
+  /// Marks that the present motion leaves the requested straight line.
   void bend() noexcept { bent_ = true; }
 
-  /// There is, or may be, no motion to the goal: the motion under way continues if it keeps the
-  /// bounds. Otherwise the axis must stop.
+  /// Reacts to a goal that cannot be reached, for the given reason. refuse(): the present motion
+  /// continues if it keeps the bounds; otherwise the axis stops. halt(): the axis stops.
+  /// reconsider(): requests a new plan for an axis that was refused.
   void refuse(MoveStatus why) noexcept;
   void halt(MoveStatus why) noexcept;
   void reconsider() noexcept;
-  [[nodiscard]] bool halts() const noexcept { return halts_; }
-  [[nodiscard]] AxisMove stopping(bool widened) const noexcept;
-  void stop(const AxisMove& move, const Profile& plan) noexcept;
+  [[nodiscard]] bool halts() const noexcept { return halts_; }   ///< true if a stop must be planned
+  [[nodiscard]] AxisMove stopping(bool widened) const noexcept;  ///< the stop, as a move
+  void stop(const AxisMove& move, const Profile& plan) noexcept;  ///< executes a stop
 
-  /// True if the axis could no longer stop inside its position limits after the next step of dt.
+  /// True if after the next step of dt (s) the axis could no longer stop inside its position
+  /// limits.
   [[nodiscard]] bool runs_out(double dt) const noexcept;
-  void advance(double dt) noexcept;
+  void advance(double dt) noexcept;  ///< advances the motion by dt, s
 
  private:
   enum class Purpose : std::uint8_t { goal, stop };
@@ -87,39 +91,41 @@ class OnlineAxis {
   [[nodiscard]] Motion at(double elapsed) const noexcept;
   void follow(const AxisMove& move, const Profile& plan, Purpose purpose) noexcept;
 
-  // The orders.
+  // Settings.
   MotionState target_;
-  double age_ = 0;  ///< since the target was set, s
+  double age_ = 0;  ///< time since the target was set, s
   Bounds bounds_;
   double position_tolerance_ = 0;
   double velocity_tolerance_ = 0;
   MoveGoal goal_ = MoveGoal::velocity;
   bool bounded_ = false;
   bool enabled_ = true;
-  bool changed_ = false;  ///< since the motion under way was planned or found to fit
+  /// True if a setting changed after the present motion was planned or last found to fit.
+  bool changed_ = false;
   bool stale_ = false;
   bool halts_ = false;
-  bool again_ = false;  ///< at rest the states may lie on a line that they did not in motion
+  bool again_ = false;  ///< plan again at rest: the states may then be on one line
 
-  // The motion under way.
+  // Present motion.
   Profile plan_;
   double duration_ = 0;
   double elapsed_ = 0;
-  MotionState aim_;  ///< the target that the plan leads to, as it was when the plan began
-  Bounds asked_;     ///< the bounds that were set when it was planned or last found to fit
-  Bounds in_force_;  ///< those that it was planned under
+  MotionState aim_;  ///< the target of the plan, as it was at the plan's beginning
+  Bounds asked_;     ///< the bounds that were set when the motion was planned or last found to fit
+  Bounds in_force_;  ///< the bounds of the plan
   Motion now_;
   MoveGoal aim_goal_ = MoveGoal::velocity;
   Purpose purpose_ = Purpose::stop;
-  bool bent_ = false;    ///< leaves the line
-  bool passed_ = false;  ///< a state that is not at rest has been reached: on at its velocity
+  bool bent_ = false;  ///< the motion leaves the straight line
+  /// A target with a velocity was reached: the axis continues at this velocity.
+  bool passed_ = false;
   MoveStatus status_ = MoveStatus::ok;
 };
 
-/// Strictness of the test of a motion: strict for a candidate, mild for the last resort.
+/// Strictness of detours(): `strictly` for a candidate, `mildly` for the last possibility.
 enum class Judged : std::uint8_t { strictly, mildly };
-/// True if a motion towards a goal passes it or reverses on its way (for a velocity goal: its
-/// velocity does), by more than rounding.
+/// True if a motion towards a goal passes the goal or reverses by more than rounding. For a
+/// velocity goal this applies to the velocity.
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept;
 
 }  // namespace jounce::profiles_detail

@@ -7,27 +7,27 @@
 
 namespace jounce {
 
-/// Result of a step.
+/// Result of OnlineGenerator::step().
 struct OnlineStep {
-  /// Why an axis cannot go to its goal; `not_straight` even while the axes are off the line,
-  /// because none on it keeps the bounds.
+  /// The reason why an axis cannot move to its goal. `not_straight` also while the axes move off
+  /// the requested line because no motion on the line keeps the bounds.
   MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< the first such axis, if the status is not ok
-  bool arrived = false;  ///< every enabled axis is at its goal
-  bool planned = false;  ///< a motion was planned; otherwise all were kept
+  std::size_t axis = 0;  ///< the first axis with this status, if it is not ok
+  bool arrived = false;  ///< true if every enabled axis is at its goal
+  bool planned = false;  ///< true if a motion was planned; false if all motions were kept
 };
 
 namespace profiles_detail {
 
-/// The axes of an OnlineGenerator and the memory for planning, all of one size.
+/// The axes of an OnlineGenerator and its memory for planning. All spans have the same size.
 struct OnlineGroup {
   std::span<OnlineAxis> axes;
   std::span<AxisMove> moves;
   std::span<Profile> next, rests;
   Sync sync;
   double grid;
-  bool regroup;       ///< plan all, whether stale or not
-  bool bent = false;  ///< planned in time, because no motion on the line keeps the bounds
+  bool regroup;       ///< plan all axes, even those whose motion still fits
+  bool bent = false;  ///< planned with Sync::time, because no motion on the line keeps the bounds
 
   OnlineStep step(double dt) noexcept;
 

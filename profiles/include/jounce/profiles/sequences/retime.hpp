@@ -8,26 +8,27 @@
 
 namespace jounce {
 
-/// Uniform retiming: the same motion, slower or faster as a whole.
+/// Uniform retiming: makes a whole motion slower or faster by one factor.
 ///
 ///     const Limits axis{.velocity = 2, .acceleration = 10, .jerk = 100};
-///     const double k = least_stretch(motion, axis);   // 1.25: needs a quarter longer
-///     const Trajectory fits = retimed(motion, axis);  // at some instant exactly at a limit
+///     const double k = least_stretch(motion, axis);   // 1.25: must take 25 % longer
+///     const Trajectory fits = retimed(motion, axis);  // reaches a limit at some instant
 ///
-/// The least k > 0 such that the motion stretched to k times its duration keeps the rates: velocity
-/// falls by k, acceleration by k^2, jerk by k^3. Closed form from the exact extrema, so that
-/// nothing faster with the same shape exists; below 1 if the motion has a margin. Steps of the
-/// acceleration (infinite jerk) stay steps and are not counted. Position limits do not enter:
-/// stretching cannot change a path.
+/// least_stretch() returns the least k > 0 for which the motion keeps the limits of velocity,
+/// acceleration and jerk, if its duration is multiplied by k: velocity is divided by k,
+/// acceleration by k^2, jerk by k^3. The result is a closed form from the exact extrema, so no
+/// faster motion has the same shape. It is below 1 if the motion has a margin to every limit. Steps
+/// of the acceleration (infinite jerk) remain steps and do not count. Position limits are ignored,
+/// because retiming does not change the path.
 ///
-/// Throws InputError for limits out of range, or if no rate bounds the motion (none is given, or
-/// those given are of derivatives that are zero all along).
+/// Throws InputError for limits out of range, and if no limit determines k: none is given, or only
+/// limits of derivatives that are zero everywhere.
 double least_stretch(const Trajectory& motion, const Limits& limits);
 
-/// The same for axes that go together: the least k for all. Spans of equal size.
+/// The same for axes that move together: the least k for all. Both spans have the same size.
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits);
 
-/// The motion stretched by least_stretch about its start, which stays.
+/// The motion with its duration multiplied by least_stretch(); its start time stays.
 Trajectory retimed(const Trajectory& motion, const Limits& limits);
 
 }  // namespace jounce

@@ -7,45 +7,46 @@
 
 namespace jounce {
 
-/// Cuts a running motion and continues with another one, as a controller does when a target or a
-/// velocity changes in flight, when a move aborts another, or when one is superimposed on another.
+/// Functions that cut a running motion and continue with another one. A controller does this when a
+/// target or a velocity changes in flight, when a move aborts another one, or when a move is
+/// superimposed.
 ///
 ///     const Trajectory running = trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve();
 ///     const MotionState now = state_at(running, 2);
-///     const Move next = move_to(now, {.position = 80}, within(10, 20));
+///     const MoveResult next = move_to(now, {.position = 80}, within(10, 20));
 ///     const Trajectory both = spliced(running, 2, next.profile);
 ///
-/// **Beyond its end** a motion keeps its end velocity: one that ended at rest stands still, one
-/// that ended at a velocity (a jog) keeps it, without acceleration. Before its start it stands
-/// still.
+/// **Outside its interval** a motion is continued as follows: before its start it stands still;
+/// after its end it keeps its end velocity, without acceleration. So a motion that ended at rest
+/// stands still, and a jog continues.
 ///
-/// **Throws** InputError for a time that is not finite or lies before the start of the motion.
+/// **Throws** InputError if a time is not finite or precedes the start of the motion.
 
-/// Position, velocity and acceleration at t >= f.start(), right-continuous.
+/// Position, velocity and acceleration of f at t >= f.start(). At a break: the values after it.
 MotionState state_at(const Trajectory& f, double t);
 
-/// The state that a new command with this jerk (0: not limited) takes over at t. Its acceleration
-/// is zero without a jerk limit, and also if the acceleration of `f` at t begins and ends with a
-/// step, as in a trapezoid: it can then step at t too.
+/// The state from which a new command with this jerk (u/s^3; 0: no limit) begins at t. Its
+/// acceleration is zero if the command has no jerk limit. It is also zero if the acceleration of
+/// `f` around t is bounded by steps, as in a trapezoid: it can then step at t as well.
 MotionState state_for(const Trajectory& f, double t, double jerk);
 
-/// f from its start up to t > f.start(): shortened, or prolonged as described above. A t that differs
-/// from a break by rounding alone is that break.
+/// f from its start to t > f.start(): shortened, or continued as described above. A t that differs
+/// from a break only by rounding counts as the break.
 Trajectory until(const Trajectory& f, double t);
 
-/// `running` up to t >= its start, then `next`, independent of its own start time; it should begin
-/// in state_at(running, t). With t at the start, `next` alone, from there. The result holds outside
-/// if it ends at rest, otherwise it refuses, for every `running`.
+/// `running` until t >= its start, then `next`, whose own start time does not matter. `next` should
+/// begin in state_at(running, t). If t is the start, the result is `next` alone, from there. The
+/// result holds outside if it ends at rest; otherwise it refuses.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
-/// The same with successive profiles; those without duration are omitted.
+/// The same for a sequence of profiles; profiles without duration are omitted.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));
 }
 
-/// Sum of two motions over the time of both: before its start each stands still, after its end it
-/// continues as described above. Exact; throws like `sum` if more than three sines would be needed.
+/// The sum of two motions, over an interval that contains both; outside its interval each is
+/// continued as described above. Exact; throws like sum() if more than three sines would be needed.
 Trajectory superimposed(const Trajectory& f, const Trajectory& g);
 
 }  // namespace jounce

@@ -8,50 +8,56 @@
 
 namespace jounce {
 
-/// Goal of an axis.
+/// Kind of goal of an axis.
 enum class MoveGoal : std::uint8_t {
-  state,     ///< `to`: position, velocity and acceleration at one instant
-  velocity,  ///< the velocity and acceleration of `to`, wherever that is
-  moving,  ///< a target that is at `to` when the motion begins and continues at the velocity of `to`
+  state,     ///< to the position, velocity and acceleration of `to`, all at the same instant
+  velocity,  ///< to the velocity and acceleration of `to`, at any position
+  /// To a moving target, which is at `to` when the motion begins and keeps the velocity of `to`.
+  moving,
 };
 
-/// One axis of a common motion.
+/// The part of one axis in a common motion. Units: u, u/s, u/s^2, u/s^3.
 struct AxisMove {
-  MotionState from, to;
-  Bounds bounds;
-  MoveGoal goal = MoveGoal::state;
-  /// An axis that is not enabled takes no part: its profile is `from`, of no duration.
+  MotionState from, to;             ///< start state and goal
+  Bounds bounds;                    ///< limits of this axis
+  MoveGoal goal = MoveGoal::state;  ///< kind of the goal
+  /// False: the axis takes no part; its profile stays at `from` and has no duration.
   bool enabled = true;
   /// A motion from `from` to the goal that is known to keep the bounds, or null. It is used if no
-  /// faster one is found, and if the common duration equals its own.
+  /// faster motion is found, or if the common duration equals its duration.
   const Profile* under_way = nullptr;
 };
 
 /// Synchronization of several axes.
 enum class Sync : std::uint8_t {
-  none,            ///< each as fast as it can
-  time,            ///< all arrive at the same instant, the earliest at which every axis can
-  phase,           ///< all on one straight line at every instant
-  time_if_moving,  ///< like time, but an axis whose target rests goes as fast as it can and waits there
-  phase_or_time,  ///< phase if the states lie on one line, otherwise time
+  none,   ///< each axis takes its own shortest time
+  time,   ///< all arrive at the same instant: the earliest at which every axis can
+  phase,  ///< all arrive together and stay on a straight line from start to goal
+  /// Like time, except that an axis whose target is at rest moves as fast as it can and waits
+  /// there.
+  time_if_moving,
+  phase_or_time,  ///< phase if the states are on one line, otherwise time
 };
 
+/// Result of synchronise().
 struct Synchronised {
-  MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< the axis that causes a status other than ok
-  double duration = 0;   ///< duration of the longest axis
+  MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
+  std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
+  double duration = 0;                 ///< s, the longest duration of an axis
 };
 
-/// Solves all axes into `out` (one profile an axis; spans of equal size). `minimum_duration`
-/// stretches the motion; with a `grid` > 0 every duration is a multiple of it (s).
+/// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every
+/// duration is at least `minimum_duration` (s). With `grid` > 0 (s) it is a multiple of `grid`.
 ///
-/// Sync::phase needs states that lie on the line from start to target (velocities and accelerations
-/// proportional to the distances) and one kind of goal: otherwise `not_straight`, never a bent path.
-/// The line of velocity goals lies in the space of velocities, and that of moving targets is seen
-/// from the targets. A line also needs jerk limits with which an axis inside its own bounds can
-/// stay there (the axis with the least jerk for its share of the way decides how fast all
-/// accelerations fall): otherwise `not_straight`. A start outside the bounds: see move_to(). Does not
-/// allocate, does not throw.
+/// With Sync::phase, the status is `not_straight` in these cases; the path is never bent:
+/// - The states are not on the line from start to goal: velocities and accelerations must be
+///   proportional to the distances. Velocity goals form a line in the space of velocities. For
+///   moving targets the line is measured relative to the targets.
+/// - The axes have different kinds of goals.
+/// - An axis inside its bounds cannot stay inside them on the line. The axis with the least jerk in
+///   proportion to its distance limits how fast all accelerations fall.
+///
+/// A start outside the bounds: see move_to(). Does not allocate or throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
 

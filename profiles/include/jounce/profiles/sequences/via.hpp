@@ -8,73 +8,85 @@
 
 namespace jounce {
 
-/// A motion through several points without stopping at them, from rest to rest or from motion to motion.
+/// A motion of one or more axes through several points without stopping at them. It begins and ends
+/// at rest, or at given velocities. u is the unit of an axis.
 ///
 ///     const ViaMotion motion = via({.axes = {within(2, 10, 100), within(1, 5, 50)},
 ///                                   .points = {{0, 0}, {1, 0.5}, {2, 2}}});
 ///     motion.knots[1].time;                          // s, when all axes pass {1, 0.5}
 ///     const Motion x = motion.axes[0].at(0.5);
-///     motion.duration / motion.stopping_duration;    // gain of not stopping
+///     motion.stopping_duration - motion.duration;    // s, time saved by not stopping
 ///
-/// **Vocabulary.** A *stretch* is the motion between two neighbouring points; it keeps the bounds of
-/// every axis, is jerk-limited if they are, and all axes begin and end it together. It is not a
-/// straight line in space. A *turning point* of an axis is one where its next point lies on the
-/// other side, or at the same position: the axis has velocity 0 there.
+/// **Vocabulary.** A *stretch* is the motion between two successive points. All axes begin and end
+/// it together. It keeps the bounds of every axis, and is jerk-limited if the bounds have a jerk.
+/// It is not a straight line in space. A *turning point* of an axis is a point after which the axis
+/// reverses or keeps its position: its velocity is 0 there.
 ///
-/// **Limits of a stretch** hold there in place of the axes' own. **A limit on the norm** of the vector of
-/// all axes, which have one unit: over a way d, axis i gets |d_i| / |d| of it, which keeps the norm
-/// everywhere and gives it all to a straight way.
+/// **Limits of a stretch** replace the limits of the axes in this stretch.
+///
+/// **Limits of the norm** apply to the length of the vector of all axes, which have the same unit.
+/// In a stretch with the distances d_i and d = sqrt(d_1^2 + d_2^2 + ...), axis i gets the share
+/// |d_i| / d of the limit. This keeps the norm everywhere, and a straight path can use the whole
+/// limit.
+
+/// Velocities and accelerations of all axes at one end of the motion.
 struct ViaRates {
-  std::vector<double> velocity = {};      ///< u/s, an axis each; empty: 0
-  std::vector<double> acceleration = {};  ///< u/s^2, likewise
+  std::vector<double> velocity = {};      ///< u/s, one for each axis; empty: 0
+  std::vector<double> acceleration = {};  ///< u/s^2, one for each axis; empty: 0
 };
 
-/// Limits of sqrt(x^2 + y^2 + ...) over the rates of all axes.
+/// Limits of sqrt(x^2 + y^2 + ...) of the velocities, accelerations and jerks of all axes; default:
+/// none.
 struct ViaNorm {
   double velocity = Bounds::none;      ///< u/s
   double acceleration = Bounds::none;  ///< u/s^2
   double jerk = Bounds::none;          ///< u/s^3
 };
 
+/// Input of via().
 struct ViaSpec {
-  std::vector<Bounds> axes;                 ///< limits of each axis
-  std::vector<std::vector<double>> points;  ///< u; at least two, one position an axis each
-  ViaRates start = {};                      ///< at the first point
-  ViaRates end = {};                        ///< at the last one
-  std::vector<std::vector<Bounds>> stretches =
-      {};  ///< stretches of each, an axis each; empty: `axes`
-  ViaNorm norm = {};
+  std::vector<Bounds> axes;  ///< bounds of each axis
+  /// u; at least two points, each with one position for each axis.
+  std::vector<std::vector<double>> points;
+  ViaRates start = {};  ///< at the first point
+  ViaRates end = {};    ///< at the last point
+  /// Bounds in each stretch, for each axis: stretches[i][axis]; empty: `axes`.
+  std::vector<std::vector<Bounds>> stretches = {};
+  ViaNorm norm = {};  ///< limits of the norm
 };
 
-/// The passage of one point.
+/// The state in which the axes pass a point.
 struct ViaKnot {
   double time = 0;                   ///< s
-  std::vector<double> velocity;      ///< u/s, an axis each
-  std::vector<double> acceleration;  ///< u/s^2
+  std::vector<double> velocity;      ///< u/s, one for each axis
+  std::vector<double> acceleration;  ///< u/s^2, one for each axis
 };
 
+/// Result of via().
 struct ViaMotion {
-  std::vector<Trajectory> axes;  ///< one per axis, over the same time from 0; they hold outside
-  std::vector<ViaKnot> knots;    ///< one a point
-  double duration = 0;           ///< s
-  double stopping_duration = 0;  ///< s, of the same motion with a stop at every point between;
-                                 ///< infinite if it cannot stop at one
-  bool stops = false;            ///< the fall-back: nothing better than stopping was found
+  /// One for each axis, over the same time from 0 s; they hold outside.
+  std::vector<Trajectory> axes;
+  std::vector<ViaKnot> knots;  ///< one for each point
+  double duration = 0;         ///< s
+  /// s, of the same motion with a stop at every inner point; infinite if the axes cannot stop at
+  /// one.
+  double stopping_duration = 0;
+  bool stops = false;  ///< true if no motion better than stopping at every point was found
 };
 
 /// Plans the motion.
+/// - One axis: the shortest motion through the points that does not reverse between points of one
+///   direction. Points in one direction cost no time. The search covers the acceleration at turning
+///   points.
+/// - Several axes: the search covers velocities and accelerations at the points (coordinate by
+///   coordinate, from a feasible start; the result is reproducible). It finds a local optimum,
+///   which is never longer than the motion with a stop at every point, but not proven to be the
+///   shortest. No axis reverses between two points.
 ///
-/// One axis: the shortest motion through the points that does not reverse between points of one
-/// direction. Points in one direction cost nothing; the search covers the acceleration at turning
-/// points. Several axes: the search covers velocities and accelerations at the points
-/// (deterministic, coordinate by coordinate, from a feasible start) and finds a local optimum:
-/// never longer than with a stop at every point, not proven to be the shortest. No axis reverses
-/// between two points.
-///
-/// Throws InputError for fewer than two points, a point with another number of axes, one equal to
-/// the point before, one that is not finite, greater than 1e30 or outside the position bounds, for
-/// bounds that `move_to` rejects, and for rates at an end from which no motion was found that keeps
-/// the bounds and does not reverse. Every other input has a motion.
+/// Throws InputError if there are fewer than two points; if a point has the wrong number of axes,
+/// equals the previous point, or has a position that is not finite, above 1e30 or outside the
+/// position bounds; for bounds that move_to() rejects; and if no motion that keeps the bounds
+/// without a reversal was found from the velocities at an end. Every other input has a motion.
 ViaMotion via(const ViaSpec& spec);
 
 }  // namespace jounce

@@ -5,38 +5,43 @@
 
 namespace jounce {
 
-/// A second-order notch in front of the axis (HIMC's vibration suppression filter, VSF: HMPL manual
-/// 15.1, frequency 0.1 to 200 Hz, damping 0.7 to 1.5, 1.0 suggested):
+/// A notch filter of second order for the setpoints of an axis. HIMC calls it vibration suppression
+/// filter (VSF; HMPL manual 15.1: frequency 0.1 to 200 Hz, damping 0.7 to 1.5, suggested 1.0).
 ///
 ///     (1)  H(s) = (s^2 + 2 D0 w s + w^2) / (s^2 + 2 D w s + w^2),   w = 2 pi frequency
 ///
-/// Its zeros cancel a mode of damping D0; its poles replace it by a well damped one.
+/// Its zeros cancel a mode of damping D0. Its poles replace the mode by a well-damped one.
 struct NotchSpec {
   double frequency = 0;     ///< Hz, > 0
   double damping = 1;       ///< D of the poles, >= 0.05
-  double mode_damping = 0;  ///< D0 of the zeros, 0 <= D0 < D
-  double settled = 1e-6;    ///< share of the travel at which the tail is cut, > 0 and < 1
+  double mode_damping = 0;  ///< D0 of the zeros, >= 0 and < damping
+  /// The filtered motion decays after the end of the given one. This tail is cut when the rest of
+  /// it is below this share of the travel; > 0 and < 1.
+  double settled = 1e-6;
 };
 
-/// A filtered motion and how far it is from the exact response.
+/// A filtered motion and its error. u is the axis' unit.
 struct Notched {
-  Trajectory motion;
-  double error = 0;  ///< u; rounding (about 1e-15 of the travel) aside, a bound for all times
+  Trajectory motion;  ///< the filtered motion; begins with the original one and ends at rest
+  /// u; bound of the difference to the exact response at all times, except for rounding (about
+  /// 1e-15 of the travel).
+  double error = 0;
 };
 
-/// The motion behind the notch.
+/// Returns the motion behind the filter.
 ///
 ///     const Notched quiet = notched(move, {.frequency = 5.5});
 ///     const double left = residual_vibration(quiet.motion, {5.5});  // about `settled`
 ///
-/// The response to a piecewise polynomial is polynomials and decaying exponentials, which no
-/// Segment holds: it is represented by its Taylor polynomials of degree 10 over steps of an eighth
-/// of a radian, with a bounded remainder, and ended by a quintic to rest once the rest of the tail
-/// is below `settled` of the travel. `error` bounds both. Continuous in acceleration where f is. f
-/// rests before and after (even if it refuses).
+/// The exact response to a piecewise polynomial contains decaying exponentials, which no Segment
+/// holds. They are replaced by Taylor polynomials of degree 10 over steps of an eighth of a radian,
+/// with a bounded remainder. When the rest of the tail is below `settled` times the travel, a
+/// quintic ends the motion at rest. `error` bounds both approximations. The acceleration of the
+/// result is continuous where that of f is continuous. f counts as at rest before and after its
+/// interval, even if it refuses.
 ///
-/// Throws InputError for a value out of range, a motion that wraps or does not move, and one
-/// so long that it needs more than a million steps.
+/// Throws InputError for a value out of range, for a motion that wraps or does not move, and for a
+/// motion so long that it needs more than a million steps.
 Notched notched(const Trajectory& f, const NotchSpec& spec);
 
 }  // namespace jounce

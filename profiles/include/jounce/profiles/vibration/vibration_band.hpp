@@ -7,32 +7,33 @@
 
 namespace jounce {
 
-/// residual_vibration() with its phase: that is its magnitude. Linear in the motion, so that of a sum
-/// of motions over the same time is the sum of theirs. u.
+/// residual_vibration() with its phase, in u; the magnitude of the result is residual_vibration().
+/// It is linear: the phasor of a sum of motions over the same time is the sum of their phasors.
 std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode);
 
-/// The modes that a machine may turn out to have: every frequency and damping between.
+/// The possible modes of a machine: all frequencies and dampings within these ranges.
 struct ModeBand {
   double low = 0;           ///< Hz, > 0
-  double high = 0;          ///< Hz, >= low; equal: one frequency
-  double damping_low = 0;   ///< D, a ratio
+  double high = 0;          ///< Hz, >= low; equal to low for a single frequency
+  double damping_low = 0;   ///< D, a ratio, >= 0
   double damping_high = 0;  ///< >= damping_low, < 1
 };
 
-/// The mode of a band that is left swinging most.
+/// The mode of a band with the greatest residual vibration.
 struct WorstMode {
   double residual = 0;  ///< residual_vibration(motion, mode), u
   Mode mode;
 };
 
-/// The worst residual_vibration() over a band.
+/// Returns the mode of a band with the greatest residual_vibration().
 ///
-///     const WorstMode worst = worst_residual(move, {.low = 14.5, .high = 19.5, .damping_high = 0.05});
+///     const ModeBand band{.low = 14.5, .high = 19.5, .damping_high = 0.05};
+///     const WorstMode worst = worst_residual(move, band);
 ///
-/// Not sampled: no mode of the band leaves more than the answer and `tolerance` of the motion's
-/// travel (the sum of all its ways) on top. The search runs round the edge of the band, since
-/// nowhere inside can be worse (see vibration_band.cpp). Throws InputError for a band or
-/// tolerance out of range.
+/// Not sampled: no mode of the band exceeds the result by more than `tolerance` times the travel of
+/// the motion (the sum of all distances, forwards and backwards). The search covers only the
+/// boundary of the band, because no mode inside can be worse (see vibration_band.cpp). Throws
+/// InputError for a band out of range, or a tolerance outside 1e-12 to 1.
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance = 1e-6);
 
 }  // namespace jounce

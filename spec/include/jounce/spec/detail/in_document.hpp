@@ -7,13 +7,13 @@
 
 namespace jounce::spec_detail {
 
-/// The same error under another key of the document.
+/// The same error with another key.
 inline InputError renamed(const InputError& error, const std::string& key) {
   return {key, error.value(), error.rule()};
 }
 
-/// A generator names its own fields: in the document they are under `table`, and a slave's limits
-/// under [limits.slave].
+/// Calls make() and converts the keys of its InputError to those of the document: fields of a
+/// generator are in `table`, and limits of the slave in [limits.slave].
 template <class Make>
 auto in_document(const std::string& table, const Make& make) -> decltype(make()) {
   try {

@@ -9,7 +9,8 @@
 
 namespace jounce::spec_detail {
 
-/// A rule of the whole table belongs to [follow]: the error gets that key.
+/// Calls find() with the slave of the spec. An InputError of the whole table gets a key of
+/// [follow].
 template <class Find>
 auto of_follow(const FollowPart& spec, Find find) {
   try {

@@ -7,7 +7,8 @@
 
 namespace jounce::spec_detail {
 
-/// A share of something: 0.05, or "5 %". Throws InputError, placed, for anything else.
+/// A share: a number such as 0.05, or a text such as "5 %". Throws InputError, with its place, for
+/// anything else.
 std::optional<double> optional_share(TomlReader& table, const char* key);
 
 }  // namespace jounce::spec_detail

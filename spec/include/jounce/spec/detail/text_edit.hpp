@@ -9,18 +9,18 @@
 
 namespace jounce::spec_detail {
 
-/// Bytes [begin, end) of a document that become `text`.
+/// A replacement: `text` replaces the bytes [begin, end) of a document.
 struct Edit {
   std::size_t begin;
   std::size_t end;
   std::string text;
 };
 
-/// Byte offset of a place that TOML counts in lines and code points, both from 1.
+/// Byte offset of a place that TOML gives as line and column (in code points), both from 1.
 std::size_t offset(const std::string& text, const toml::source_position& place);
 
-/// The text with all edits made; they do not overlap. Of two insertions at one place, the later one
-/// comes first.
+/// Returns the text with all edits. Edits must not overlap. Of two insertions at the same place,
+/// the later one comes first.
 std::string edited(std::string text, std::vector<Edit> edits);
 
 }  // namespace jounce::spec_detail

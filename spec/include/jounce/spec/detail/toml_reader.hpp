@@ -15,62 +15,71 @@
 
 namespace jounce::spec_detail {
 
-/// The errors of a document while it is read: a reader goes on after an error as far as the rest does not depend on it.
+/// The errors found while a document is read. After an error, the reader continues with all parts
+/// that do not depend on the faulty one.
 class ErrorList {
  public:
-  /// Adds the error, unless it is there already: the same key at the same place.
+  /// Adds the error, unless there is already an error with the same key at the same place.
   void add(const InputError& error);
   [[nodiscard]] std::size_t size() const { return all_.size(); }
-  /// Throws the last error again.
+  /// Throws the last error.
   [[noreturn]] void throw_last() const { throw all_.back(); }
-  /// Throws the error if there is one, InputErrors if there are several.
+  /// Throws if there are errors: a single one as InputError, several as InputErrors.
   void throw_any() const;
 
  private:
-  static constexpr std::size_t most = 1000;  ///< later ones are dropped
+  static constexpr std::size_t most = 1000;  ///< greatest number of errors; later ones are dropped
   std::vector<InputError> all_;
 };
 
-/// One table of a TOML document while it is read. Every getter records the key and its
-/// place; finish() rejects all keys that no getter read.
+/// Reads one table of a TOML document. Every getter records its key and the key's place. finish()
+/// rejects all keys that no getter has read.
 ///
-/// With an ErrorList, an error of a number, a count or a flag and an unknown key are added to it, and reading goes on:
-/// the getter returns a placeholder. Any other error is thrown, to the end of its part: see attempt().
+/// With an ErrorList, an error in a number, a count or a flag, or an unknown key, is added to the
+/// list; the getter then returns a placeholder, and reading continues. Any other error is thrown
+/// and ends the part; see attempt().
+///
+/// A getter `optional_...` returns nullopt for a missing key. Any other getter throws InputError if
+/// the key is missing.
 class TomlReader {
  public:
+  /// `path`: the full name of the table, for messages.
   TomlReader(const toml::table& table, std::string path, Document& document,
              ErrorList* errors = nullptr);
-  TomlReader(TomlReader&&) = default;  // moved only: a copy would forget what it has read
+  TomlReader(TomlReader&&) = default;  // not copied: a copy would not record keys
   TomlReader& operator=(TomlReader&&) = default;
 
-  /// A number, or a quantity with unit in quotes, in `unit`.
+  /// A number, or a text with a number and a unit; the result is in `unit`.
   double number(const char* key, const std::string& unit);
   std::optional<double> optional_number(const char* key, const std::string& unit);
-  /// A number or a quantity as written, if its unit is known only later.
+  /// A number or a quantity as written, for a unit that is known only later.
   std::optional<std::string> optional_quantity(const char* key);
   std::optional<std::size_t> optional_count(const char* key);
   /// A whole number of any sign.
   std::optional<std::int64_t> optional_whole(const char* key);
   std::int64_t whole(const char* key);
   std::optional<bool> optional_flag(const char* key);
-  std::string text(const char* key);
+  /// The error of a missing key shows KEY = "word".
+  std::string text(const char* key, const char* word = "TEXT");
   std::optional<std::string> optional_text(const char* key);
-  /// The index of a text among the permitted ones.
+  /// The index of the key's text in `permitted`.
   std::size_t choice(const char* key, std::span<const std::string> permitted);
   std::optional<std::size_t> optional_choice(const char* key,
                                              std::span<const std::string> permitted);
 
   std::optional<TomlReader> optional_table(const char* key);
-  /// `example`: what the message of a missing table advises to add; by default, the section [key].
+  /// `example`: what the message for a missing table proposes to add; default: the section [key].
   TomlReader table(const char* key, const std::string& example = "");
-  /// [[key]] or key = [{...}, ...]; empty if there is none. Counted from 1 in messages.
+  /// The tables of [[key]] or key = [{...}, ...]; empty if there are none. Messages count them from
+  /// 1.
   std::vector<TomlReader> tables(const char* key);
-  /// key = [a, b] of two numbers.
+  /// Two numbers: key = [a, b].
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
-  /// key = a, the same as [a, a], or key = [a, b].
+  /// Two numbers: key = [a, b]; or one, key = a, which means [a, a].
   std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
-  /// Reads a part on which no other part depends. With an ErrorList an error of it is added, and false returned. An
-  /// error that is thrown after another one in the same part is dropped: a placeholder may have caused it.
+  /// Reads a part on which no other part depends. With an ErrorList, the function adds an error of
+  /// the part to the list and returns false. An error that is thrown after another error of the
+  /// same part is dropped, because a placeholder may have caused it.
   template <class Read>
   bool attempt(Read read) {
     if (errors_ == nullptr) {
@@ -86,40 +95,42 @@ class TomlReader {
       return false;
     }
   }
-  /// Calls read(reader) for each of tables(key). An error in one of them is thrown after the last: they are independent
-  /// of each other, and the rest depends on all.
+  /// Calls read(reader) for each of tables(key). An error in one of them is thrown after the last
+  /// one, because the tables do not depend on each other, but the rest of the document depends on
+  /// all of them.
   template <class Read>
   void for_each(const char* key, Read read) {
     bool whole = true;
     for (TomlReader& each : tables(key)) whole = each.attempt([&] { read(each); }) && whole;
     if (!whole) errors_->throw_last();
   }
-  /// True if key holds tables: [[key]] or key = [{...}, ...].
+  /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
-  /// key = [a, b, ...]: one number for each unit; nothing if the key is missing.
+  /// The numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
   std::vector<double> numbers(const char* key, std::span<const std::string> units);
-  /// key = [a, b, ...]: any number of numbers.
+  /// The numbers of key = [a, b, ...], in `unit`.
   std::vector<double> number_list(const char* key, const std::string& unit);
-  std::vector<std::string> texts(const char* key);
+  std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
 
   [[nodiscard]] const Document& document() const { return *document_; }
-  /// Line of the table.
+  /// Line of the table in the document.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
   [[nodiscard]] bool is_text(const char* key) const;
   [[nodiscard]] bool is_table(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// The full name of a key, as messages show it: "segment[2].end.master".
+  /// The full name of a key in messages: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
-  /// Throws InputError if an unread key is a misspelling of `key`. Called before `key` is reported
-  /// as missing.
+  /// Throws InputError if a key that was not read is a misspelling of `key`. Call it before
+  /// reporting `key` as missing.
   void refuse_misspelt(const char* key) const;
+  /// Throws or adds an InputError for a key, with its place.
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
-  void finish();
+  void finish();  ///< rejects all keys that were not read
 
  private:
   const toml::node* find(const char* key);
-  /// `example`: what the message of a missing key advises to add.
+  /// `example`: what the message for a missing key proposes to add.
   const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
                                    const std::string& meant) const;
@@ -135,13 +146,14 @@ class TomlReader {
   std::set<std::string> known_;
 };
 
-/// The document as TOML. Throws InputError, placed: an empty file, a slip of the syntax.
+/// Parses a document as TOML. Throws InputError, with the place, for an empty file and for an error
+/// of syntax.
 toml::table parse_toml(const Document& document);
 
-/// `jounce = 1`, at the start of every file.
+/// Requires the key `jounce = 1`, which every file contains.
 void require_version(TomlReader& top);
 
-/// The text of a value as written in the document, for messages.
+/// A value as it is written in the document, for messages.
 std::string shown(const toml::node& node);
 
 }  // namespace jounce::spec_detail
