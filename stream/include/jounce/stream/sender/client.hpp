@@ -7,18 +7,9 @@
 
 #include "jounce/stream/sender/ask.hpp"
 #include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/outcome.hpp"
 
 namespace jounce {
-
-/// Outcome of a call.
-struct CallOutcome {
-  StreamError error = StreamError::none;  ///< no_answer, command_timeout, restarted or refused
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};    ///< in words; may be empty
-
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
-};
 
 struct ClientOptions {
   std::optional<wire::Key> key{};                ///< key of the executor; nullopt: none

@@ -55,14 +55,9 @@ struct RowProgress {
   bool finished = false;  ///< the executor has played the last row
 };
 
-struct RowOutcome {
-  StreamError error = StreamError::none;  ///< underrun, unless the plan resumes
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};    ///< in words; may be empty
+/// Outcome of a rolling stream. An underrun is an error unless the plan resumes.
+struct RowOutcome : CallOutcome {
   RowProgress progress{};
-
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
 /// The streamer's half of a rolling stream: a pure state machine without thread, clock or link. It

@@ -11,6 +11,7 @@
 #include "jounce/stream/sender/chunk_window.hpp"
 #include "jounce/stream/sender/command_slot.hpp"
 #include "jounce/stream/sender/farewell.hpp"
+#include "jounce/stream/sender/outcome.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -25,22 +26,6 @@ struct SenderOptions {
   Nanos command_patience = std::chrono::seconds(5);    ///< without one command's outcome
   Nanos progress_patience = std::chrono::seconds(10);  ///< without one more chunk arriving
 };
-
-/// Reason why a stream failed.
-enum class StreamError {
-  none,             ///< it did not fail
-  no_answer,        ///< the executor has never answered
-  contact_lost,     ///< it has answered before, but no longer does
-  stalled,          ///< it answers, but no chunk gets through
-  command_timeout,  ///< it answers, but without an outcome of arm, start or stop
-  out_of_time,      ///< the total time limit was reached
-  restarted,        ///< the executor has restarted and lost its state
-  refused,          ///< see refusal and reason
-  underrun,         ///< rows arrived too slowly, and the axis has stopped on its path
-  stopped,          ///< another sender has stopped the axis, or a fault has
-  dropped,          ///< the start was accepted for later, but could not take place: see reason
-};
-const char* name(StreamError error);
 
 enum class StreamStage {
   downloading,
@@ -64,19 +49,13 @@ struct StreamProgress {
 };
 
 /// Outcome or state of a stream. Each flag is set once the executor has confirmed it.
-struct StreamOutcome {
-  StreamError error = StreamError::none;
-  wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason;      ///< in words; may be empty
+struct StreamOutcome : CallOutcome {
   bool downloaded = false;
   bool armed = false;
   bool started = false;  ///< for StreamPlan::await: it has begun; otherwise it may still wait
   bool stopped = false;
   std::size_t swaps = 0;  ///< accepted
   StreamProgress progress;
-
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
 /// The streamer's half of the protocol: a pure state machine without thread, clock or link.

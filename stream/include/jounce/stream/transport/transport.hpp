@@ -20,6 +20,9 @@ using Clock = std::function<Nanos()>;
 /// The machine's monotonic clock.
 Nanos steady_now();
 
+/// Seconds as a time; more than thirty years counts as unlimited.
+Nanos nanos(double seconds);
+
 /// Bytes received on a channel.
 struct Packet {
   std::string channel;
