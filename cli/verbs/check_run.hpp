@@ -11,6 +11,11 @@
 
 namespace jounce::cli {
 
+/// Help of --tolerance.
+inline constexpr const char* tolerance_help =
+    "Tolerance for equal values: a share of each range (1e-6), or KEY=VALUE for a "
+    "quantity (position=0.01), repeatable; default: rounding only";
+
 /// The options of the verbs that check files: which files, and how to report them.
 struct CheckRun {
   std::vector<std::string> files;

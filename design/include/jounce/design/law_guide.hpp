@@ -13,6 +13,9 @@ namespace jounce {
 /// The shape of the law in the guide: its own, or for `scca` one in the middle of its family.
 LawForm shown_form(Law law);
 
+/// The law of this name. Throws InputError (key "law"), with the nearest name, if there is none.
+Law law_of(const std::string& name);
+
 /// The laws that have characteristic values: a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
 Characteristics characteristics(Law law);
@@ -28,6 +31,8 @@ std::string law_text(Law law);
 
 /// The law as a JSON object: its words, and its characteristic values (null where they are infinite).
 std::string law_json(Law law);
+/// The same of all laws, a list.
+std::string laws_json();
 
 /// docs/laws.md.
 std::string laws_markdown();

@@ -60,6 +60,10 @@ std::string path_json(const Spec& spec, const PathSummary& summary);
 /// Durations and lengths of two plans, and their differences: a line for people.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
 
+/// The proven lower bound of the duration of a plan, and the duration as a multiple of it: a line for
+/// people.
+std::string path_bound(const Spec& spec, const Plan& plan);
+
 /// Duration of lines that overlap, and overlap and deviation at each corner: for people, and as JSON.
 std::string overlap_text(const Spec& spec, const Overlapped& motion);
 std::string overlap_json(const Spec& spec, const Overlapped& motion);

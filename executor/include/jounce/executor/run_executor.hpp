@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -47,6 +48,17 @@ struct ExecutorSummary {
   std::string record_trouble;     ///< reason why the record is incomplete; empty: it is complete
   std::int64_t record_lost = 0;   ///< cycles that are missing from the record
   std::string lost_name;          ///< name that another executor owns, so that this one left
+
+  /// True if the fault of an axis is latched at the end.
+  [[nodiscard]] bool has_fault() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const AxisSummary& axis) { return axis.fault != Cause::none; });
+  }
+  /// True if an axis has ended a motion.
+  [[nodiscard]] bool has_played() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const AxisSummary& axis) { return axis.finished + axis.stopped > 0; });
+  }
 };
 
 /// The executor behind `jounce run`: the cyclic thread steps all axes, the calling thread

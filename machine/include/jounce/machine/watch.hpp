@@ -38,7 +38,7 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
 struct WatchOptions {
-  std::vector<std::string> names = {};  ///< the executors, sorted; empty: all that send messages
+  std::vector<std::string> names = {};  ///< the executors; empty: all that send messages
   std::optional<wire::Key> key = {};    ///< their key; nullopt: none
 };
 

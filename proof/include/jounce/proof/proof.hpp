@@ -46,8 +46,12 @@ struct ProofOptions {
 /// tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
-/// The answer of `jounce validate` for one input, without the findings.
+/// The numbers of a proof, one computation a line.
 std::string proof_text(const Proof& proof, const Input& input);
+
+/// The answer of `jounce validate` for one input: the verdict, proof_text(), and the findings if it is
+/// not proven.
+std::string proof_answer(const Proof& proof, const Input& input);
 
 /// The answer with all findings as a JSON object, every number in full.
 std::string proof_json(const Proof& proof, const Input& input);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "jounce/report/diagnostic.hpp"
 
@@ -37,5 +38,17 @@ std::string to_sarif(const RunResult& run, bool quiet = false);
 /// JUnit XML: a suite for each file, a case for each rule at each place, those that hold included. Jenkins keeps one
 /// failure of a case.
 std::string to_junit(const RunResult& run, bool strict = false);
+
+/// The formats of to_format().
+const std::vector<std::string>& run_formats();
+
+/// How much of a run is written.
+struct RunLook {
+  bool strict = false;  ///< a warning counts as a broken limit
+  bool quiet = false;   ///< errors and broken limits alone
+};
+
+/// The run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".
+std::string to_format(const RunResult& run, const std::string& format, const RunLook& look = {});
 
 }  // namespace jounce
