@@ -35,13 +35,13 @@ jounce = 1
 kind = "cam"
 [units]
 master = "deg"
-slave = "mm"
+position = "mm"
 [[segment]]
 law = "quintic"
-end = { master = 180, slave = 10 }
+end = { master = 180, position = 10 }
 [[segment]]
 law = "quintic"
-end = { master = 360, slave = 0 }
+end = { master = 360, position = 0 }
 )",
                               "cam.toml"),
                    "cam.toml");
@@ -118,7 +118,7 @@ TEST(Laws, AreFoundByTheirNames) {
 TEST(Conversion, KnowsItsEndings) {
   EXPECT_TRUE(has_known_ending("cam.csv"));
   EXPECT_TRUE(has_known_ending("-"));
-  EXPECT_FALSE(has_known_ending("cam.txt"));
+  EXPECT_FALSE(has_known_ending("cam.pdf"));
   EXPECT_THAT(known_endings(), HasSubstr(".csv, .json, ."));
 }
 
