@@ -33,15 +33,16 @@ std::vector<Input> cam() {
   return inputs_of(parse_spec(R"(
 jounce = 1
 kind = "cam"
+start = { master = 0, slave = 0 }
 [units]
 master = "deg"
 position = "mm"
 [[segment]]
 law = "quintic"
-end = { master = 180, position = 10 }
+end = { master = 180, slave = 10 }
 [[segment]]
 law = "quintic"
-end = { master = 360, position = 0 }
+end = { master = 360, slave = 0 }
 )",
                               "cam.toml"),
                    "cam.toml");
