@@ -45,17 +45,4 @@ Input load_beside(const std::string& path, const Input& input) {
   return all.size() == 1 ? std::move(all.front()) : load(path, input.axis);
 }
 
-std::string file_of_axis(const std::string& option, const std::string& path,
-                         const std::string& axis, std::size_t axes) {
-  if (axes == 1 || path.empty()) return path;
-  if (path == "-")
-    throw InputError(option, "",
-                     "is missing: with several axes, each needs a file. -o a.csv writes a-" + axis +
-                         ".csv and so on; --axis " + axis + " writes one axis only");
-  const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
-  const auto dot = path.find_last_of('.');
-  const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;
-  return path.substr(0, end) + "-" + axis + path.substr(end);
-}
-
 }  // namespace jounce::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,5 @@ Input load_program_axis(const std::string& path, const std::string& machine,
 
 /// The only axis of the file, or the axis with the name of `input`.
 Input load_beside(const std::string& path, const Input& input);
-
-/// The file of one axis: feeder.csv; for several axes feeder-x.csv, feeder-y.csv. Throws InputError under `option` for
-/// standard output, which cannot have several.
-std::string file_of_axis(const std::string& option, const std::string& path,
-                         const std::string& axis, std::size_t axes);
 
 }  // namespace jounce::cli

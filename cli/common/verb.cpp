@@ -5,7 +5,6 @@
 #include <charconv>
 #include <filesystem>
 #include <limits>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -205,13 +204,6 @@ Option Verb::machine(std::string& target) const {
 
 void Verb::work(Work work) const {
   verb_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
-}
-
-void require_other_file(const std::string& input, const std::string& output,
-                        const std::string& option) {
-  std::error_code none;  // a missing file is a different file
-  if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
-    throw InputError(option, output, "is also the input: choose another name");
 }
 
 }  // namespace jounce::cli

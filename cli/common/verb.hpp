@@ -132,8 +132,4 @@ void add_monitor(CommandLine& line);
 void add_page(CommandLine& line);
 void add_replay(CommandLine& line);
 
-/// Throws InputError if both are the same file: an output must not replace its input.
-void require_other_file(const std::string& input, const std::string& output,
-                        const std::string& option = "--output");
-
 }  // namespace jounce::cli

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/machine/link.hpp"
 
-#include <algorithm>
-#include <chrono>
-
-#include <fmt/format.h>
-
-#include "jounce/command/causes.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/address.hpp"
@@ -15,36 +9,8 @@
 
 namespace jounce::cli {
 
-std::string said_of(StreamError error, const std::string& reason) {
-  std::string said = std::string(name(error)) + ": " + reason;
-  if (error == StreamError::no_answer) said += std::string("; ") + unheard_hint;
-  return said;
-}
-
-std::string reason_of_axis(std::string reason, std::int32_t cause, const std::string& executor) {
-  constexpr std::string_view who = "axis: ";
-  if (reason.starts_with(who)) reason.erase(0, who.size());
-  for (const CauseInfo& one : all_causes()) {
-    if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
-    if (!reason.starts_with(one.name)) return reason;  // the executor's own reason has its remedy
-    std::string remedy = one.remedy;
-    constexpr std::string_view placeholder = "NAME";
-    for (auto at = remedy.find(placeholder); at != std::string::npos;
-         at = remedy.find(placeholder, at)) {
-      remedy.replace(at, placeholder.size(), executor);
-      at += executor.size();
-    }
-    return reason + " " + remedy;
-  }
-  return reason;
-}
-
 void require_name_on_bus(const std::string& argument, const std::string& name) {
   if (!wire::is_executor_name(name)) throw InputError(argument, name, wire::executor_name_rule);
-}
-
-Nanos nanos(double seconds) {
-  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(std::min(seconds, 1e9)));
 }
 
 void add_link_options(const Verb& verb, LinkOptions& options) {

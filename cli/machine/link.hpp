@@ -7,7 +7,6 @@
 #include <string>
 
 #include "jounce/stream/security/key.hpp"
-#include "jounce/stream/sender/sender.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 #include "cli/common/verb.hpp"
@@ -29,14 +28,18 @@ inline constexpr const char* unheard_hint =
 /// Throws InputError, of this argument, where no executor, axis or master can be called so.
 void require_name_on_bus(const std::string& argument, const std::string& name);
 
-/// The error as text, with the hint if there was no answer.
-std::string said_of(StreamError error, const std::string& reason);
+/// Counts the time of --seconds; 0: without an end.
+class Duration {
+ public:
+  explicit Duration(double seconds) : seconds_(seconds) {}
+  [[nodiscard]] bool goes_on() const {
+    return seconds_ == 0 || steady_now() - begun_ < nanos(seconds_);
+  }
 
-/// The reason for which an axis rejects a command or a table, with the remedy of its cause (a number of Cause).
-std::string reason_of_axis(std::string reason, std::int32_t cause, const std::string& executor);
-
-/// Seconds as the stream counts time; more than thirty years counts as unlimited.
-Nanos nanos(double seconds);
+ private:
+  double seconds_;
+  Nanos begun_ = steady_now();
+};
 
 /// Adds --url and --key, and the hidden --inject-loss and --seed.
 void add_link_options(const Verb& verb, LinkOptions& options);

@@ -82,7 +82,7 @@ int run_master(const MasterArguments& options) {
         return work.goes_on(share, fmt::format("{:.1f} s, at {:.6g} {}", time, position, unit));
       });
   if (options.json)
-    print_json(Json::parse(line_master_json(line, result)));
+    print_json(line_master_json(line, result));
   else
     fmt::print("{}", line_master_text(line, result));
   return fine;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "jounce/command/cause.hpp"
 #include "jounce/machine/dashboard.hpp"
 #include "jounce/machine/status_text.hpp"
 #include "jounce/machine/terminal.hpp"
-#include "jounce/stream/sender/driver.hpp"
 
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
@@ -22,7 +20,7 @@ namespace {
 constexpr Nanos turn = std::chrono::milliseconds(50);
 
 struct MonitorArguments {
-  std::vector<std::string> executors;  // sorted; empty: all that send messages
+  std::vector<std::string> executors;  // empty: all that send messages
   LinkOptions link;
   double seconds = 0;
   double silence = 3;
@@ -32,19 +30,6 @@ struct MonitorArguments {
 
 using dashboard::Action;
 using dashboard::Watch;
-
-/// Counts the time of --seconds.
-class Duration {
- public:
-  explicit Duration(double seconds) : seconds_(seconds) {}
-  [[nodiscard]] bool goes_on() const {
-    return seconds_ == 0 || steady_now() - begun_ < nanos(seconds_);
-  }
-
- private:
-  double seconds_;
-  Nanos begun_ = steady_now();
-};
 
 int give_up(const std::string& who, const MonitorArguments& options) {
   fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, options.silence,
@@ -65,23 +50,6 @@ int print_all(Watch& watch, const MonitorArguments& options) {
   return fine;
 }
 
-/// Sends the command of a key to the chosen axis. Returns its answer in a few words.
-std::string send(Link& link, const std::string& axis, Action action) {
-  const char* const word = action == Action::stop   ? "stop"
-                           : action == Action::hold ? "hold"
-                                                    : "resume";
-  wire::Body body = wire::Stop{};
-  if (action == Action::hold) body = wire::message_of(command::Hold{});
-  if (action == Action::resume) body = wire::message_of(command::Resume{});
-  const wire::Reply reply = operator_command(link.transport(), axis, std::move(body), link.key(),
-                                             std::chrono::seconds(1));
-  if (reply.outcome == wire::Outcome::accepted) return fmt::format("{}: {} accepted", axis, word);
-  if (reply.outcome == wire::Outcome::pending) return fmt::format("{}: {}: no answer", axis, word);
-  return fmt::format(
-      "{}: {} refused: {}", axis, word,
-      reply.cause != 0 ? name(static_cast<Cause>(reply.cause)) : name(reply.refusal));
-}
-
 int show(Watch& watch, Link& link, const MonitorArguments& options) {
   dashboard::Terminal terminal;
   dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
@@ -94,7 +62,8 @@ int show(Watch& watch, Link& link, const MonitorArguments& options) {
     while (const auto key = terminal.key()) {
       const Action action = press(view, watch.axes(), *key);
       if (action == Action::quit) return fine;
-      if (action != Action::nothing) view.note = send(link, view.chosen, action);
+      if (action != Action::nothing)
+        view.note = send(link.transport(), view.chosen, action, link.key());
     }
     // One that falls silent later is shown as such: it may come back.
     if (!watch.has_received() && !watch.silent(view.silence).empty()) return fault;
@@ -102,11 +71,8 @@ int show(Watch& watch, Link& link, const MonitorArguments& options) {
   return fine;
 }
 
-int run_monitor(MonitorArguments options) {
+int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
-  std::sort(options.executors.begin(), options.executors.end());
-  options.executors.erase(std::unique(options.executors.begin(), options.executors.end()),
-                          options.executors.end());
   Link link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
   if (options.json || !dashboard::is_screen()) return print_all(watch, options);

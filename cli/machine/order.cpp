@@ -4,22 +4,21 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
-#include <thread>
-#include <variant>
-#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "jounce/base/units.hpp"
 #include "jounce/command/command_table.hpp"
-#include "jounce/command/commands.hpp"
 #include "jounce/machine/command_words.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/interrupt.hpp"
+#include "cli/common/json.hpp"
 #include "cli/common/verb.hpp"
+#include "cli/machine/link.hpp"
 #include "cli/machine/outcome.hpp"
 
 namespace jounce::cli {
@@ -42,54 +41,38 @@ Units units_of(const OrderArguments& options, Link& link) {
   return status->units;
 }
 
-/// Keeps the session of a hold-to-run jog, so long as it is held.
-CallOutcome hold(const OrderArguments& options, Client& client) {
-  constexpr auto between = std::chrono::milliseconds(50);
-  fmt::print("{}: jogs until Ctrl-C{}\n", options.executor,
-             options.seconds > 0 ? fmt::format(", or for {} s", options.seconds) : "");
-  std::fflush(stdout);
-  const Interrupt interrupt;
-  const auto end =
-      std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
-  CallOutcome outcome;
-  while (outcome.ok() && !interrupt.asked() &&
-         (options.seconds == 0 || std::chrono::steady_clock::now() < end)) {
-    std::this_thread::sleep_for(between);
-    outcome = client.beat();
-  }
-  return outcome;
-}
-
-/// Waits until the axis is homed; Ctrl-C stops it.
-CallOutcome wait_for_home(const OrderArguments& options, Client& client, Link& link) {
-  const Interrupt interrupt;
-  return await_home(
-      link.transport(), options.executor, client, [&] { return interrupt.asked(); }, link.key());
-}
-
-CallOutcome give(const OrderArguments& options, const ClientCommand& command, Link& link) {
-  const bool homes = std::holds_alternative<command::Home>(command);
-  if (!homes && !holds_to_run(command))
-    return send_command(link.transport(), options.executor, command, options.at, link.key());
-  Client client(link.transport(), options.executor, {.key = link.key()});
-  CallOutcome outcome = client.command(command, options.at);
-  if (outcome.ok()) outcome = homes ? wait_for_home(options, client, link) : hold(options, client);
-  static_cast<void>(client.release());
-  return outcome;
+CallOutcome execute(const OrderArguments& options, Link& link) {
+  const Units units = units_of(options, link);
+  const bool homes = options.words.what == "home";
+  if (homes && options.at >= 0)
+    throw InputError("--at", std::to_string(options.at),
+                     "cannot be combined with home, which waits until the axis is homed");
+  const ClientCommand command = command_of(options.words, units);
+  std::optional<Interrupt> interrupt;
+  if (homes || holds_to_run(command)) interrupt.emplace();
+  return execute_command(
+      link.transport(), options.executor, command,
+      {.at = options.at,
+       .hold = nanos(options.seconds),
+       .held =
+           [&] {
+             fmt::print("{}: jogs until Ctrl-C{}\n", options.executor,
+                        options.seconds > 0 ? fmt::format(", or for {} s", options.seconds) : "");
+             std::fflush(stdout);
+           },
+       .cancelled = [&] { return interrupt && interrupt->asked(); },
+       .key = link.key()});
 }
 
 int report(const OrderArguments& options, const CallOutcome& outcome) {
-  if (options.json) {
-    print_json({{"ok", outcome.ok()},
-                {"error", name(outcome.error)},
-                {"cause", outcome.cause},
-                {"reason", outcome.reason}});
-  } else if (outcome.ok()) {
-    fmt::print("{}: {}\n", options.executor,
+  const std::string& axis = options.executor;
+  if (options.json)
+    print_json(command_json(outcome));
+  else if (outcome.ok())
+    fmt::print("{}: {}\n", axis,
                options.words.what == "home" ? "homed" : options.words.what + " accepted");
-  } else {
-    fmt::print(stderr, "jounce: {}: {}\n", options.executor, reason_of(outcome, options.executor));
-  }
+  else
+    fmt::print(stderr, "jounce: {}: {}\n", axis, reason_text(outcome, axis));
   return status_of(outcome, {StreamError::refused});
 }
 
@@ -107,11 +90,7 @@ int run_order(const OrderArguments& options) {
   require_taken(options.words);
   require_held(options);
   Link link(options.link);
-  const Units units = units_of(options, link);
-  if (options.words.what == "home" && options.at >= 0)
-    throw InputError("--at", std::to_string(options.at),
-                     "cannot be combined with home, which waits until the axis is homed");
-  return report(options, give(options, command_of(options.words, units), link));
+  return report(options, execute(options, link));
 }
 
 /// The options that the commands have.
@@ -140,12 +119,6 @@ Check command_word(const OrderArguments& options) {
   };
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 }  // namespace
 
 void add_order(CommandLine& line) {
@@ -160,7 +133,7 @@ void add_order(CommandLine& line) {
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->words.what,
-              listed(command_words()) + " (the table of a virtual master)")
+              fmt::format("{} (the table of a virtual master)", fmt::join(command_words(), ", ")))
       .required()
       .check(command_word(*options));
   verb.option(

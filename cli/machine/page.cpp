@@ -49,11 +49,8 @@ int run_page(const PageArguments& options) {
   const web::Panel panel(panel_of(options, link),
                          web::Listening(static_cast<std::uint16_t>(options.port)), make_link);
   fmt::print(stderr, "jounce: live page at {}\n", panel.address());
-  const Nanos begin = steady_now();
-  const auto in_time = [&] {
-    return options.seconds == 0 || steady_now() - begin < nanos(options.seconds);
-  };
-  while (!interrupt.asked() && in_time()) std::this_thread::sleep_for(check_interval);
+  for (const Duration duration(options.seconds); !interrupt.asked() && duration.goes_on();)
+    std::this_thread::sleep_for(check_interval);
   return fine;
 }
 

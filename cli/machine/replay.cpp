@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "jounce/executor/log.hpp"
 #include "jounce/machine/replay_text.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/json.hpp"
-#include "cli/common/picture.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -25,18 +24,18 @@ struct ReplayArguments {
   bool json = false;
 };
 
-constexpr std::size_t default_cycles = 5000;  // drawn and listed without --last
-
 void require_others(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
     if (!path.empty()) require_other_file(options.file, path);
-  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
 }
 
-/// The axis for --plot and --csv.
-RecordedAxis axis_of(const ReplayArguments& options) {
+ReplayedFile replayed(const ReplayArguments& options) {
   try {
-    return recorded_axis(options.file, options.axis);
+    return replay_file(options.file, {.axis = options.axis,
+                                      .last = options.last,
+                                      .csv = options.csv,
+                                      .ticks = !options.plot.empty()});
   } catch (const InputError& error) {
     if (error.key() != "axis") throw;
     throw InputError("--axis", options.axis, error.rule()).at(options.file);
@@ -45,30 +44,15 @@ RecordedAxis axis_of(const ReplayArguments& options) {
 
 int run_replay(const ReplayArguments& options) {
   require_others(options);
-  std::ifstream in(options.file, std::ios::binary);
-  if (!in) throw InputError("FILE", options.file, "cannot be read: does the file exist?");
-  const bool shown = !options.plot.empty();
-  const bool listed = !options.csv.empty();
-  RecordedAxis axis;
-  if (shown || listed) axis = axis_of(options);
-  LastTicks ticks(axis.axis, options.last.value_or(default_cycles));
-  // A list of all of them is written as they come: a record may be longer than memory.
-  std::optional<TickLog> csv;
-  if (listed) csv.emplace(options.csv, axis.units);
-  const Replay result = replay(in, options.file, [&](const RecordedCycle& cycle) {
-    if (shown || options.last) ticks.add(cycle);
-    if (csv && !options.last && cycle.axis == axis.axis) csv->add(cycle.tick);
-  });
-  if (csv && options.last)
-    for (const Tick& tick : ticks.kept()) csv->add(tick);
-  if (csv) csv->close();
-  if (shown) write_picture(options.plot, tick_figure(ticks.kept(), axis));
+  if (!std::ifstream(options.file, std::ios::binary))
+    throw InputError("FILE", options.file, "cannot be read: does the file exist?");
+  const ReplayedFile file = replayed(options);
+  if (!options.plot.empty()) write_picture(options.plot, tick_figure(file.ticks, file.axis));
   if (options.json)
-    print_json(Json::parse(replay_json(result)));
+    print_json(replay_json(file.replay));
   else
-    fmt::print("{}", replay_text(result, options.file));
-  const bool box = !result.axes.front().whole;
-  return result.same() || (box && !result.difference) ? fine : finding;
+    fmt::print("{}", replay_text(file.replay, options.file));
+  return file.replay.agrees() ? fine : finding;
 }
 
 }  // namespace

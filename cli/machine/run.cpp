@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,8 +6,10 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/notice.hpp"
 #include "jounce/executor/run_executor.hpp"
 #include "jounce/machine/machine_parts.hpp"
 #include "jounce/machine/run_text.hpp"
@@ -17,7 +18,7 @@
 
 #include "cli/common/folders.hpp"
 #include "cli/common/json.hpp"
-#include "cli/common/say.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
 
@@ -33,21 +34,6 @@ struct RunArguments {
   bool json = false;
 };
 
-int report(const ExecutorSummary& summary, bool json) {
-  if (json)
-    print_json(Json::parse(summary_json(summary)));
-  else
-    fmt::print("{}", summary_text(summary));
-  const bool faulty = std::any_of(summary.axes.begin(), summary.axes.end(),
-                                  [](const AxisSummary& a) { return a.fault != Cause::none; });
-  return faulty ? finding : fine;
-}
-
-bool has_played(const ExecutorSummary& summary) {
-  return std::any_of(summary.axes.begin(), summary.axes.end(),
-                     [](const AxisSummary& a) { return a.finished + a.stopped > 0; });
-}
-
 /// The live page of --web: `jounce page` in another process.
 std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
                                           const std::vector<ExecutorOptions>& axes) {
@@ -56,18 +42,19 @@ std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
   if (!options.link.key.empty()) words.insert(words.end(), {"--key", options.link.key});
   for (const auto& axis : axes) words.push_back(axis.receiver.executor);
   auto page = std::make_unique<web::PageProcess>(
-      *options.web, std::move(words), [](const std::string& notice) { say("jounce: " + notice); });
+      *options.web, std::move(words),
+      [](const std::string& notice) { print_notice("jounce: " + notice); });
   fmt::print(stderr, "jounce: live page at {}\n", page->address());
   return page;
 }
 
 /// Prints the axes and their next event: a run without output looks like a program that hangs.
 void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
-  std::string names;
-  for (const auto& axis : axes) names += (names.empty() ? "" : ", ") + axis.receiver.executor;
-  const std::string& first = axes.front().receiver.executor;
-  fmt::print(stderr, "jounce: {}: up, {}\n", names,
-             enabled ? "enabled" : "disabled; enable it with: jounce order " + first + " enable");
+  std::vector<std::string> names;
+  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
+  fmt::print(
+      stderr, "jounce: {}: up, {}\n", fmt::join(names, ", "),
+      enabled ? "enabled" : "disabled; enable it with: jounce order " + names.front() + " enable");
 }
 
 /// A spec is not lost to a log of the same name.
@@ -112,19 +99,21 @@ int run_executor(const RunArguments& options) {
   how.masters = std::move(masters);
   how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
-  const int status = report(summary, options.json);
+  if (options.json)
+    print_json(summary_json(summary));
+  else
+    fmt::print("{}", summary_text(summary));
   const auto missing = missing_parts(summary, options.machine.log);
   for (const std::string& part : missing) fmt::print(stderr, "jounce: {}\n", part);
   if (!missing.empty()) return fault;
-  const bool idle = options.run.once && !has_played(summary);
-  return status == fine && idle ? finding : status;
+  return summary.has_fault() || (options.run.once && !summary.has_played()) ? finding : fine;
 }
 
 }  // namespace
 
 void add_run(CommandLine& line) {
   const auto options = std::make_shared<RunArguments>();
-  options->machine.notify = say;
+  options->machine.notify = print_notice;
   const Verb verb = line.verb("run", "Run an executor: receive tables and play them, tick by tick",
                               "jounce run axis.toml --enable --log run.csv --once\n"
                               "jounce run feeder.toml knife.toml --enable --realtime 80 --cpu 1");

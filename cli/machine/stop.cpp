@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -24,21 +23,17 @@ int run_stop(const StopArguments& options) {
   require_name_on_bus("NAME", options.executor);
   Link link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
-  link.transport().subscribe(wire::channel(options.executor, wire::Lane::status), 1);
-  if (operator_stop(link.transport(), options.executor, mode, std::chrono::seconds(2), steady_now,
-                    link.key())) {
-    const auto state =
-        await_rest(link.transport(), options.executor, nanos(options.patience), link.key());
-    if (!state) {
-      fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
-                 options.executor, options.patience);
-      return fault;
-    }
-    fmt::print("{} is at rest: {}\n", options.executor, name(*state));
-    return fine;
-  }
-  fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor, unheard_hint);
-  return fault;
+  const StopResult result =
+      stop_axis(link.transport(), options.executor, mode, nanos(options.patience), link.key());
+  if (result.rest)
+    fmt::print("{} is at rest: {}\n", options.executor, name(*result.rest));
+  else if (result.confirmed)
+    fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
+               options.executor, options.patience);
+  else
+    fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor,
+               unheard_hint);
+  return result.rest ? fine : fault;
 }
 
 }  // namespace

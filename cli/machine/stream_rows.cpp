@@ -2,6 +2,8 @@
 // Rows into a queue of the executor: one long table, or two banks.
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
@@ -59,17 +61,9 @@ int stream_rolling(const StreamArguments& options) {
                  fmt::format("{} rows played, {} ahead", p.played, p.acknowledged - p.played));
   };
   const RowOutcome outcome = stream_rows(link.transport(), std::move(plan), rolling);
-  const RowProgress& p = outcome.progress;
-  return report_outcome(
-      outcome, options.to, options.json,
-      fmt::format("{} of {} rows played at {}, {} underruns, {} messages sent again; {}", p.played,
-                  p.sent, options.to, p.underruns, p.resent, p.finished ? "finished" : "stopped"),
-      {{"rows", p.sent},
-       {"played", p.played},
-       {"underruns", p.underruns},
-       {"resent", p.resent},
-       {"finished", p.finished}},
-      {StreamError::refused, StreamError::underrun});
+  return report_outcome(outcome, options.to, options.json ? rows_json(outcome) : "",
+                        rows_text(outcome, options.to),
+                        {StreamError::refused, StreamError::underrun});
 }
 
 int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Until until,
@@ -84,9 +78,9 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
        .cancelled = [&] { return work.interrupted(); }});
   static_cast<void>(client.release());
   return report_outcome(
-      outcome, options.to, options.json,
+      outcome, options.to, options.json ? outcome_json(outcome) : "",
       fmt::format("{} at {}: {}", what, options.to, work.interrupted() ? "stopped" : end),
-      Json::object(), {StreamError::refused});
+      {StreamError::refused});
 }
 
 int stream_banks(const StreamArguments& options) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole tables: to one axis, or to several of one machine, all or none.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
@@ -11,6 +12,8 @@
 #include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/input.hpp"
+#include "cli/common/interrupt.hpp"
+#include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/machine/outcome.hpp"
@@ -69,11 +72,10 @@ std::int64_t tick_of(const StreamArguments& options, Link& link, const std::stri
     throw InputError("--at", options.at,
                      "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
   if (!from_now) return static_cast<std::int64_t>(*number);
-  const auto status =
-      present_status(link.transport(), executor, std::chrono::seconds(2), link.key());
-  if (!status)
+  const auto tick = tick_after(link.transport(), executor, *number, link.key());
+  if (!tick)
     throw TransportError("no status of executor " + executor + " arrived: " + unheard_hint);
-  return status->tick + static_cast<std::int64_t>(std::llround(*number * 1e9)) / status->cycle_ns;
+  return *tick;
 }
 
 /// True for a follow spec with --live. One that waits for a position of its master needs --live.
@@ -99,29 +101,6 @@ int stream_follow(const Input& input, const StreamArguments& options) {
               input.name, waits ? "waits for its master" : "started");
 }
 
-/// The last state of a table that was sent.
-std::string done_text(const StreamOutcome& outcome, const StreamArguments& options) {
-  const bool may_wait = !options.start_at.empty() || options.at_next_cut || !options.swaps.empty();
-  if (outcome.swaps > 0) return fmt::format("started, {} swaps", outcome.swaps);
-  if (outcome.started)
-    return options.no_wait && may_wait ? "accepted, waits for its start" : "started";
-  return outcome.armed ? "armed" : "downloaded";
-}
-
-int report(const StreamOutcome& outcome, const StreamArguments& options) {
-  const StreamProgress& progress = outcome.progress;
-  return report_outcome(outcome, options.to, options.json,
-                        fmt::format("{} chunks arrived at {}, {} sent again; {}", progress.chunks,
-                                    options.to, progress.resent, done_text(outcome, options)),
-                        {{"downloaded", outcome.downloaded},
-                         {"armed", outcome.armed},
-                         {"started", outcome.started},
-                         {"swaps", outcome.swaps},
-                         {"chunks", progress.chunks},
-                         {"resent", progress.resent}},
-                        {StreamError::refused, StreamError::dropped});
-}
-
 std::vector<std::string> names_of(const std::string& list) {
   std::vector<std::string> names;
   for (std::size_t from = 0; from <= list.size();) {
@@ -135,16 +114,11 @@ std::vector<std::string> names_of(const std::string& list) {
 
 int report(const std::vector<std::string>& names, const std::vector<StreamOutcome>& outcomes,
            const StreamArguments& options) {
-  Json document = Json::array();
   int status = fine;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const StreamOutcome& outcome = outcomes[i];
     status = std::max(status, status_of(outcome, {StreamError::refused, StreamError::dropped,
                                                   StreamError::stopped}));
-    Json entry{{"axis", names[i]}};
-    entry.update(json_of(outcome));
-    entry.update({{"started", outcome.started}, {"stopped", outcome.stopped}});
-    document.push_back(std::move(entry));
     if (options.json) continue;
     if (outcome.ok())
       fmt::print("{}: {}\n", names[i],
@@ -152,10 +126,9 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
                  : options.no_wait ? "started"
                                    : "finished");
     else
-      fmt::print(stderr, "jounce: {}: {}\n", names[i],
-                 said_of(outcome.error, reason_of(outcome, names[i])));
+      fmt::print(stderr, "jounce: {}: {}\n", names[i], error_text(outcome, names[i]));
   }
-  if (options.json) print_json(document);
+  if (options.json) print_json(group_json(names, outcomes));
   return status;
 }
 
@@ -179,7 +152,12 @@ int stream_table(const StreamArguments& options) {
         p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),
         name(p.stage));
   };
-  return report(stream_tables(link.transport(), plan, stream), options);
+  const StreamOutcome outcome = stream_tables(link.transport(), plan, stream);
+  const bool waits = options.no_wait &&
+                     (!options.start_at.empty() || options.at_next_cut || !options.swaps.empty());
+  return report_outcome(outcome, options.to, options.json ? stream_json(outcome) : "",
+                        stream_text(outcome, options.to, waits),
+                        {StreamError::refused, StreamError::dropped});
 }
 
 int stream_group(const StreamArguments& options) {

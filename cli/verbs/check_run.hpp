@@ -11,6 +11,12 @@
 
 namespace jounce::cli {
 
+/// Help of --tolerance.
+inline constexpr const char* tolerance_help =
+    "Differences up to this tolerance count as equal: a share of the range of each quantity "
+    "(1e-6), or KEY=VALUE for one quantity (position=0.01); repeatable; default: rounding errors "
+    "only";
+
 /// The options of the verbs that check files: which files, and how to report them.
 struct CheckRun {
   std::vector<std::string> files;

@@ -8,6 +8,8 @@
 #include "jounce/design/disc.hpp"
 
 #include "cli/common/input.hpp"
+#include "cli/common/option_names.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -17,13 +19,6 @@ struct ContourArguments {
   std::string spec;
   std::string output;
 };
-
-std::string drawn(const ContourArguments& options, const Spec& spec, const Disc& disc) {
-  if (options.output.ends_with(".dxf")) return contour_dxf(drawing_of(spec, disc));
-  if (options.output.ends_with(".svg")) return contour_svg(drawing_of(spec, disc));
-  if (options.output.ends_with(".csv")) return contour_csv(spec, disc);
-  throw InputError("--output", options.output, "must end in .dxf, .svg or .csv");
-}
 
 int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
@@ -39,7 +34,9 @@ int run_contour(const ContourArguments& options) {
     return finding;
   }
   require_other_file(options.spec, options.output);
-  write_file(options.output, drawn(options, spec, disc));
+  write_file(options.output, with_option_names({"output"}, [&] {
+               return contour_file(options.output, spec, disc);
+             }));
   fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name,
              printable(options.output), rounded(spec.disc->tolerance), spec.disc->length);
   fmt::print("{}\n{}", extremes_text(spec, disc), full_text(report, input.labels));

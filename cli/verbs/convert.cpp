@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/base/units.hpp"
+#include "jounce/controllers/table_target.hpp"
 #include "jounce/io/samples_csv.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/target_options.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -24,7 +23,7 @@ struct ConvertArguments {
   std::string axis;
   std::string to;
   std::string rule;
-  TargetOptions target;
+  TargetTexts target;
   std::size_t intervals = 0;
   std::string every;
   std::string master_unit;
@@ -39,7 +38,8 @@ Interpolation rule_for(const ConvertArguments& options, const TableForm& form, c
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     if (options.rule == name(rule)) return rule;
-  return rule_of(options.target).value_or(table.rule());
+  const ControllerTable* controller = controller_table(options.target.controller);
+  return controller != nullptr ? controller->rule : table.rule();
 }
 
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
@@ -50,8 +50,8 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                     .periodic = options.periodic,
                     .format = form.format};
   if (options.target.any())
-    wanted.target =
-        target_of(options.target, input.table.table.axis(), wanted.rule, input.labels.units);
+    wanted.target = target_of(options.target, input.table.table.axis(), wanted.rule,
+                              input.labels.units, option_of);
   return wanted;
 }
 
@@ -73,52 +73,58 @@ std::string text_of(const TableFile& file, const ConvertArguments& options, cons
     throw InputError("--every", options.every,
                      "writes samples, which are CSV: end OUT in .csv, and leave out --to");
   try {
-    return samples_csv(file, quantity(options.every, file.units.x));
+    return samples_csv(file, quantity_of("--every", options.every, file.units.x));
   } catch (const InputError& error) {
     throw InputError("--every", options.every, error.rule());
   }
 }
 
-/// Reports the parts of the input that the output does not contain.
-std::vector<std::string> losses(const ConvertArguments& options, const TableForm& form,
-                                const Input& input, const Table& made) {
-  std::vector<std::string> all = input.unread;
-  if (!options.every.empty()) all.emplace_back("samples: the file contains no values between them");
-  if (form.name == "points")
-    all.emplace_back("points count from the first knot; their types define the rates");
-  const std::vector<std::string> more = jounce::losses(input, form.format, made);
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 /// The extension of the file or --to must determine the format.
-void require_known_ending(const ConvertArguments& options, const TableForm& form) {
-  const std::string& path = options.output;
-  if (form.format != nullptr || !options.to.empty() || path == "-" || path.ends_with(".csv") ||
-      path.ends_with(".json"))
-    return;
-  std::string endings = ".csv, .json";
-  for (const CamFormat* format : cam_formats())
-    if (*format->extension != 0) endings += std::string(", ") + format->extension;
-  throw InputError(
-      "OUT", path,
-      "must end in one of " + endings + "; for another ending, name the format with --to");
+void require_known_ending(const ConvertArguments& options) {
+  if (options.to.empty() && !has_known_ending(options.output))
+    throw InputError("OUT", options.output,
+                     "must end in one of " + known_endings() +
+                         "; for another ending, name the format with --to");
 }
 
 int run_convert(const ConvertArguments& options) {
   const TableForm form = table_form(options.to, options.output);
-  require_known_ending(options, form);
+  require_known_ending(options);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made = convert(input, options, form);
   write_file(options.output, text_of(made.file, options, form));
   std::FILE* out = text_stream({options.output});
-  const auto lost = losses(options, form, input, made.file.table);
+  const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)
     fmt::print(out, "{}\n", conversion_json(made, form, options.output, lost));
   else
     fmt::print(out, "{}", conversion_text(input, made, form, lost));
   return fine;
+}
+
+/// The options for a table of fewest knots: the keys of [table].
+std::vector<Option> add_target_options(const Verb& verb, TargetTexts& texts) {
+  std::vector<std::string> names;
+  for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
+  return {
+      verb.option("--controller", texts.controller,
+                  "New knots: the best table that this controller can use")
+          .check(one_of(names)),
+      verb.option(
+          "--tolerance", texts.tolerance,
+          "New knots: the fewest that keep the position within this tolerance; default: unchanged"),
+      verb.option("--velocity-tolerance", texts.velocity_tolerance,
+                  "The same for the velocity (of a cam: geo_velocity)"),
+      verb.option("--most", texts.most,
+                  "Maximum number of new knots; without a tolerance, the table with the smallest "
+                  "error, or close to it"),
+      verb.option("--spacing", texts.spacing, "Least distance between new knots"),
+      verb.option("--resolution", texts.x_step, "New knots at multiples of this, such as 1ms"),
+      verb.option("--position-resolution", texts.p_step,
+                  "Round their positions to multiples of this, such as 1pulse"),
+      verb.option("--velocity-resolution", texts.v_step,
+                  "Round their velocities to multiples of this")};
 }
 
 }  // namespace

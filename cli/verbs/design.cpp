@@ -8,7 +8,6 @@
 #include "jounce/io/curve_file.hpp"
 
 #include "cli/common/input.hpp"
-#include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
@@ -47,16 +46,16 @@ int run_design(const DesignArguments& options) {
   require_other_file(options.spec, options.output);
   write_files(files);
   std::FILE* out = text_stream({options.output});
-  AxisDocuments documents;
+  std::vector<std::pair<std::string, std::string>> documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];
     const std::string file = file_of_axis("--output", options.output, input.axis, inputs.size());
     if (options.json)
-      documents.emplace_back(input.axis, Json::parse(design_json(input, reports[i], file)));
+      documents.emplace_back(input.axis, design_json(input, reports[i], file));
     else
       fmt::print(out, "{}", design_text(input, reports[i]));
   }
-  if (options.json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump());
+  if (options.json) fmt::print(out, "{}\n", axes_json(documents));
   return fine;
 }
 

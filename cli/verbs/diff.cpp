@@ -4,16 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/path_text.hpp"
-#include "jounce/design/version.hpp"
+#include "jounce/design/files/file_difference.hpp"
+#include "jounce/plot/input_figure.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/picture.hpp"
-#include "cli/common/tolerance_option.hpp"
 #include "cli/common/verb.hpp"
+#include "cli/verbs/check_run.hpp"
 
 namespace jounce::cli {
 namespace {
@@ -27,46 +26,28 @@ struct DiffArguments {
   bool json = false;
 };
 
-void draw(const std::string& path, const std::vector<std::pair<Input, Input>>& all) {
-  if (all.size() > 1) throw InputError("--output", path, "shows one axis: name it with --axis");
-  const auto& [before, after] = all.front();
+void draw(const std::string& path, const FileDifference& difference) {
+  if (difference.axes.size() > 1)
+    throw InputError("--output", path, "shows one axis: name it with --axis");
+  const auto& [before, after] = difference.axes.front();
   write_picture(path, figure_of(after, before));
 }
 
 int run_diff(const DiffArguments& options) {
   std::vector<Input> old = load_axes(options.before, options.axis);
   std::vector<Input> now = load_axes(options.after, options.axis);
-  const auto all = with_option_names({"axis"}, [&] {
-    return paired_axes(std::move(old), std::move(now), options.before, options.after);
+  const FileDifference difference = with_option_names({"axis", "tolerance"}, [&] {
+    return file_difference(
+        std::move(old), std::move(now), options.before, options.after,
+        [&](const Labels& labels) { return tolerance_of(options.tolerances, labels); });
   });
-  bool equal = true;
-  AxisDocuments documents;
-  std::string text;
-  for (const auto& [before, after] : all) {
-    const Comparison comparison =
-        compare(version_of(before, options.before), version_of(after, options.after),
-                tolerance_of(options.tolerances, after.labels));
-    equal = equal && comparison.equal();
-    if (options.json)
-      documents.emplace_back(after.axis, Json::parse(to_json(comparison)));
-    else
-      text += (text.empty() ? "" : "\n") + to_text(comparison);
-  }
-  const auto& [first, second] = all.front();
-  const bool paths = first.plan && second.plan;
-  if (paths && !options.json)
-    text = path_difference(*second.spec, *first.plan, *second.plan) + "\n" + text;
-  if (options.json) {
-    auto document = document_of(std::move(documents));
-    document["equal"] = equal;
-    if (paths)
-      document["path"] = {{"durations", {first.plan->duration(), second.plan->duration()}},
-                          {"lengths", {first.plan->path().length(), second.plan->path().length()}}};
-    text = document.dump(1) + "\n";
-  }
-  if (!options.output.empty()) draw(options.output, all);
-  fmt::print(text_stream({options.output}), "{}", text);
-  return equal ? fine : finding;
+  if (!options.output.empty()) draw(options.output, difference);
+  std::FILE* const out = text_stream({options.output});
+  if (options.json)
+    print_json(out, to_json(difference));
+  else
+    fmt::print(out, "{}", to_text(difference));
+  return difference.equal() ? fine : finding;
 }
 
 }  // namespace

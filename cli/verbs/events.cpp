@@ -8,6 +8,7 @@
 #include "jounce/design/output_events.hpp"
 
 #include "cli/common/input.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {

@@ -10,7 +10,6 @@
 
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
@@ -43,7 +42,7 @@ int run_identify(const IdentifyArguments& options) {
     require_other_file(options.log, output);
   }
   require_folders({{"--output", options.output}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   const Spec spec = read_spec(options.drive);
   if (!spec.drive)
     throw spec.document.located(InputError("drive", "", "is missing: the fit needs a [drive]"));
@@ -52,7 +51,7 @@ int run_identify(const IdentifyArguments& options) {
   const Identification found = fitted(recording, spec.drive->drive, options);
   std::FILE* out = text_stream({options.output, options.plot});
   if (options.json)
-    print_json(out, Json::parse(identification_json(found)));
+    print_json(out, identification_json(found));
   else
     fmt::print(out, "{}", identification_text(found, u));
   if (!found.usable()) return finding;

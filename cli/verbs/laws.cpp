@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "jounce/base/nearest.hpp"
 #include "jounce/design/law_guide.hpp"
-#include "jounce/plot/curve_figure.hpp"
-#include "jounce/profiles/error.hpp"
+#include "jounce/plot/input_figure.hpp"
 
 #include "cli/common/json.hpp"
-#include "cli/common/picture.hpp"
+#include "cli/common/option_names.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -25,45 +22,27 @@ struct LawsArguments {
   bool json = false;
 };
 
-Law law_of(const std::string& word) {
-  const auto law = law_named(word);
-  if (law) return *law;
-  std::vector<std::string> names;
-  for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
-  const std::string near = nearest(word, names);
-  throw InputError("LAW", word,
-                   "is not a law: " + (near.empty() ? "`jounce laws` lists them all"
-                                                    : "did you mean " + near + "?"));
+/// A law by its name; errors name LAW.
+Law named(const std::string& word) {
+  return under_option("LAW", [&] { return law_of(word); });
 }
 
 void draw(const LawsArguments& options) {
   if (options.law.empty())
     throw InputError("--output", options.output, "needs a LAW: name the law to draw");
-  const Law law = law_of(options.law);
-  const auto rising = rising_laws();
-  if (std::find(rising.begin(), rising.end(), law) == rising.end())
-    throw InputError("LAW", options.law,
-                     "has no shape to draw, because its points define it: choose another law");
-  CurveLook look;
-  look.title = info(law).title;
-  look.label = info(law).name;
-  write_picture(options.output, curve_figure(Cam(normalised(law, shown_form(law))), look));
+  const Law law = named(options.law);
+  write_picture(options.output, under_option("LAW", [&] { return law_figure(law); }));
 }
 
 int run_laws(const LawsArguments& options) {
-  if (options.markdown) {
+  if (options.markdown)
     fmt::print("{}", laws_markdown());
-  } else if (!options.output.empty()) {
+  else if (!options.output.empty())
     draw(options);
-  } else if (options.json) {
-    Json all = Json::array();
-    for (const LawInfo& law : all_laws())
-      if (options.law.empty() || law_of(options.law) == law.law)
-        all.push_back(Json::parse(law_json(law.law)));
-    fmt::print("{}\n", all.dump(1));
-  } else {
-    fmt::print("{}", options.law.empty() ? law_table() : law_text(law_of(options.law)));
-  }
+  else if (options.json)
+    print_json(options.law.empty() ? laws_json() : "[" + law_json(named(options.law)) + "]");
+  else
+    fmt::print("{}", options.law.empty() ? law_table() : law_text(named(options.law)));
   return fine;
 }
 

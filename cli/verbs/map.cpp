@@ -9,7 +9,7 @@
 #include "jounce/plot/cut_map_figure.hpp"
 
 #include "cli/common/option_names.hpp"
-#include "cli/common/picture.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {

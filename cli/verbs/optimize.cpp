@@ -6,16 +6,13 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/path_text.hpp"
-#include "jounce/design/peaks.hpp"
+#include "jounce/design/input.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"
 #include "jounce/study/tune.hpp"
 
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
@@ -50,33 +47,6 @@ SpecOptimum optimum(const OptimizeArguments& options, const Spec& spec) {
   return drive ? optimum_against(spec, *drive, watch) : optimum_of(spec, watch);
 }
 
-/// True if `jounce check` finds no fault with any axis of a spec. Prints the faults.
-bool passes_check(std::FILE* out, const Spec& spec) {
-  bool passes = true;
-  for (const Input& input : inputs_of(spec, spec.document.name)) {
-    const Report report = checked(input);
-    if (report.ok()) continue;
-    passes = false;
-    fmt::print(out, "no file is written: the result breaks these checks:\n{}",
-               full_text(report, input.labels));
-  }
-  return passes;
-}
-
-/// For a path: what was gained, and the proven bound.
-void print_bound(std::FILE* out, const Spec& given, const Spec& optimized) {
-  if (!std::holds_alternative<PathSpec>(optimized.subject)) return;
-  const std::shared_ptr<const Plan> before = make_axes(given).front().plan;
-  const std::shared_ptr<const Plan> after = make_axes(optimized).front().plan;
-  if (!before || !after) return;  // lines that overlap
-  const double bound = lower_bound(*after);
-  fmt::print(out,
-             "{0}proven lower bound on this path, without jerk limits: {1} {2}; the duration is "
-             "{3} times this bound\n",
-             path_difference(optimized, *before, *after), rounded(bound), optimized.units.x,
-             rounded(after->duration() / bound));
-}
-
 void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
            const std::string& text) {
   std::vector<Output> files;
@@ -95,19 +65,19 @@ void write(const OptimizeArguments& options, const Spec& given, const Spec& opti
 /// Prints the optimum and the peaks of the optimized spec. Writes the files if it passes the check.
 int report(const OptimizeArguments& options, const Spec& given, const SpecOptimum& best) {
   std::FILE* out = text_stream({options.output, options.table, options.plot});
-  if (!options.json) fmt::print(out, "{}", best.text);
   std::optional<Spec> spec;
   if (best.spec)
     spec = parse_spec(*best.spec, options.output.empty() ? given.document.name : options.output);
-  if (options.json) {
-    Json document = Json::parse(best.json);
-    if (spec) document["peaks"] = Json::parse(peaks_json(peak_changes(given, *spec)));
-    print_json(out, document);
-  } else if (spec) {
-    fmt::print(out, "{}", peaks_text(peak_changes(given, *spec)));
-    print_bound(out, given, *spec);
+  if (options.json)
+    print_json(out, spec ? improvement_json(best, given, *spec) : best.json);
+  else
+    fmt::print(out, "{}{}", best.text, spec ? improvement_text(given, *spec) : "");
+  if (!spec) return finding;
+  if (const std::string broken = broken_checks(*spec); !broken.empty()) {
+    fmt::print(options.json ? stderr : out,
+               "no file is written: the result breaks these checks:\n{}", broken);
+    return finding;
   }
-  if (!spec || !passes_check(options.json ? stderr : out, *spec)) return finding;
   write(options, given, *spec, *best.spec);
   return fine;
 }
@@ -117,7 +87,7 @@ int run_optimize(const OptimizeArguments& options) {
     require_other_file(options.spec, output);
   require_folders(
       {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   Spec spec = read_spec(options.spec);
   if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
     spec.parameters = corner_parameters(spec);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "jounce/base/file.hpp"
-#include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/design/over_time.hpp"
+#include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/path_picture.hpp"
 #include "jounce/proof/drive_figures.hpp"
 #include "jounce/proof/follower_figure.hpp"
@@ -11,7 +10,7 @@
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
-#include "cli/common/picture.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -27,30 +26,18 @@ struct PlotArguments {
   std::string output = "-";
 };
 
-/// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
-Drive drive_of(const PlotArguments& options) {
-  const std::string text = read_file(options.file);
-  const std::string name = options.file == "-" ? "standard input" : options.file;
-  const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
-  if (is_table(text) || cam_format_of_text(text) != nullptr) throw InputError(missing).at(name);
-  const Spec spec = parse_spec(text, name);
-  const std::vector<AxisPart> parts = spec.parts();
-  if (parts.size() > 1 && options.axis.empty())
-    throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
-  for (const AxisPart& part : parts)
-    if (part.drive && (options.axis.empty() || part.name == options.axis)) return part.drive->drive;
-  throw spec.document.located(missing);
-}
-
-Figure loop_figure(const PlotArguments& options) {
-  const Drive drive = drive_of(options);
-  Figure figure = options.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
-  figure.title = options.file + ": " + figure.title;
-  return figure;
-}
-
 bool of_loop(const PlotArguments& options) {
   return options.drive == "bode" || options.drive == "nyquist";
+}
+
+/// Calls loop_figure(); errors name --drive.
+Figure loop_of(const PlotArguments& options) {
+  try {
+    return loop_figure(options.file, options.axis, options.drive);
+  } catch (const InputError& error) {
+    if (error.key() != "axis") throw;
+    throw InputError("--drive", error.value(), error.rule());
+  }
 }
 
 /// Calls over_time(); errors name --over.
@@ -64,20 +51,14 @@ Input slave_of(const Input& input) {
 }
 
 Figure figure(const PlotArguments& options) {
-  if (of_loop(options)) return loop_figure(options);
+  if (of_loop(options)) return loop_of(options);
   std::vector<Input> inputs = load_program(options.file, options.machine, options.axis);
   if (!options.drive.empty()) {
     if (inputs.size() > 1)
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) {  // a spec with a [follower] has one axis
-    const Input& input = inputs.front();
-    const FollowerResult run = followed(input, 2001);
-    Figure figure = follower_figure(run, *input.spec->follower, input.labels.units.position);
-    figure.title = input.name + ": " + figure.title;
-    return figure;
-  }
+  if (options.follower) return follower_figure(inputs.front());  // with [follower]: one axis
   const bool over = options.over == "time";
   if (over)
     for (Input& input : inputs) input = slave_of(input);
@@ -93,15 +74,13 @@ int run_plot(const PlotArguments& options) {
   require_other_file(options.file, options.output);
   if (!options.plane.empty()) {
     const std::vector<Input> axes = load_program(options.file, options.machine, "");
-    write_svg(options.output,
-              svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); })));
+    const std::string picture =
+        svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); }));
+    require_picture_name("--output", options.output);
+    write_svg_file(options.output, picture);
     return fine;
   }
-  SvgOptions look;
-  if (options.drive == "torque-speed" || options.drive == "spectrum") look.panel_height = 320;
-  if (options.drive == "bode") look.panel_height = 220;
-  if (options.drive == "nyquist") look.panel_height = nyquist_height;
-  write_picture(options.output, figure(options), look);
+  write_picture(options.output, figure(options), drive_look(options.drive));
   return fine;
 }
 

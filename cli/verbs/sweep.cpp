@@ -16,7 +16,6 @@
 
 #include "cli/common/interrupt.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/picture.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
@@ -39,33 +38,15 @@ std::string journal_of(const SweepArguments& options) {
   return "";
 }
 
-/// "1200 of 5000, 2 min left", from the speed of the cases of this run: cases of a journal take no time.
-class Remaining {
- public:
-  std::string text(std::size_t done, std::size_t cases) {
-    if (first_ == 0) first_ = done - 1;
-    const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begun_;
-    const double left =
-        so_far.count() / static_cast<double>(done - first_) * static_cast<double>(cases - done);
-    return fmt::format(
-        "{} of {}, {} left", done, cases,
-        left < 100 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60));
-  }
-
- private:
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  std::size_t first_ = 0;
-};
-
 SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options, const Farm& farm) {
   const Interrupt interrupt;
   Progress progress("sweep");
-  Remaining remaining;
+  SweepClock clock;
   return run_sweep(spec, {.farm = farm,
                           .journal = journal_of(options),
                           .keep_going = [&](std::size_t done, std::size_t cases) {
                             progress.show(static_cast<double>(done) / static_cast<double>(cases),
-                                          remaining.text(done, cases));
+                                          clock.text(done, cases));
                             return !interrupt.asked();
                           }});
 }
@@ -139,7 +120,7 @@ int run_sweep(const SweepArguments& options) {
   for (const std::string& output : {options.output, options.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
   require_folders({{"--output", options.output}, {"--npy", options.npy}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture("--plot", options.plot);
+  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   return mpi_place().started ? run_under_mpi(options) : run_here(options);
 }
 

@@ -8,9 +8,9 @@
 #include "jounce/proof/drive_signals.hpp"
 #include "jounce/proof/proof.hpp"
 
-#include "cli/common/folders.hpp"
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
+#include "cli/common/outputs.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/verbs/check_run.hpp"
@@ -25,15 +25,6 @@ struct ValidateArguments {
   std::string signals;
   std::size_t samples = 2001;
 };
-
-void print_text(std::FILE* out, const Proof& proof, const Input& input) {
-  fmt::print(out, "{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
-             proof_text(proof, input));
-  if (!proof.drive)
-    fmt::print(out, "  {:<12} not checked: only a spec with a [drive] has a servo model\n",
-               "drive");
-  if (!proof.report.ok()) fmt::print(out, "\n{}", full_text(proof.report, input.labels));
-}
 
 /// Throws InputError if --signals cannot be written: a wrong path, several axes, or no [drive].
 void require_signals_of(const ValidateArguments& options, const std::vector<Input>& inputs) {
@@ -68,18 +59,18 @@ int print_answer(const ValidateArguments& options) {
   require_signals_of(options, inputs);
   std::FILE* out = options.signals == "-" ? stderr : stdout;
   bool ok = true;
-  AxisDocuments documents;
+  std::vector<std::pair<std::string, std::string>> documents;
   for (const Input& input : inputs) {
     const Proof proof = proven(input, options);
     ok = ok && proof.report.ok() && (!options.run.strict || proof.report.warnings() == 0);
     if (!options.signals.empty())
       write_file(options.signals, signals_file(*proof.drive, input, options.signals));
     if (json)
-      documents.emplace_back(input.axis, Json::parse(proof_json(proof, input)));
+      documents.emplace_back(input.axis, proof_json(proof, input));
     else
-      print_text(out, proof, input);
+      fmt::print(out, "{}", proof_answer(proof, input));
   }
-  if (json) fmt::print(out, "{}\n", document_of(std::move(documents)).dump(1));
+  if (json) print_json(out, axes_json(documents));
   return ok ? fine : finding;
 }
 

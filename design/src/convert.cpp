@@ -247,4 +247,27 @@ std::string conversion_json(const Converted& made, const TableForm& form, const 
   return document.dump();
 }
 
+std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
+                                    bool sampled) {
+  std::vector<std::string> all = input.unread;
+  if (sampled) all.emplace_back("samples: the file contains no values between them");
+  if (form.name == "points")
+    all.emplace_back("points count from the first knot; their types define the rates");
+  const std::vector<std::string> more = losses(input, form.format, made);
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+std::string known_endings() {
+  std::string endings = ".csv, .json";
+  for (const CamFormat* format : cam_formats())
+    if (*format->extension != 0) endings += std::string(", ") + format->extension;
+  return endings;
+}
+
+bool has_known_ending(const std::string& path) {
+  return cam_format_of_path(path) != nullptr || path == "-" || path.ends_with(".csv") ||
+         path.ends_with(".json");
+}
+
 }  // namespace jounce

@@ -118,4 +118,11 @@ std::string extremes_text(const Spec& spec, const Disc& disc) {
                            : "profile: nowhere hollow\n");
 }
 
+std::string contour_file(const std::string& path, const Spec& spec, const Disc& disc) {
+  if (path.ends_with(".dxf")) return contour_dxf(drawing_of(spec, disc));
+  if (path.ends_with(".svg")) return contour_svg(drawing_of(spec, disc));
+  if (path.ends_with(".csv")) return contour_csv(spec, disc);
+  throw InputError("output", path, "must end in .dxf, .svg or .csv");
+}
+
 }  // namespace jounce

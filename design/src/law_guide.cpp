@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/nearest.hpp"
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 namespace {
 
@@ -232,6 +235,22 @@ std::string law_json(Law which) {
                                    {"rms", c.rms}})
     document[key] = finite(value);
   return document.dump();
+}
+
+std::string laws_json() {
+  Json all = Json::array();
+  for (const LawInfo& law : all_laws()) all.push_back(Json::parse(law_json(law.law)));
+  return all.dump();
+}
+
+Law law_of(const std::string& word) {
+  if (const auto law = law_named(word)) return *law;
+  std::vector<std::string> names;
+  for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
+  const std::string near = nearest(word, names);
+  throw InputError("law", word,
+                   "is not a law: " + (near.empty() ? "`jounce laws` lists them all"
+                                                    : "did you mean " + near + "?"));
 }
 
 }  // namespace jounce

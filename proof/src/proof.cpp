@@ -150,4 +150,15 @@ std::string proof_json(const Proof& proof, const Input& input) {
   return document.dump();
 }
 
+std::string proof_answer(const Proof& proof, const Input& input) {
+  std::string text =
+      fmt::format("{}: {}\n{}", input.name, proof.report.ok() ? "proven" : "NOT proven",
+                  proof_text(proof, input));
+  if (!proof.drive)
+    text += fmt::format("  {:<12} not checked: only a spec with a [drive] has a servo model\n",
+                        "drive");
+  if (!proof.report.ok()) text += "\n" + full_text(proof.report, input.labels);
+  return text;
+}
+
 }  // namespace jounce

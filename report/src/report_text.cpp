@@ -271,4 +271,15 @@ template std::string extrema_text(const Curve<OverMaster>&, const Labels&);
 template std::string extrema_json(const Curve<OverTime>&, const Labels&);
 template std::string extrema_json(const Curve<OverMaster>&, const Labels&);
 
+std::string axes_json(const std::vector<std::pair<std::string, std::string>>& axes) {
+  if (axes.size() == 1) return axes.front().second;
+  auto all = nlohmann::ordered_json::object();
+  for (const auto& [name, text] : axes) {
+    auto document = nlohmann::ordered_json::parse(text);
+    if (document.contains("ok")) all["ok"] = all.value("ok", true) && document["ok"].get<bool>();
+    all["axes"][name] = std::move(document);
+  }
+  return all.dump();
+}
+
 }  // namespace jounce

@@ -49,5 +49,68 @@ TEST(Banks, ACancelledPlanStartsNothing) {
   EXPECT_TRUE(world.executor->rows.empty());
 }
 
+TEST(Operate, KeepsAHoldToRunJogUntilItIsCancelled) {
+  World world;
+  int asked = 0;
+  bool begun = false;
+  const CallOutcome outcome = execute_command(
+      world.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+      {.held = [&] { begun = true; }, .cancelled = [&] { return ++asked > 2; }}, world.clock);
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_TRUE(begun);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(world.executor->pump.receiver().session(), 0) << "the session has ended";
+}
+
+TEST(Operate, ARejectedJogHasNotBegun) {
+  World world;
+  world.executor->objection = "not_enabled";
+  bool begun = false;
+  const CallOutcome outcome = execute_command(
+      world.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+      {.held = [&] { begun = true; }}, world.clock);
+  EXPECT_EQ(outcome.error, StreamError::refused);
+  EXPECT_FALSE(begun);
+}
+
+TEST(Operate, SendsAnyOtherCommandOnce) {
+  World world;
+  const CallOutcome outcome =
+      execute_command(world.link, "feeder", command::Enable{}, {}, world.clock);
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+}
+
+/// The executor publishes a status in each millisecond of the world.
+void publish(World& world) {
+  world.each_turn = [&world] {
+    world.executor->pump.publish(
+        {.state = State::standstill, .tick = world.now.count() / 1'000'000, .cycle_ns = 1'000'000});
+  };
+}
+
+TEST(Operate, StopsAndWaitsForRest) {
+  World world;
+  EXPECT_FALSE(stop_axis(world.link, "feeder", wire::StopMode::stop, std::chrono::milliseconds(5),
+                         {}, world.clock)
+                   .rest)
+      << "no status arrives";
+  publish(world);
+  const StopResult result = stop_axis(world.link, "feeder", wire::StopMode::stop,
+                                      std::chrono::seconds(1), {}, world.clock);
+  EXPECT_TRUE(result.confirmed);
+  EXPECT_EQ(result.rest, State::standstill);
+}
+
+TEST(Operate, CountsTicksFromTheStatus) {
+  World world;
+  EXPECT_FALSE(tick_after(world.link, "feeder", 0, {}, world.clock)) << "no status arrives";
+  publish(world);
+  const std::int64_t now = world.now.count() / 1'000'000;
+  const auto tick = tick_after(world.link, "feeder", 2.5, {}, world.clock);
+  ASSERT_TRUE(tick);
+  EXPECT_GE(*tick, now + 2500) << "cycles of 1 ms";
+  EXPECT_LE(*tick, now + 2510);
+}
+
 }  // namespace
 }  // namespace jounce::operate_test

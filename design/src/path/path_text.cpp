@@ -229,6 +229,14 @@ std::string path_difference(const Spec& spec, const Plan& before, const Plan& af
                      units.length);
 }
 
+std::string path_bound(const Spec& spec, const Plan& plan) {
+  const double bound = lower_bound(plan);
+  return fmt::format(
+      "proven lower bound on this path, without jerk limits: {} {}; the duration is {} times this "
+      "bound\n",
+      rounded(bound), spec.units.x, rounded(plan.duration() / bound));
+}
+
 std::string overlap_text(const Spec& spec, const Overlapped& motion) {
   const Along units = units_along(spec);
   std::string text =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -48,8 +49,9 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Maste
 }
 
 Watch::Watch(Transport& link, WatchOptions options) : link_(link), options_(std::move(options)) {
-  std::vector<std::string> names = options_.names;
-  if (names.empty()) names.emplace_back("*");
+  std::set<std::string> names(options_.names.begin(), options_.names.end());
+  options_.names.assign(names.begin(), names.end());
+  if (names.empty()) names.insert("*");
   for (const std::string& name : names)
     for (const auto lane : {wire::Lane::status, wire::Lane::masters})
       link_.subscribe(wire::channel(name, lane), queue_capacity);

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/printable.hpp"
+#include "jounce/executor/log.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -101,6 +104,25 @@ Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
   if (is_measured(torque))
     figure.panels.push_back({.y_label = "torque [rated]", .series = {torque}});
   return figure;
+}
+
+ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options) {
+  constexpr std::size_t usual_ticks = 5000;
+  std::ifstream in(path, std::ios::binary);
+  RecordedAxis axis;
+  const bool is_listed = !options.csv.empty();
+  if (options.ticks || is_listed) axis = recorded_axis(path, options.axis);
+  LastTicks ticks(axis.axis, options.last.value_or(usual_ticks));
+  std::optional<TickLog> csv;
+  if (is_listed) csv.emplace(options.csv, axis.units);
+  Replay result = replay(in, path, [&](const RecordedCycle& cycle) {
+    if (options.ticks || options.last) ticks.add(cycle);
+    if (csv && !options.last && cycle.axis == axis.axis) csv->add(cycle.tick);
+  });
+  if (csv && options.last)
+    for (const Tick& tick : ticks.kept()) csv->add(tick);
+  if (csv) csv->close();
+  return {std::move(result), std::move(axis), ticks.kept()};
 }
 
 }  // namespace jounce

@@ -6,6 +6,7 @@
 
 #include "jounce/design/sync_zones.hpp"
 #include "jounce/plot/curve_figure.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/report/comparison.hpp"
 #include "jounce/spec/spec.hpp"
 
@@ -106,6 +107,17 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       *input.curve);
+}
+
+Figure law_figure(Law law) {
+  const auto rising = rising_laws();
+  if (std::find(rising.begin(), rising.end(), law) == rising.end())
+    throw InputError("law", info(law).name,
+                     "has no shape to draw, because its points define it: choose another law");
+  CurveLook look;
+  look.title = info(law).title;
+  look.label = info(law).name;
+  return curve_figure(Cam(normalised(law, shown_form(law))), look);
 }
 
 }  // namespace jounce

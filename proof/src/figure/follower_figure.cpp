@@ -44,4 +44,12 @@ Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
   return figure;
 }
 
+Figure follower_figure(const Input& input) {
+  constexpr std::size_t samples = 2001;
+  const FollowerResult run = followed(input, samples);
+  Figure figure = follower_figure(run, *input.spec->follower, input.labels.units.position);
+  figure.title = input.name + ": " + figure.title;
+  return figure;
+}
+
 }  // namespace jounce

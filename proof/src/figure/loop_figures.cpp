@@ -8,6 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/base/file.hpp"
+#include "jounce/design/input.hpp"
+#include "jounce/proof/drive_figures.hpp"
+#include "jounce/proof/loop_text.hpp"
 #include "jounce/validate/loop.hpp"
 
 #include "proof/src/text/loop_text.hpp"
@@ -119,6 +123,40 @@ Figure nyquist_figure(const Drive& drive) {
       {.x = -1, .y = 0, .text = "−1", .hint = loop_text(loop), .broken = !loop.stable});
   figure.panels = {std::move(panel)};
   return figure;
+}
+
+namespace {
+
+/// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
+Drive drive_in(const std::string& path, const std::string& axis, const std::string& which) {
+  const std::string text = read_file(path);
+  const std::string name = path == "-" ? "standard input" : path;
+  const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
+  if (is_finished_table(text)) throw InputError(missing).at(name);
+  const Spec spec = parse_spec(text, name);
+  const std::vector<AxisPart> parts = spec.parts();
+  if (parts.size() > 1 && axis.empty())
+    throw InputError("axis", which, "shows one axis: name it with --axis");
+  for (const AxisPart& part : parts)
+    if (part.drive && (axis.empty() || part.name == axis)) return part.drive->drive;
+  throw spec.document.located(missing);
+}
+
+}  // namespace
+
+Figure loop_figure(const std::string& path, const std::string& axis, const std::string& which) {
+  const Drive drive = drive_in(path, axis, which);
+  Figure figure = which == "bode" ? bode_figure(drive) : nyquist_figure(drive);
+  figure.title = path + ": " + figure.title;
+  return figure;
+}
+
+SvgOptions drive_look(const std::string& which) {
+  SvgOptions look;
+  if (which == "torque-speed" || which == "spectrum") look.panel_height = 320;
+  if (which == "bode") look.panel_height = 220;
+  if (which == "nyquist") look.panel_height = nyquist_height;
+  return look;
 }
 
 }  // namespace jounce

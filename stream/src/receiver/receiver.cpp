@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/stream/receiver/receiver.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <type_traits>
 #include <utility>
@@ -13,33 +12,12 @@
 namespace jounce {
 namespace {
 
-constexpr std::size_t remembered_sessions = 16;
 constexpr std::size_t most_answers = 64;  // between two polls, for messages of unknown senders
-
-/// The number of a command; 0: not a command.
-std::int32_t number_of(const wire::Body& body) {
-  return std::visit(
-      [](const auto& each) -> std::int32_t {
-        using Each = std::decay_t<decltype(each)>;
-        if constexpr (requires { each.command; } && !std::is_same_v<Each, wire::Reply>)
-          return each.command;
-        else
-          return 0;
-      },
-      body);
-}
 
 /// True if it is addressed to an executor; messages from executors and masters are not.
 bool is_command(const wire::Body& body) {
   const wire::Lane lane = wire::lane(body);
   return lane == wire::Lane::table || lane == wire::Lane::command;
-}
-
-/// True if it can open a session.
-bool opens(const wire::Body& body) {
-  const auto* const heartbeat = std::get_if<wire::Heartbeat>(&body);
-  return (heartbeat != nullptr && !heartbeat->release) ||
-         std::holds_alternative<wire::Header>(body) || std::holds_alternative<wire::Queue>(body);
 }
 
 ReceiverOptions checked(ReceiverOptions options) {
@@ -55,73 +33,31 @@ ReceiverOptions checked(ReceiverOptions options) {
 Receiver::Receiver(ReceiverOptions options, std::int64_t boot)
     : options_(checked(std::move(options))),
       boot_(boot),
+      challenges_(boot),
+      session_({options_.session_timeout, options_.hold_timeout}),
       tables_({options_.most_knots, options_.memory, options_.credit}),
-      challenge_(draw_challenge()),
-      operators_challenge_(draw_challenge()) {
+      queues_({options_.most_rows, options_.most_queues, options_.credit}),
+      command_(boot),
+      operator_(boot) {
   assert(boot > 0);
-}
-
-/// Draws another number each time, and at each boot: SplitMix64 maps 64-bit numbers one to one. It
-/// need not be secret: with a key, only its holders can sign for it; without a key, any sender may
-/// command.
-std::int64_t Receiver::draw_challenge() {
-  std::int64_t drawn = 0;
-  while (drawn <= 0) {
-    auto z = static_cast<std::uint64_t>(boot_) +
-             static_cast<std::uint64_t>(++challenges_) * 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    drawn = static_cast<std::int64_t>(z ^ (z >> 31U));
-  }
-  return drawn;
 }
 
 void Receiver::receive(const wire::Message& message, Nanos now) {
   if (message.executor != options_.executor || !is_command(message.body)) return;
   if (message.session == 0) return receive_operators(message);
-  if (message.session != session_) expire(now);
-  if (repeats(message, command_)) {
-    command_.due = true;
-    return;
-  }
-  if (Refused refused = barred(message)) return answer_barred(message, std::move(refused));
-  if (session_ == 0 && opens(message.body)) open(message.session);
-  const bool fresh = is_fresh(number_of(message.body));
-  const std::uint64_t before = rows_taken_;
+  if (message.session != session_.id()) expire(now);
+  const std::int32_t number = command_number(message.body);
+  if (session_.is_of_last_owner(message) && number != 0 && number == command_.number())
+    return command_.repeat();
+  if (Refused refused = session_.bars(message, challenges_.session()))
+    return answer_barred(message, std::move(refused));
+  if (session_.is_free() && opens_session(message.body)) open(message.session);
+  const bool is_news = command_.is_news(number);
+  const std::size_t before = events_.size();
   std::visit([&](const auto& body) { take(body); }, message.body);
-  if (message.session == session_ && (fresh || rows_taken_ != before)) heard_ = now;
-}
-
-/// True if the message proves that its streamer is alive. After the first command, only a new
-/// number counts: a repeated message may come from any sender, or from the network.
-bool Receiver::is_fresh(std::int32_t number) const {
-  const wire::Reply& last = command_.reply;
-  const bool waits = number == last.command && last.outcome == wire::Outcome::pending;
-  return last.command == 0 || number > last.command || waits;
-}
-
-/// True for a command of the last session with a recorded outcome: it gets that answer again.
-bool Receiver::repeats(const wire::Message& message, const Record& record) const {
-  return session_ == 0 && number_of(message.body) == record.reply.command &&
-         number_of(message.body) != 0 && message.session == record.session &&
-         message.challenge == record.challenge;
-}
-
-/// Reason why this message must have no effect.
-Refused Receiver::barred(const wire::Message& message) const {
-  const std::int64_t session = message.session;
-  if (session == session_ && message.challenge == challenge_) return {};
-  // The last owner may stop its motion even after its session, until there is another owner.
-  if (session_ == 0 && session == command_.session && message.challenge == command_.challenge &&
-      std::holds_alternative<wire::Stop>(message.body))
-    return {};
-  if (session_ != 0 && session != session_)
-    return {wire::Refusal::busy, "the axis belongs to another session"};
-  if (std::find(ended_.begin(), ended_.end(), session) != ended_.end())
-    return {wire::Refusal::session_ended, {}};
-  if (message.challenge != challenge_) return {wire::Refusal::stale_challenge, {}};
-  if (!opens(message.body)) return {wire::Refusal::unknown_session, {}};
-  return {};
+  const bool has_rows =
+      std::holds_alternative<wire::Rows>(message.body) && events_.size() != before;
+  if (message.session == session_.id() && (is_news || has_rows)) session_.receive(now);
 }
 
 void Receiver::answer_barred(const wire::Message& message, Refused refused) {
@@ -132,39 +68,9 @@ void Receiver::answer_barred(const wire::Message& message, Refused refused) {
     else if constexpr (std::is_same_v<Body, wire::Queue> || std::is_same_v<Body, wire::Rows>)
       refuse_queue_of(message.session, body.queue, std::move(refused));
     else
-      refuse_command(message.session, number_of(message.body), std::move(refused));
+      refuse_command(message.session, command_number(message.body), std::move(refused));
   };
   std::visit(answer, message.body);
-}
-
-/// Each operator command invalidates the challenge that it carries. Without a key, a stop with a
-/// wrong challenge is executed nevertheless: this is safe, and faster.
-void Receiver::receive_operators(const wire::Message& message) {
-  const std::int32_t number = number_of(message.body);
-  const auto* const stop = std::get_if<wire::Stop>(&message.body);
-  const auto* const command = std::get_if<wire::Command>(&message.body);
-  if (stop == nullptr && (command == nullptr || !is_operators(command->kind))) return;
-  if (number == operator_.reply.command && message.challenge == operator_.challenge) {
-    operator_.due = true;
-    return;
-  }
-  const bool sudden = stop != nullptr && !options_.key && message.challenge == 0;
-  if (message.challenge != operators_challenge_ && !sudden)
-    return refuse_command(0, number, {wire::Refusal::stale_challenge, {}});
-  operators_challenge_ = draw_challenge();
-  operator_ = {.challenge = message.challenge,
-               .kind = stop != nullptr ? Record::Kind::stop : Record::Kind::command,
-               .reply = {.boot = boot_, .command = number},
-               .due = true};
-  if (command != nullptr) {
-    if (Refused refused = misses(*command)) return settle(operator_, std::move(refused));
-    events_.emplace_back(
-        CommandRequested{0, number, command->at, command_of(command->kind, command->value)});
-    return;
-  }
-  armed_ = false;
-  events_.emplace_back(StopRequested{0, number, stop->mode});
-  if (session_ != 0) end(SessionEnded::Why::operator_stop);
 }
 
 std::vector<wire::Message> Receiver::poll(Nanos now) {
@@ -173,11 +79,10 @@ std::vector<wire::Message> Receiver::poll(Nanos now) {
 }
 
 std::vector<wire::Message> Receiver::answers() {
-  for (wire::Ack& ack : tables_.acks(boot_)) send(session_, std::move(ack));
-  for (auto& [index, queue] : queues_)
-    if (std::exchange(queue.ack_due, false)) send(session_, queue.intake.ack(boot_));
-  for (Record* record : {&command_, &operator_})
-    if (std::exchange(record->due, false)) send(record->session, record->reply);
+  for (wire::Ack& ack : tables_.acks(boot_)) send(session_.id(), std::move(ack));
+  for (wire::QueueAck& ack : queues_.acks(boot_)) send(session_.id(), std::move(ack));
+  if (auto reply = command_.take_reply()) send(session_.owner(), std::move(*reply));
+  if (auto reply = operator_.take_reply()) send(0, std::move(*reply));
   return std::exchange(outgoing_, {});
 }
 
@@ -189,17 +94,17 @@ std::optional<StreamEvent> Receiver::take_event() {
 }
 
 wire::Message Receiver::status(const wire::Status& status) const {
-  return {options_.executor, session_, status, challenge_};
+  return {options_.executor, session_.id(), status, challenges_.session()};
 }
 
 void Receiver::send(std::int64_t session, wire::Body body) {
-  const std::int64_t challenge = session == 0 ? operators_challenge_ : challenge_;
+  const std::int64_t challenge = session == 0 ? challenges_.operators() : challenges_.session();
   outgoing_.push_back({options_.executor, session, std::move(body), challenge});
 }
 
-void Receiver::take_table(std::uint32_t table, Refused refused) {
-  if (refused) refuse_table(session_, table, std::move(refused));
-  if (auto ready = tables_.take_ready()) events_.emplace_back(TableReady{session_, *ready});
+/// Answers any sender, up to a bound.
+void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
+  if (outgoing_.size() < most_answers) send(session, std::move(body));
 }
 
 void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused refused) {
@@ -209,40 +114,77 @@ void Receiver::refuse_table(std::int64_t session, std::uint32_t table, Refused r
                                      .reason = std::move(refused.reason)});
 }
 
-/// Answers any sender, up to a bound.
-void Receiver::answer_stranger(std::int64_t session, wire::Body body) {
-  if (outgoing_.size() < most_answers) send(session, std::move(body));
+void Receiver::refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused) {
+  answer_stranger(session, wire::QueueAck{.boot = boot_,
+                                          .queue = queue,
+                                          .refusal = refused.refusal,
+                                          .reason = std::move(refused.reason)});
+}
+
+void Receiver::refuse_command(std::int64_t session, std::int32_t command, Refused refused) {
+  answer_stranger(session, wire::Reply{.boot = boot_,
+                                       .command = command,
+                                       .outcome = wire::Outcome::refused,
+                                       .refusal = refused.refusal,
+                                       .reason = std::move(refused.reason)});
 }
 
 // ---- sessions -----------------------------------------------------------------------------------
 
 void Receiver::open(std::int64_t session) {
-  session_ = session;
+  session_.open(session, challenges_.session());
   armed_ = false;
-  command_ = {.session = session, .challenge = challenge_};
+  command_.clear();
 }
 
 void Receiver::end(SessionEnded::Why why) {
   tables_.clear();
   queues_.clear();
-  armed_queue_.reset();
-  challenge_ = draw_challenge();
-  // The answer to a stop is still due; nothing else may take effect any more.
-  const bool undecided =
-      command_.reply.command != 0 && command_.reply.outcome == wire::Outcome::pending;
-  if (undecided && command_.kind != Record::Kind::stop)
-    settle(command_, {wire::Refusal::session_ended, {}});
-  ended_.push_back(session_);
-  if (ended_.size() > remembered_sessions) ended_.pop_front();
-  events_.emplace_back(SessionEnded{session_, why});
-  session_ = 0;
   armed_ = false;
-  holds_ = false;
+  armed_queue_.reset();
+  challenges_.renew_session();
+  // The answer to a stop is still due; nothing else may take effect any more.
+  if (command_.waits(command_.number()) && command_.kind() != LastCommand::Kind::stop)
+    command_.settle({wire::Refusal::session_ended, {}});
+  events_.emplace_back(SessionEnded{session_.id(), why});
+  session_.end();
 }
 
 void Receiver::expire(Nanos now) {
-  const Nanos patience = holds_ ? options_.hold_timeout : options_.session_timeout;
-  if (session_ != 0 && now - heard_ > patience) end(SessionEnded::Why::silent);
+  if (session_.is_silent(now)) end(SessionEnded::Why::silent);
+}
+
+// ---- tables and queues --------------------------------------------------------------------------
+
+void Receiver::take_table(std::uint32_t table, Refused refused) {
+  if (refused) refuse_table(session_.id(), table, std::move(refused));
+  if (auto ready = tables_.take_ready()) events_.emplace_back(TableReady{session_.id(), *ready});
+}
+
+void Receiver::take(const wire::Queue& queue) {
+  if (Refused refused = queues_.add(queue))
+    refuse_queue_of(session_.id(), queue.queue, std::move(refused));
+  if (auto opened = queues_.take_opened())
+    events_.emplace_back(QueueOpened{session_.id(), std::move(*opened)});
+}
+
+void Receiver::take(const wire::Rows& rows) {
+  queues_.add(rows);
+  for (wire::Rows& ready : queues_.take_rows())
+    events_.emplace_back(RowsArrived{session_.id(), std::move(ready)});
+}
+
+void Receiver::level(std::uint32_t queue, const QueueLevel& level) {
+  queues_.level(queue, level);
+}
+
+void Receiver::refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason) {
+  queues_.refuse(queue, {refusal, std::move(reason)});
+}
+
+void Receiver::refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason) {
+  queues_.refuse(queue, {wire::Refusal::bad_row, std::move(reason)},
+                 static_cast<std::int64_t>(row));
 }
 
 }  // namespace jounce

@@ -2,6 +2,8 @@
 #include "jounce/stream/sender/operate.hpp"
 
 #include <chrono>
+#include <cmath>
+#include <thread>
 #include <utility>
 #include <variant>
 
@@ -92,6 +94,57 @@ CallOutcome await_home(Transport& link, const std::string& executor, Client& cli
       if (const CallOutcome stop = client.stop(); !stop.ok()) return stop;
     if (const CallOutcome alive = client.beat(); !alive.ok()) return alive;
   }
+}
+
+namespace {
+
+/// Keeps the session of a hold-to-run jog that the axis has accepted.
+CallOutcome keep_jogging(Client& client, const ExecuteOptions& options, const Clock& clock) {
+  if (options.held) options.held();
+  CallOutcome outcome;
+  const Nanos begin = clock();
+  const auto goes_on = [&] {
+    return !(options.cancelled && options.cancelled()) &&
+           (options.hold == Nanos{} || clock() - begin < options.hold);
+  };
+  while (outcome.ok() && goes_on()) {
+    std::this_thread::sleep_for(50ms);
+    outcome = client.beat();
+  }
+  return outcome;
+}
+
+}  // namespace
+
+CallOutcome execute_command(Transport& link, const std::string& executor,
+                            const ClientCommand& command, const ExecuteOptions& options,
+                            const Clock& clock) {
+  const bool homes = std::holds_alternative<command::Home>(command);
+  if (!homes && !holds_to_run(command))
+    return send_command(link, executor, command, options.at, options.key);
+  if (homes) link.subscribe(wire::channel(executor, wire::Lane::status), 1);
+  Client client(link, executor, {.key = options.key}, clock);
+  CallOutcome outcome = client.command(command, options.at);
+  const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
+  if (outcome.ok())
+    outcome = homes ? await_home(link, executor, client, cancelled, options.key, clock)
+                    : keep_jogging(client, options, clock);
+  static_cast<void>(client.release());
+  return outcome;
+}
+
+StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMode mode,
+                     Nanos patience, const std::optional<wire::Key>& key, const Clock& clock) {
+  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
+  if (!operator_stop(link, executor, mode, 2s, clock, key)) return {};
+  return {true, await_rest(link, executor, patience, key, clock)};
+}
+
+std::optional<std::int64_t> tick_after(Transport& link, const std::string& executor, double seconds,
+                                       const std::optional<wire::Key>& key, const Clock& clock) {
+  const auto status = present_status(link, executor, 2s, key, clock);
+  if (!status) return std::nullopt;
+  return status->tick + static_cast<std::int64_t>(std::llround(seconds * 1e9)) / status->cycle_ns;
 }
 
 }  // namespace jounce

@@ -194,4 +194,14 @@ std::string summary_json(const SweepSpec& spec, const SweepResult& result,
   return all.dump(1);
 }
 
+std::string SweepClock::text(std::size_t done, std::size_t cases) {
+  if (first_ == 0) first_ = done - 1;
+  const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begun_;
+  const double left =
+      so_far.count() / static_cast<double>(done - first_) * static_cast<double>(cases - done);
+  return fmt::format(
+      "{} of {}, {} left", done, cases,
+      left < 100 ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / 60));
+}
+
 }  // namespace jounce

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,5 +44,28 @@ Target target_of(const ControllerTable& controller, const Units& units,
 /// Returns the key in a spec for a member of Target. For a cam, velocities are "geo_velocity...";
 /// x_step is "time_resolution" or "master_resolution".
 std::string spec_key(Domain axis, const std::string& member);
+
+/// A Target in texts, with or without units; empty: not given.
+struct TargetTexts {
+  std::string controller = {};  ///< name of a ControllerTable
+  std::string tolerance = {};
+  std::string velocity_tolerance = {};
+  std::optional<std::size_t> most = {};
+  std::string spacing = {};
+  std::string x_step = {};
+  std::string p_step = {};
+  std::string v_step = {};
+
+  [[nodiscard]] bool any() const;
+};
+
+/// The name of a member in a message; the member's own by default.
+using MemberName = std::function<std::string(const std::string& member)>;
+
+/// The target of the texts in these units, within the limits of the controller. Throws InputError,
+/// with the name of the member as key: not a positive quantity of this unit, an unknown controller,
+/// or one that needs another axis or rule.
+Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, const Units& units,
+                 const MemberName& name_of = {});
 
 }  // namespace jounce

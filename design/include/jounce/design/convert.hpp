@@ -60,6 +60,15 @@ TableForm table_form(const std::string& name, const std::string& path);
 /// The text of a file in this form. Throws InputError like exchange_text() and points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
+/// Everything of an input that a file in this form does not contain: unread parts of its own file, and
+/// losses() of the format. `sampled`: the file has samples of the table.
+std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
+                                    bool sampled = false);
+
+/// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
+std::string known_endings();
+/// True if a path has one of them, or is "-".
+bool has_known_ending(const std::string& path);
 /// The output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);

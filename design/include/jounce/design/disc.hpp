@@ -52,4 +52,8 @@ std::string contour_svg(const DiscDrawing& drawing);
 /// spec's tolerance.
 std::string contour_csv(const Spec& spec, const Disc& disc);
 
+/// The drawing in the format of the ending of a path: .dxf, .svg or .csv. Throws InputError (key
+/// "output") for any other.
+std::string contour_file(const std::string& path, const Spec& spec, const Disc& disc);
+
 }  // namespace jounce

@@ -15,6 +15,8 @@ namespace jounce {
 /// family.
 LawForm shown_form(Law law);
 
+/// The law of this name. Throws InputError (key "law"), with the nearest name, if there is none.
+Law law_of(const std::string& name);
 /// The laws that have characteristic values, because they have a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
 /// The characteristic values of such a law.
@@ -31,6 +33,8 @@ std::string law_text(Law law);
 
 /// The description as a JSON object with the characteristic values (null if infinite).
 std::string law_json(Law law);
+/// The same of all laws, a list.
+std::string laws_json();
 
 /// The text of docs/laws.md.
 std::string laws_markdown();

@@ -62,6 +62,9 @@ std::string path_json(const Spec& spec, const PathSummary& summary);
 /// One line with the durations and lengths of two plans, and their differences.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
 
+/// The proven lower bound of the duration of a plan, and the duration as a multiple of it: a line for
+/// people.
+std::string path_bound(const Spec& spec, const Plan& plan);
 /// The result of overlapping lines as text and as JSON: the duration, and overlap and deviation of
 /// each corner.
 std::string overlap_text(const Spec& spec, const Overlapped& motion);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -52,6 +53,17 @@ struct ExecutorSummary {
   std::int64_t record_lost = 0;   ///< number of cycles that are missing in the record
   /// Name that another executor owns, so that this executor ended; "": none.
   std::string lost_name;
+
+  /// True if the fault of an axis is latched at the end.
+  [[nodiscard]] bool has_fault() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const AxisSummary& axis) { return axis.fault != Cause::none; });
+  }
+  /// True if an axis has ended a motion.
+  [[nodiscard]] bool has_played() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const AxisSummary& axis) { return axis.finished + axis.stopped > 0; });
+  }
 };
 
 /// Runs an executor (`jounce run`). The cyclic thread steps all axes; the calling thread

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "jounce/machine/watch.hpp"
+#include "jounce/stream/security/key.hpp"
+#include "jounce/stream/transport/transport.hpp"
 
 /// The screen of `jounce monitor`, independent of any terminal: it turns states of axes into rows
 /// of text.
@@ -54,5 +57,10 @@ enum class Action { nothing, quit, hold, resume, stop };
 /// Processes a key and returns the requested action. A stop needs two keys, `s` and then `y`. Any
 /// other key cancels it, except `q`, which quits.
 Action press(View& view, const std::vector<Watched>& axes, Key key);
+
+/// Sends the stop, the hold or the resume to an axis as an operator, and returns its answer in a few
+/// words, for View::note. Throws TransportError.
+std::string send(Transport& link, const std::string& axis, Action action,
+                 const std::optional<wire::Key>& key);
 
 }  // namespace jounce::dashboard

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <string>
 
 #include "jounce/executor/replay.hpp"
@@ -46,5 +47,24 @@ class LastTicks {
 /// Returns a figure over time: setpoint and actual position, velocity, following error and torque,
 /// with a mark at each fault. Quantities that the drive does not report are omitted.
 Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis);
+
+/// The parts of a record that replay_file() keeps.
+struct ReplayFileOptions {
+  std::string axis = {};                 ///< name of the axis to keep; empty: the first
+  std::optional<std::size_t> last = {};  ///< number of last ticks of it; nullopt: see below
+  std::string csv = {};  ///< tick log to write, by default of all ticks; empty: none
+  bool ticks = false;    ///< keep ticks for tick_figure(), by default 5000
+};
+
+/// The replay of a record, and the kept ticks of one axis.
+struct ReplayedFile {
+  Replay replay;
+  RecordedAxis axis = {};  ///< axis of the ticks, if there are any or a CSV file
+  std::deque<Tick> ticks = {};
+};
+
+/// Replays a record and writes its ticks as they come: a record may be longer than memory. Throws
+/// InputError like recorded_axis(), and std::system_error for the CSV file.
+ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options = {});
 
 }  // namespace jounce

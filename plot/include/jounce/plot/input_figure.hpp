@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "jounce/design/input.hpp"
+#include "jounce/design/law_guide.hpp"
 #include "jounce/plot/figure.hpp"
 
 namespace jounce {
@@ -17,5 +18,9 @@ Figure figure_of(const Input& input, const std::optional<Input>& before = std::n
 /// Returns all axes in one figure, in different colors. A limit is drawn if all axes have the same.
 /// Throws InputError (key "axis") if their units differ.
 Figure figure_of(const std::vector<Input>& axes);
+
+/// The rise of a law from 0 to 1 with its derivatives. Throws InputError (key "law") for a law whose
+/// points define its shape.
+Figure law_figure(Law law);
 
 }  // namespace jounce

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "jounce/report/diagnostic.hpp"
 
@@ -45,5 +46,17 @@ std::string to_sarif(const RunResult& run, bool quiet = false);
 /// Returns JUnit XML: a suite for each file, and a case for each rule at each place, including
 /// those that hold. If a case has several failures, Jenkins shows only one.
 std::string to_junit(const RunResult& run, bool strict = false);
+
+/// The formats of to_format().
+const std::vector<std::string>& run_formats();
+
+/// How much of a run is written.
+struct RunLook {
+  bool strict = false;  ///< a warning counts as a broken limit
+  bool quiet = false;   ///< errors and broken limits alone
+};
+
+/// The run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".
+std::string to_format(const RunResult& run, const std::string& format, const RunLook& look = {});
 
 }  // namespace jounce

@@ -39,4 +39,14 @@ SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {})
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 
+/// The optimized spec beside the given one: the peaks of both, and for a path its duration and the
+/// proven bound of the duration.
+std::string improvement_text(const Spec& given, const Spec& optimized);
+/// SpecOptimum::json with the peaks of both specs.
+std::string improvement_json(const SpecOptimum& best, const Spec& given, const Spec& optimized);
+
+/// The findings of `jounce check` that an optimized spec breaks, as text for people; "" if it breaks
+/// none.
+std::string broken_checks(const Spec& optimized);
+
 }  // namespace jounce

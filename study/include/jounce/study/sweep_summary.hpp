@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,5 +71,16 @@ std::string listed_text(const SweepSpec& spec, std::size_t number);
 /// Returns the index of a figure in SweepSpec::given, by its name. All figures in objectives and
 /// limits are there.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);
+
+/// Progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min left". The time
+/// follows from the speed since the first call: cases of a journal take no time.
+class SweepClock {
+ public:
+  std::string text(std::size_t done, std::size_t cases);
+
+ private:
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  std::size_t first_ = 0;
+};
 
 }  // namespace jounce

@@ -3,15 +3,18 @@
 
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/message/refusal.hpp"
-#include "jounce/stream/receiver/row_intake.hpp"
+#include "jounce/stream/receiver/challenges.hpp"
+#include "jounce/stream/receiver/last_command.hpp"
+#include "jounce/stream/receiver/queue_intake.hpp"
+#include "jounce/stream/receiver/session.hpp"
 #include "jounce/stream/receiver/table_intake.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -160,8 +163,7 @@ class Receiver {
   /// Rejects a row of a queue. `row`: index in its bank, from 0.
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
-  /// Session that owns the axis; 0: none.
-  [[nodiscard]] std::int64_t session() const { return session_; }
+  [[nodiscard]] std::int64_t session() const { return session_.id(); }  ///< 0: the axis is free
   /// True if an arm was accepted, so a start is passed to the axis.
   [[nodiscard]] bool armed() const { return armed_; }
   /// The complete tables.
@@ -170,32 +172,14 @@ class Receiver {
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
   /// The number of this start of the executor.
   [[nodiscard]] std::int64_t boot() const { return boot_; }
-  /// The challenge for the messages of a session.
-  [[nodiscard]] std::int64_t challenge() const { return challenge_; }
-  /// The challenge for the messages of an operator.
-  [[nodiscard]] std::int64_t operators_challenge() const { return operators_challenge_; }
+  /// Challenge of the messages of a session, and of those of an operator.
+  [[nodiscard]] std::int64_t challenge() const { return challenges_.session(); }
+  [[nodiscard]] std::int64_t operators_challenge() const { return challenges_.operators(); }
 
   /// Returns the status message of the axis: adds name, session and challenge.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:
-  /// The newest command of a session, and its outcome.
-  struct Record {
-    enum class Kind { heartbeat, arm, start, stop, command };
-    std::int64_t session = 0;
-    std::int64_t challenge = 0;
-    Kind kind = Kind::heartbeat;
-    wire::Reply reply{};
-    bool due = false;
-    std::optional<ClientCommand> what{};
-  };
-
-  /// A queue of the live session.
-  struct OpenQueue {
-    RowIntake intake;
-    bool ack_due = true;
-  };
-
   void take(const wire::Header& header) { take_table(header.table, tables_.add(header)); }
   void take(const wire::Chunk& chunk) { take_table(chunk.table, tables_.add(chunk)); }
   void take(const wire::Queue& queue);
@@ -208,49 +192,36 @@ class Receiver {
   template <class Other>
   void take(const Other& /*from an executor*/) {}
 
-  [[nodiscard]] bool is_fresh(std::int32_t number) const;
-  [[nodiscard]] Refused barred(const wire::Message& message) const;
-  [[nodiscard]] bool repeats(const wire::Message& message, const Record& record) const;
-  void answer_barred(const wire::Message& message, Refused refused);
-  void receive_operators(const wire::Message& message);
-  [[nodiscard]] std::int64_t draw_challenge();
-
   void open(std::int64_t session);
   void end(SessionEnded::Why why);
   void expire(Nanos now);
 
+  void receive_operators(const wire::Message& message);
   void take_table(std::uint32_t table, Refused refused);
-  void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
-  [[nodiscard]] OpenQueue* open_queue(std::uint32_t queue);
-  [[nodiscard]] Refused misses(const wire::Command& command);
-  void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
-
-  bool is_new(Record& record, Record::Kind kind, std::int32_t command) const;
-  void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
   void arm_queue(const wire::Arm& arm);
-  void done(const Record& record);
-  void settle(Record& record, Refused refused);
-  [[nodiscard]] Record* pending(std::int64_t session, std::int32_t command);
-  void send(std::int64_t session, wire::Body body);
+  [[nodiscard]] Refused misses(const wire::Command& command) const;
+  [[nodiscard]] LastCommand* pending(std::int64_t session, std::int32_t command);
+  void done(const LastCommand& record);
+
+  void answer_barred(const wire::Message& message, Refused refused);
+  void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
+  void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
+  void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
   void answer_stranger(std::int64_t session, wire::Body body);
+  void send(std::int64_t session, wire::Body body);
 
   ReceiverOptions options_;
   std::int64_t boot_;
+  Challenges challenges_;
+  Session session_;
   TableIntake tables_;
+  QueueIntake queues_;
+  LastCommand command_;                        // of the present session, or of the last one
+  LastCommand operator_;                       // of session 0
+  std::int64_t operators_last_challenge_ = 0;  // of the last command in session 0
 
-  std::int64_t session_ = 0;
-  Nanos heard_{};
   bool armed_ = false;
-  bool holds_ = false;           // the session has begun a hold-to-run jog
-  std::int64_t challenges_ = 0;  // number of challenges drawn
-  std::int64_t challenge_;
-  std::int64_t operators_challenge_;
-  std::map<std::uint32_t, OpenQueue> queues_;
-  std::uint64_t rows_taken_ = 0;                                       // messages of rows taken
   std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // queue and bank armed last
-  Record command_;   // command of the live session, or of the last one
-  Record operator_;  // last command of session 0
-  std::deque<std::int64_t> ended_;
 
   std::vector<wire::Message> outgoing_;
   std::deque<StreamEvent> events_;

@@ -7,20 +7,9 @@
 
 #include "jounce/stream/sender/ask.hpp"
 #include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/outcome.hpp"
 
 namespace jounce {
-
-/// Outcome of a call of Client.
-struct CallOutcome {
-  /// One of none, no_answer, command_timeout, restarted and refused.
-  StreamError error = StreamError::none;
-  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
-  std::int32_t cause = 0;  ///< if the axis has rejected it: number of the Cause; otherwise 0
-  std::string reason{};    ///< the reason as text; may be empty
-
-  /// True if the call was accepted.
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
-};
 
 /// Options of a client.
 struct ClientOptions {

@@ -41,4 +41,36 @@ CallOutcome await_home(Transport& link, const std::string& executor, Client& cli
                        const std::function<bool()>& cancelled,
                        const std::optional<wire::Key>& key = {}, const Clock& clock = steady_now);
 
+/// A command that takes time, and how long it may take.
+struct ExecuteOptions {
+  std::int64_t at = -1;  ///< tick in the executor, -1: the next one; not with a homing
+  Nanos hold{};          ///< a hold-to-run jog ends after this time; 0: only if cancelled
+  std::function<void()> held = {};       ///< called when a hold-to-run jog has begun; may be empty
+  std::function<bool()> cancelled = {};  ///< true: ends the jog, or stops the homing; may be empty
+  std::optional<wire::Key> key = {};
+};
+
+/// Sends one command and waits for its end: for a homing until the axis is homed (await_home()), for
+/// a hold-to-run jog until its time is over or it is cancelled; for any other command only for its
+/// answer (send_command()). Throws InputError for a value out of range, and TransportError.
+CallOutcome execute_command(Transport& link, const std::string& executor,
+                            const ClientCommand& command, const ExecuteOptions& options = {},
+                            const Clock& clock = steady_now);
+
+struct StopResult {
+  bool confirmed = false;          ///< the executor has accepted the stop
+  std::optional<State> rest = {};  ///< state at rest; nullopt: not within the time
+};
+
+/// Stops an axis as an operator, and waits until it is at rest (await_rest()).
+StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMode mode,
+                     Nanos patience, const std::optional<wire::Key>& key = {},
+                     const Clock& clock = steady_now);
+
+/// The tick of an executor that is this number of seconds (>= 0) after its present status; nullopt:
+/// no status arrives within two seconds.
+std::optional<std::int64_t> tick_after(Transport& link, const std::string& executor, double seconds,
+                                       const std::optional<wire::Key>& key = {},
+                                       const Clock& clock = steady_now);
+
 }  // namespace jounce

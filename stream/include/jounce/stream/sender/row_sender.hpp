@@ -57,16 +57,9 @@ struct RowProgress {
   bool finished = false;           ///< true: the executor has played the last row
 };
 
-/// Outcome of a stream of rows.
-struct RowOutcome {
-  StreamError error = StreamError::none;        ///< `underrun` only if the plan does not resume
-  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
-  std::int32_t cause = 0;  ///< if the axis has rejected a command: number of the Cause; otherwise 0
-  std::string reason{};    ///< the reason as text; may be empty
+/// Outcome of a rolling stream. An underrun is an error unless the plan resumes.
+struct RowOutcome : CallOutcome {
   RowProgress progress{};  ///< progress at the end
-
-  /// True if there was no error.
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
 /// The streamer's half of a rolling stream, as a pure state machine without thread, clock or link.

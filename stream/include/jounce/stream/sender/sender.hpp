@@ -11,6 +11,7 @@
 #include "jounce/stream/sender/chunk_window.hpp"
 #include "jounce/stream/sender/command_slot.hpp"
 #include "jounce/stream/sender/farewell.hpp"
+#include "jounce/stream/sender/outcome.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -28,23 +29,6 @@ struct SenderOptions {
   /// Greatest time until a further chunk arrives.
   Nanos progress_patience = std::chrono::seconds(10);
 };
-
-/// Reason why a stream has failed.
-enum class StreamError {
-  none,             ///< no failure
-  no_answer,        ///< the executor has never answered
-  contact_lost,     ///< the executor has answered before, but does not any more
-  stalled,          ///< the executor answers, but no further chunk arrives
-  command_timeout,  ///< the executor answers, but an arm, a start or a stop has no outcome
-  out_of_time,      ///< the time limit of the call was reached
-  restarted,        ///< the executor was restarted and has lost its state
-  refused,          ///< the executor has rejected a message: see refusal and reason
-  underrun,         ///< rows arrived too slowly, and the axis has stopped on its path
-  stopped,          ///< another sender, or a fault, has stopped the axis
-  dropped,          ///< an accepted start could not take place later: see reason
-};
-/// Returns the name of an error.
-const char* name(StreamError error);
 
 /// Stage of a stream.
 enum class StreamStage {
@@ -70,21 +54,14 @@ struct StreamProgress {
   std::size_t resent = 0;                        ///< number of chunks that were sent again
 };
 
-/// Outcome or present state of a stream. A flag is set when the executor has confirmed it.
-struct StreamOutcome {
-  StreamError error = StreamError::none;        ///< reason of a failure
-  wire::Refusal refusal = wire::Refusal::none;  ///< for `refused`: the reason
-  std::int32_t cause = 0;  ///< if the axis has rejected a command: number of the Cause; otherwise 0
-  std::string reason;      ///< the reason as text; may be empty
+/// Outcome or state of a stream. Each flag is set once the executor has confirmed it.
+struct StreamOutcome : CallOutcome {
   bool downloaded = false;  ///< all tables have arrived
   bool armed = false;       ///< the motion is armed
   bool started = false;   ///< the start was accepted; with StreamPlan::await: the motion has begun
   bool stopped = false;   ///< the axis was stopped
   std::size_t swaps = 0;  ///< number of swaps that were accepted
   StreamProgress progress;  ///< progress so far
-
-  /// True if there was no failure.
-  [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
 
 /// The streamer's half of the protocol for tables, as a pure state machine without thread, clock or

@@ -21,6 +21,9 @@ using Clock = std::function<Nanos()>;
 /// Returns the time of the system's monotonic clock.
 Nanos steady_now();
 
+/// Seconds as a time; more than thirty years counts as unlimited.
+Nanos nanos(double seconds);
+
 /// Bytes received on a channel.
 struct Packet {
   std::string channel;           ///< name of the channel

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/common/tolerance_option.hpp"
-
 #include <algorithm>
 
 #include "jounce/base/csv.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/report/comparison.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& labels) {
@@ -18,7 +17,7 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
   if (equals == std::string::npos) tolerance.share = csv_number(text);
   if (equals == std::string::npos ? !tolerance.share : name == names.end())
     throw InputError(
-        "--tolerance", text,
+        "tolerance", text,
         std::string("must be a share, such as 1e-6, or KEY=VALUE with one of the keys ") +
             names[0] + ", " + names[1] + ", " + names[2] + ", " + names[3]);
   try {
@@ -29,7 +28,7 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
     }
     require_not_negative("", value);
   } catch (const InputError& error) {
-    throw InputError("--tolerance", text, error.rule());
+    throw InputError("tolerance", text, error.rule());
   }
 }
 
@@ -41,4 +40,4 @@ Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labe
   return tolerance;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace jounce::cli {
+namespace jounce {
 
 /// Prints a line to standard error. A terminal that takes no text, and one that is closed, do not hold up the
 /// program or end it: then the line is dropped.
-void say(const std::string& notice);
+void print_notice(const std::string& notice);
 
-}  // namespace jounce::cli
+}  // namespace jounce

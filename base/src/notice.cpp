@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/common/say.hpp"
+#include "jounce/base/notice.hpp"
 
 #include <cstdio>
 
@@ -8,12 +8,12 @@
 
 #include "jounce/base/printable.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
-void say(const std::string& notice) {
+void print_notice(const std::string& notice) {
   pollfd out{STDERR_FILENO, POLLOUT, 0};
   if (poll(&out, 1, 0) != 1 || (out.revents & POLLOUT) == 0) return;
   std::fputs((printable(notice) + "\n").c_str(), stderr);  // unlike fmt::print() it does not throw
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/machine/outcome.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/common/json.hpp"
+#include "cli/common/verb.hpp"
+#include "cli/machine/link.hpp"
+
+namespace jounce::cli {
+
+std::string error_text(const CallOutcome& outcome, const std::string& executor) {
+  const std::string text =
+      fmt::format("{}: {}", name(outcome.error), reason_text(outcome, executor));
+  return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
+}
+
+int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings) {
+  if (outcome.ok()) return fine;
+  const bool found = std::find(findings.begin(), findings.end(), outcome.error) != findings.end();
+  return found ? finding : fault;
+}
+
+int report_outcome(const CallOutcome& outcome, const std::string& executor, const std::string& json,
+                   const std::string& done, std::initializer_list<StreamError> findings) {
+  if (!json.empty())
+    print_json(json);
+  else if (outcome.ok())
+    fmt::print("{}\n", done);
+  else
+    fmt::print(stderr, "jounce: {}\n", error_text(outcome, executor));
+  return status_of(outcome, findings);
+}
+
+}  // namespace jounce::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "jounce/design/input.hpp"
+#include "jounce/design/path_text.hpp"
+
+namespace jounce {
+
+/// Sets limits from texts such as "velocity=3" and "geo_velocity=3 mm/deg", each in place of the
+/// limit of the spec. Throws InputError with the key "limit" for a text that names no limit, and
+/// "limit NAME" for a bad number and for limits that contradict each other.
+void set_limits(Limits& limits, const std::vector<std::string>& texts, const Labels& labels);
+
+/// Texts of an EngageState, with or without a unit; empty: the default.
+struct EngageTexts {
+  std::string slave = {};
+  std::string master = {};
+  std::string master_velocity = {};
+};
+/// Throws InputError, with the name of the member as key, for a text that is no quantity of this
+/// unit, and for an input without a spec with [coupling].
+EngageState engage_state(const Input& input, const EngageTexts& texts);
+
+/// The report of `jounce check` for one axis: checked(), the peaks without a limit, and a warning if
+/// there are no limits at all.
+Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
+
+/// The check of all axes of a file, and of the path that they follow.
+struct FileCheck {
+  std::vector<Report> reports;           ///< one for each axis
+  std::optional<PathSummary> path = {};  ///< if the axes have a plan
+
+  /// `strict`: a warning counts as a broken limit.
+  [[nodiscard]] bool ok(bool strict = false) const;
+};
+/// `reports` of the axes, such as axis_report().
+FileCheck file_check(const std::vector<Input>& axes, std::vector<Report> reports);
+
+/// The answer of `jounce check`: path_text() or overlap_text() if the axes follow a path, then
+/// check_text() of each axis.
+std::string file_check_text(const FileCheck& check, const std::vector<Input>& axes);
+/// The same as a JSON object: check_json() of the axes (axes_json()), with "path" or "overlap".
+std::string file_check_json(const FileCheck& check, const std::vector<Input>& axes);
+
+}  // namespace jounce

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "jounce/design/input.hpp"
+#include "jounce/report/comparison.hpp"
+
+namespace jounce {
+
+/// The axes of two files in pairs (paired_axes()), and their comparisons.
+struct FileDifference {
+  std::vector<std::pair<Input, Input>> axes;
+  std::vector<Comparison> comparisons;  ///< one for each pair
+
+  [[nodiscard]] bool equal() const;
+};
+
+/// Compares the axes of two files; the paths name the files. `tolerance` returns the tolerance for
+/// the numbers of an axis with these labels. Throws InputError like paired_axes() and compare().
+FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
+                               const std::string& before_path, const std::string& after_path,
+                               const std::function<Tolerance(const Labels&)>& tolerance);
+
+/// The answer of `jounce diff`: for two paths their durations and lengths, then each comparison.
+std::string to_text(const FileDifference& difference);
+/// {"equal": ..., ...} of one axis, or {"axes": {...}, "equal": ...}; "path" for two paths.
+std::string to_json(const FileDifference& difference);
+
+}  // namespace jounce

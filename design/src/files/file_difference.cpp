@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/files/file_difference.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "jounce/design/path_text.hpp"
+#include "jounce/design/version.hpp"
+
+namespace jounce {
+namespace {
+
+bool has_two_paths(const FileDifference& difference) {
+  const auto& [before, after] = difference.axes.front();
+  return before.plan && after.plan;
+}
+
+}  // namespace
+
+bool FileDifference::equal() const {
+  return std::all_of(comparisons.begin(), comparisons.end(),
+                     [](const Comparison& each) { return each.equal(); });
+}
+
+FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
+                               const std::string& before_path, const std::string& after_path,
+                               const std::function<Tolerance(const Labels&)>& tolerance) {
+  FileDifference all;
+  all.axes = paired_axes(std::move(before), std::move(after), before_path, after_path);
+  for (const auto& [old, now] : all.axes)
+    all.comparisons.push_back(
+        compare(version_of(old, before_path), version_of(now, after_path), tolerance(now.labels)));
+  return all;
+}
+
+std::string to_text(const FileDifference& difference) {
+  std::string text;
+  if (has_two_paths(difference)) {
+    const auto& [before, after] = difference.axes.front();
+    text = path_difference(*after.spec, *before.plan, *after.plan) + "\n";
+  }
+  for (std::size_t i = 0; i < difference.comparisons.size(); ++i)
+    text += (i == 0 ? "" : "\n") + to_text(difference.comparisons[i]);
+  return text;
+}
+
+std::string to_json(const FileDifference& difference) {
+  std::vector<std::pair<std::string, std::string>> documents;
+  for (std::size_t i = 0; i < difference.axes.size(); ++i)
+    documents.emplace_back(difference.axes[i].second.axis, to_json(difference.comparisons[i]));
+  auto document = nlohmann::ordered_json::parse(axes_json(documents));
+  document["equal"] = difference.equal();
+  if (has_two_paths(difference)) {
+    const auto& [before, after] = difference.axes.front();
+    document["path"] = {{"durations", {before.plan->duration(), after.plan->duration()}},
+                        {"lengths", {before.plan->path().length(), after.plan->path().length()}}};
+  }
+  return document.dump();
+}
+
+}  // namespace jounce

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jounce/lint/accepted.hpp"
+#include "jounce/lint/lint.hpp"
+#include "jounce/report/ci_formats.hpp"
+
+namespace jounce {
+
+struct LintOptions {
+  std::string machine = {};   ///< path spec for G-code programs
+  std::string baseline = {};  ///< AcceptedVersions to compare with; empty: none
+  AcceptedOptions accepted = {};
+  std::function<void(double share)> progress = {};  ///< may be empty
+};
+
+/// The files of a run with their statements, and their changes from the accepted versions.
+struct LintedFiles {
+  RunResult result;
+  std::vector<FileChange> changes = {};
+};
+
+/// Examines the files that these names stand for (find_files()), and compares them with their accepted
+/// versions. `verb` is the name of the run.
+///
+///     const LintedFiles all = lint_run("check", {"cams"}, examine, {.baseline = "origin/main"});
+///     std::cout << run_text(all.result, "sarif");
+///
+/// Throws InputError for names without a file (key "FILE"), and like AcceptedVersions.
+LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& names,
+                     const Examine& examine, const LintOptions& options = {});
+
+/// to_format() with the paths that this format needs: those of CI systems are relative to the root of
+/// the repository.
+std::string run_text(RunResult result, const std::string& format, const RunLook& look = {});
+
+/// Writes the changes as Markdown, with their pictures, into a folder: summary.md. Makes the folder.
+/// `name` is the name of the accepted versions.
+void write_summary(const std::string& folder, const std::vector<FileChange>& changes,
+                   const std::string& name);
+
+}  // namespace jounce

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/lint/run.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "jounce/base/file.hpp"
+#include "jounce/lint/find_files.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+/// The files to examine, without those of a folder of accepted versions.
+std::vector<std::string> files_of(const std::vector<std::string>& names,
+                                  const std::string& baseline) {
+  const bool in_folder = !baseline.empty() && std::filesystem::is_directory(baseline);
+  std::vector<std::string> files = find_files(names, in_folder ? baseline : "");
+  if (files.empty())
+    throw InputError(
+        "FILE", fmt::format("{}", fmt::join(names, " ")),
+        "contains no file of Jounce: name a spec with `jounce = 1`, a table, or a key file");
+  return files;
+}
+
+/// Adds what the comparison with the accepted versions found to the results of the files.
+void add_changes(RunResult& result, const std::vector<FileChange>& changes) {
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (i >= result.files.size()) result.files.push_back({changes[i].diagnostics[0].place.file});
+    auto& all = result.files[i].diagnostics;
+    all.insert(all.end(), changes[i].diagnostics.begin(), changes[i].diagnostics.end());
+    sort(all);
+  }
+}
+
+/// Paths as CI systems need them: relative to the root of the repository.
+void use_repository_paths(RunResult& result) {
+  for (FileResult& file : result.files) {
+    file.file = repository_path(file.file);
+    for (Diagnostic& each : file.diagnostics)
+      for (std::string* path : {&each.place.file, &each.limit_place.file})
+        if (!path->empty()) *path = repository_path(*path);
+  }
+}
+
+}  // namespace
+
+LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& names,
+                     const Examine& examine, const LintOptions& options) {
+  const std::vector<std::string> files = files_of(names, options.baseline);
+  LintedFiles all{{verb, lint_files(files, examine, options.machine, options.progress)}};
+  if (options.baseline.empty()) return all;
+  const AcceptedVersions accepted(options.baseline);
+  all.changes = compare_with(accepted, files, names, options.accepted);
+  add_changes(all.result, all.changes);
+  return all;
+}
+
+std::string run_text(RunResult result, const std::string& format, const RunLook& look) {
+  if (format == "github" || format == "gitlab" || format == "sarif") use_repository_paths(result);
+  return to_format(result, format, look);
+}
+
+void write_summary(const std::string& folder, const std::vector<FileChange>& changes,
+                   const std::string& name) {
+  std::error_code none;
+  std::filesystem::create_directories(folder, none);
+  const auto in_folder = [&](const std::string& file) {
+    return (std::filesystem::path(folder) / file).string();
+  };
+  std::vector<Output> outputs{{in_folder("summary.md"), to_markdown(changes, name)}};
+  for (const FileChange& change : changes)
+    for (const Output& picture : change.files)
+      outputs.push_back({in_folder(picture.path), picture.bytes});
+  write_files(outputs);
+}
+
+}  // namespace jounce

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/outcome_text.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/command/causes.hpp"
+
+namespace jounce {
+namespace {
+
+using OutcomeJson = nlohmann::ordered_json;
+
+OutcomeJson common_members(const CallOutcome& outcome) {
+  return {{"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
+}
+
+/// The remedy of a cause for this axis. "" if the cause has none, or if the executor wrote the
+/// reason itself, with a remedy.
+std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor) {
+  for (const CauseInfo& one : all_causes()) {
+    if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
+    if (!reason.starts_with(one.name)) return "";
+    std::string remedy = one.remedy;
+    constexpr std::string_view placeholder = "NAME";
+    for (auto at = remedy.find(placeholder); at != std::string::npos;
+         at = remedy.find(placeholder, at)) {
+      remedy.replace(at, placeholder.size(), executor);
+      at += executor.size();
+    }
+    return remedy;
+  }
+  return "";
+}
+
+const char* last_state(const StreamOutcome& outcome, bool waits) {
+  if (outcome.started) return waits ? "accepted, waits for its start" : "started";
+  return outcome.armed ? "armed" : "downloaded";
+}
+
+}  // namespace
+
+std::string reason_text(const CallOutcome& outcome, const std::string& executor) {
+  if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
+  std::string reason = outcome.reason;
+  constexpr std::string_view who = "axis: ";
+  if (reason.starts_with(who)) reason.erase(0, who.size());
+  const std::string remedy = remedy_of(outcome.cause, reason, executor);
+  return remedy.empty() ? reason : reason + " " + remedy;
+}
+
+std::string outcome_json(const CallOutcome& outcome) {
+  return common_members(outcome).dump();
+}
+
+std::string command_json(const CallOutcome& outcome) {
+  return OutcomeJson{{"ok", outcome.ok()},
+                     {"error", name(outcome.error)},
+                     {"cause", outcome.cause},
+                     {"reason", outcome.reason}}
+      .dump();
+}
+
+std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits) {
+  const std::string state = outcome.swaps > 0 ? fmt::format("started, {} swaps", outcome.swaps)
+                                              : last_state(outcome, waits);
+  return fmt::format("{} chunks arrived at {}, {} sent again; {}", outcome.progress.chunks,
+                     executor, outcome.progress.resent, state);
+}
+
+std::string stream_json(const StreamOutcome& outcome) {
+  OutcomeJson document = common_members(outcome);
+  document.update({{"downloaded", outcome.downloaded},
+                   {"armed", outcome.armed},
+                   {"started", outcome.started},
+                   {"swaps", outcome.swaps},
+                   {"chunks", outcome.progress.chunks},
+                   {"resent", outcome.progress.resent}});
+  return document.dump();
+}
+
+std::string rows_text(const RowOutcome& outcome, const std::string& executor) {
+  const RowProgress& p = outcome.progress;
+  return fmt::format("{} of {} rows played at {}, {} underruns, {} messages sent again; {}",
+                     p.played, p.sent, executor, p.underruns, p.resent,
+                     p.finished ? "finished" : "stopped");
+}
+
+std::string rows_json(const RowOutcome& outcome) {
+  const RowProgress& p = outcome.progress;
+  OutcomeJson document = common_members(outcome);
+  document.update({{"rows", p.sent},
+                   {"played", p.played},
+                   {"underruns", p.underruns},
+                   {"resent", p.resent},
+                   {"finished", p.finished}});
+  return document.dump();
+}
+
+std::string group_json(const std::vector<std::string>& axes,
+                       const std::vector<StreamOutcome>& outcomes) {
+  OutcomeJson document = OutcomeJson::array();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    OutcomeJson entry{{"axis", axes[i]}};
+    entry.update(common_members(outcomes[i]));
+    entry.update({{"started", outcomes[i].started}, {"stopped", outcomes[i].stopped}});
+    document.push_back(std::move(entry));
+  }
+  return document.dump();
+}
+
+}  // namespace jounce

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/message/refusal.hpp"
+
+namespace jounce {
+
+/// The number of a command; 0: the message is not a command.
+std::int32_t command_number(const wire::Body& body);
+
+/// The newest command of a sender, and its outcome. Numbers ascend, and each command gets one
+/// outcome.
+///
+///     LastCommand last(boot);
+///     if (last.begin(LastCommand::Kind::start, start.command)) ...   // else old or repeated
+///     last.settle({});                                                 // accepted
+///     if (const auto reply = last.take_reply()) ...                    // each due one once
+class LastCommand {
+ public:
+  enum class Kind { heartbeat, arm, start, stop, command };
+
+  /// `boot`: random number of the executor's start, which each reply carries.
+  explicit LastCommand(std::int64_t boot) { reply_.boot = boot; }
+
+  /// Returns true if the command is newer than the recorded one; it then replaces it and waits for
+  /// its outcome. A repeated command gets its reply again; an older one does not.
+  bool begin(Kind kind, std::int32_t number);
+  /// Replaces the recorded command by one of any number: the first one of another sender.
+  void replace(Kind kind, std::int32_t number);
+  /// Forgets the recorded command.
+  void clear() { *this = LastCommand(reply_.boot); }
+
+  /// Keeps the command to an axis until its outcome is known.
+  void keep(const ClientCommand& what) { what_ = what; }
+  void settle(Refused refused, std::int32_t cause = 0);
+  /// The reply is due again.
+  void repeat() { due_ = true; }
+
+  /// True if a command of this number would prove that its sender is alive: a new one, or one that
+  /// waits for its outcome. 0, a message that is not a command, is a proof before the first command
+  /// only: a repeated message may come from any sender, or from the network.
+  [[nodiscard]] bool is_news(std::int32_t number) const;
+  /// True if the command of this number is the recorded one, and waits for its outcome.
+  [[nodiscard]] bool waits(std::int32_t number) const;
+  [[nodiscard]] std::int32_t number() const { return reply_.command; }  ///< 0: none
+  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] const std::optional<ClientCommand>& what() const { return what_; }
+
+  [[nodiscard]] std::optional<wire::Reply> take_reply();
+
+ private:
+  Kind kind_ = Kind::heartbeat;
+  wire::Reply reply_{};
+  bool due_ = false;
+  std::optional<ClientCommand> what_{};
+};
+
+}  // namespace jounce

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "jounce/stream/message/message.hpp"
+#include "jounce/stream/message/refusal.hpp"
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce {
+
+/// Silence that ends a session.
+struct SessionTimeouts {
+  Nanos usual{};
+  Nanos hold{};  ///< after the begin of a hold-to-run jog
+};
+
+/// True if this message can open a session.
+bool opens_session(const wire::Body& body);
+
+/// The owner of an axis: at most one session at a time, and each session once.
+///
+///     Session session(timeouts);
+///     if (session.is_silent(now)) session.end();
+///     if (Refused no = session.bars(message, challenge)) ...          // an answer to its sender
+///     if (session.is_free() && opens_session(message.body)) session.open(id, challenge);
+///     session.receive(now);                                           // a sign of life
+class Session {
+ public:
+  explicit Session(const SessionTimeouts& timeouts) : timeouts_(timeouts) {}
+
+  [[nodiscard]] bool is_free() const { return id_ == 0; }
+  [[nodiscard]] std::int64_t id() const { return id_; }        ///< 0: the axis is free
+  [[nodiscard]] std::int64_t owner() const { return owner_; }  ///< the present, or the last one
+
+  /// The reason why this message must have no effect, with the present challenge of the executor.
+  [[nodiscard]] Refused bars(const wire::Message& message, std::int64_t challenge) const;
+  /// True if the last owner sent this message, and its session has ended.
+  [[nodiscard]] bool is_of_last_owner(const wire::Message& message) const;
+
+  void open(std::int64_t id, std::int64_t challenge);
+  /// Sign of life of the owner.
+  void receive(Nanos now) { received_ = now; }
+  /// The shorter timeout applies from now on.
+  void hold() { holds_ = true; }
+  [[nodiscard]] bool is_silent(Nanos now) const;
+  void end();
+
+ private:
+  SessionTimeouts timeouts_;
+  std::int64_t id_ = 0;
+  std::int64_t owner_ = 0;
+  std::int64_t challenge_ = 0;  // at the begin of the owner's session
+  Nanos received_{};
+  bool holds_ = false;
+  std::deque<std::int64_t> ended_;  // the last ones
+};
+
+}  // namespace jounce

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/machine/outcome_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/command/cause.hpp"
+#include "jounce/machine/message_catalog.hpp"
+
+namespace jounce::outcome_text_test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+CallOutcome rejected() {
+  return {StreamError::refused, wire::Refusal::axis, static_cast<std::int32_t>(Cause::not_enabled),
+          "axis: not_enabled: the axis is disabled"};
+}
+
+TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
+  const std::string text = reason_text(rejected(), "feeder");
+  EXPECT_THAT(text, StartsWith("not_enabled: the axis is disabled "));
+  EXPECT_THAT(text, HasSubstr("jounce order feeder enable"));
+  CallOutcome busy = rejected();
+  busy.refusal = wire::Refusal::busy;
+  EXPECT_EQ(reason_text(busy, "feeder"), busy.reason) << "only an axis has causes";
+}
+
+TEST(OutcomeText, IsWholeAsJson) {
+  const Json command = Json::parse(command_json(rejected()));
+  EXPECT_EQ(command["ok"], false);
+  EXPECT_EQ(command["error"], "refused");
+  EXPECT_EQ(command["cause"], static_cast<int>(Cause::not_enabled));
+  EXPECT_FALSE(Json::parse(outcome_json(rejected())).contains("cause"));
+}
+
+TEST(OutcomeText, NamesTheLastStateOfAStream) {
+  StreamOutcome outcome;
+  outcome.downloaded = true;
+  outcome.progress.chunks = 6;
+  EXPECT_EQ(stream_text(outcome, "feeder", false),
+            "6 chunks arrived at feeder, 0 sent again; downloaded");
+  outcome.armed = true;
+  EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; armed"));
+  outcome.started = true;
+  EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; started"));
+  EXPECT_THAT(stream_text(outcome, "feeder", true), EndsWith("; accepted, waits for its start"));
+  outcome.swaps = 2;
+  EXPECT_THAT(stream_text(outcome, "feeder", true), EndsWith("; started, 2 swaps"));
+  EXPECT_EQ(Json::parse(stream_json(outcome))["swaps"], 2);
+}
+
+TEST(OutcomeText, NamesTheEndOfRows) {
+  RowOutcome outcome;
+  outcome.progress.sent = 10;
+  outcome.progress.played = 7;
+  EXPECT_EQ(rows_text(outcome, "feeder"),
+            "7 of 10 rows played at feeder, 0 underruns, 0 messages sent again; stopped");
+  EXPECT_EQ(Json::parse(rows_json(outcome))["played"], 7);
+}
+
+TEST(OutcomeText, ListsEachAxisOfAGroup) {
+  StreamOutcome y;
+  y.error = StreamError::stopped;
+  y.stopped = true;
+  const Json all = Json::parse(group_json({"x", "y"}, {StreamOutcome{}, y}));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0]["axis"], "x");
+  EXPECT_EQ(all[0]["ok"], true);
+  EXPECT_EQ(all[1]["error"], "stopped");
+  EXPECT_EQ(all[1]["stopped"], true);
+}
+
+TEST(MessageCatalog, HasEachCauseOnceAndNoEmptyMeaning) {
+  const auto all = all_messages();
+  EXPECT_EQ(messages_named(all, "not_enabled").size(), 1U);
+  for (const Message& one : all) {
+    EXPECT_FALSE(one.group.empty());
+    EXPECT_FALSE(one.meaning.empty()) << one.name << one.code;
+  }
+}
+
+}  // namespace
+}  // namespace jounce::outcome_text_test
