@@ -20,6 +20,9 @@ struct Tolerances {
   double velocity = 0;
 };
 
+/// The piece of the table from knot a to knot b.
+Segment between(Interpolation rule, const Knot& a, const Knot& b);
+
 /// The share of its tolerances that the table uses up from knot a to knot b: the greater ratio of error to
 /// tolerance. It is exact (see interval.cpp) up to 1; above that it is some number above 1, at most the true
 /// one. Does not allocate beyond a scratch of the thread.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
@@ -49,10 +50,13 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
 /// Each segment of the curve in as few equal intervals as keep the position error within
 /// `tolerance` > 0 (unit of the position). A segment that the rule holds exactly gets one. Breaks
-/// of the curve are knots. Throws InputError if more than `most` knots would be needed.
+/// of the curve are knots. An interval that exceeds one of the `limits` is halved until it keeps the limit, or
+/// the curve's own greatest value if the curve exceeds the limit. So the table keeps the limits that the curve keeps,
+/// unless a derivative steps that the rule cannot step in. Throws InputError if more than `most` knots are necessary
+/// for the tolerance.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
-                      std::size_t most = 1'000'000);
+                      const Limits& limits = {}, std::size_t most = 1'000'000);
 
 /// Throws InputError, under `key`, for a tolerance that doubles cannot certify for this curve:
 /// below 1e-14 of its greatest position, or 1e-15 of the sum of a segment's terms if that is more.
