@@ -75,6 +75,28 @@ TEST(SampleWithin, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
   EXPECT_LT(sampled.error.position, 1e-13);
 }
 
+TEST(Sample, FindsTheErrorInTheMiddleOfASymmetricSine) {
+  // The greatest error is in the middle, where the sine and its derivatives have closed forms. The derivative of the
+  // error vanishes there, which is an end of the pieces of roots.cpp.
+  constexpr double half_pi = 1.5707963267948966;
+  for (int i = 1; i <= 800; ++i)
+    for (const double amplitude : {1.0, 43.172}) {
+      const double angle = 0.01 * i;
+      Segment f;
+      f.length = 2.5;
+      f.c[0] = 111.25;
+      f.sines = 1;
+      f.sine[0] = {amplitude, angle, half_pi - angle / 2};
+      const Sampled made = sample(Trajectory({f}), Interpolation::quintic_hermite, std::size_t{1});
+      // Even quintic: p + v h 5/16 + a h^2 / 32 in the middle, with those of the start.
+      const double c = std::cos(angle / 2);
+      const double s = angle * std::sin(angle / 2);
+      const double middle = c + s * 5 / 16 - c * angle * angle / 32;
+      const double error = amplitude * std::abs(middle - 1);
+      EXPECT_GE(made.error.position, error * (1 - 1e-9) - 1e-13) << angle << " " << amplitude;
+    }
+}
+
 /// Limits at the curve's own greatest rates, times `factor`.
 Limits limits_of(const Cam& cam, double factor) {
   const Ranges peaks = extrema(cam);

@@ -120,7 +120,7 @@ class WithinLimits {
 
   const Curve<Over>& f_;
   Interpolation rule_;
-  double rounding_ = 0;  ///< of the greatest position
+  double rounding_ = 0;  ///< rounding of the greatest position
   std::array<Permitted, 4> permitted_{};
 };
 
