@@ -33,7 +33,7 @@ struct LawPhase {
          jerk = 0;  ///< at its start; position within the stretch
 };
 
-/// A timing law q(t): piecewise cubic, acceleration continuous. 100 bytes a stretch.
+/// A timing law q(t): piecewise cubic, acceleration continuous. 97 bytes a stretch.
 class TimingLaw {
  public:
   explicit TimingLaw(std::vector<LawStretch> stretches);
@@ -47,7 +47,12 @@ class TimingLaw {
   [[nodiscard]] Trajectory curve() const;
 
  private:
+  [[nodiscard]] std::size_t part_at(double t, std::size_t parts) const;
+
   std::vector<LawStretch> stretches_;
+  /// The duration in equal parts: the number of stretches that begin before each part, and before the end.
+  std::vector<std::uint32_t> before_;
+  double parts_per_second_ = 0;
 };
 
 /// The phases of a stretch, at most seven, none empty; returns their number.
