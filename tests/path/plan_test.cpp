@@ -254,7 +254,7 @@ TEST(Plan, BadInputNamesItsLine) {
 }
 
 TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
-  // Legs from 1e-6 to 1e3: the intervals lie very unevenly over the duration. The search is that of the standard library.
+  // Legs from 1e-6 to 1e3: the intervals are very unequal. The expected result is that of a search over all of them.
   path_tests::Random random(7);
   Program program(2);
   program.set({.velocity = 100, .corner = Corner::deviation, .value = 0.01});
