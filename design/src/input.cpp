@@ -102,6 +102,8 @@ Report check_table(const Table& table, const Limits& limits, const Report& of_cu
   for (Finding& finding : report.findings) {
     finding.axis = "table";
     finding.segment = std::nullopt;
+    finding.advice =
+        "the curve keeps this limit: give [table] a smaller tolerance, more knots, or another rule";
   }
   return report;
 }

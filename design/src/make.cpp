@@ -81,12 +81,12 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
 }
 
 template <class Over>
-Sampled sampled(const Curve<Over>& curve, const TableOptions& options) {
+Sampled sampled(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
   if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
   if (options.target) return fewest(curve, *options.target, options);
   const Interpolation rule = rule_for(curve, options);
   if (options.intervals) return sample(curve, rule, *options.intervals);
-  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve));
+  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
 }
 
 std::string numbered(std::size_t i, const std::string& name) {
@@ -125,7 +125,7 @@ Made make_cam(const Spec& spec) {
   std::vector<std::string> names;
   names.reserve(origin.size());
   for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
-  Sampled table = sampled(curve, spec.table);
+  Sampled table = sampled(curve, spec.table, spec.limits);
   return {spec.parts().front(), std::move(curve), std::move(names), std::move(table),
           std::move(residuals)};
 }
@@ -138,7 +138,7 @@ Made make_sync(const Spec& spec) {
     if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
     names.push_back(numbered(number, made.segments[i]));
   }
-  Sampled table = sampled(made.cam, spec.table);
+  Sampled table = sampled(made.cam, spec.table, spec.limits);
   return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
           std::move(made.zones)};
 }
@@ -238,7 +238,7 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = sampled(curves[i], parts[i].table);
+    Sampled table = sampled(curves[i], parts[i].table, parts[i].limits);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     if (!before.path.names.empty()) {

@@ -10,6 +10,8 @@
 #include "jounce/design/input.hpp"
 #include "jounce/design/path_text.hpp"
 #include "jounce/path/along.hpp"
+#include "jounce/pvt/check.hpp"
+#include "jounce/pvt/sample.hpp"
 
 namespace jounce::path_examples_test {
 namespace {
@@ -57,6 +59,48 @@ TEST(PathExamples, OfHimcTakeTheirTimes) {
   const double square = duration("himc-path/square.toml");
   EXPECT_LT(square, 4 * with_jerk(100));
   EXPECT_GT(square, 3 * with_jerk(100) + 0.9);
+}
+
+TEST(PathTables, KeepTheLimitsThatTheirCurvesKeep) {
+  // An arc whose greatest acceleration is the limit, but for 1e-6. A table of few knots exceeds it by 0.01 %.
+  const std::string text = R"(
+jounce = 1
+kind = "path"
+units = { position = "mm", time = "s" }
+[path]
+velocity = 198.8
+corner = { deviation = 0.408 }
+start = [-84.945, -4.055]
+[[axis]]
+name = "x"
+limits = { velocity = 76.4, acceleration = 391, jerk = 60583 }
+table = { tolerance = 0.001 }
+[[axis]]
+name = "y"
+limits = { velocity = 160.7, acceleration = 477, jerk = 9477 }
+table = { tolerance = 0.001 }
+[[command]]
+type = "arc"
+center = [-84.945, -34.626]
+to = [-84.945, -4.055]
+rotation = "counterclockwise"
+[[command]]
+type = "arc"
+center = [-84.945, 10.339]
+to = [-70.551, 10.339]
+rotation = "clockwise"
+[[command]]
+type = "line"
+to = [-70.562711, 10.405001]
+)";
+  for (const Input& axis : inputs_of(parse_spec(text, "arc.toml"), "arc.toml")) {
+    EXPECT_TRUE(check_all(axis).ok()) << axis.axis;
+    EXPECT_LE(axis.error->position, 0.001);
+    const auto& curve = std::get<Trajectory>(*axis.curve);
+    const Table coarse = sample_within(curve, axis.table.table.rule(), 0.001).table;
+    EXPECT_EQ(check(coarse, axis.limits).ok(), axis.axis == "y") << "without limits";
+    EXPECT_LE(axis.table.table.size(), coarse.size() + 40);
+  }
 }
 
 TEST(PathExamples, OfAnOverlapTakesItsClosedForm) {

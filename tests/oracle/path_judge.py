@@ -7,7 +7,8 @@ usage: path_judge.py JOB.json [--curve AXIS=FILE]... [--json]   exit status 1 if
 
 paths/job.py describes the format of a job. Checked, in plain Python:
   - limits of each axis, by exact extrema of the polynomials (relative 1e-12, plus the rounding of the coefficients);
-  - continuity of position and velocity, and of the acceleration where the jerk is limited; rest at both ends;
+  - continuity of position and velocity, and of the acceleration where the jerk is limited; rest at both ends. At a
+    tangent joint with deviation 0 and no stop, the acceleration may jump by the step of the curvature times v²;
   - limits of the motion in space: speed, acceleration along and across, by polynomial inequalities; limits of the law;
   - both directions of the distance, in the order of the program: the curve stays within the deviation of the piece it
     is on, and passes each corner within the deviation. A curve that does both also passes every point between
@@ -23,13 +24,23 @@ from pathlib import Path
 from paths.bounds import second_order_bound, stop_time
 from paths.job import Arc, BadJob, Job
 from paths.limits import Report, check_joints, check_limits, check_space
-from paths.walk import Walk, check_feeds
+from paths.walk import Walk, check_feeds, steps_of
 
 def judge(document, folder="."):
     job, report = Job(document, folder), Report()
-    for axis, curve in zip(job.axes, job.curves):
+    steps = []
+    if job.shapes:
+        walk = Walk(report, job)
+        places = walk.run()
+        if places is not None:
+            check_feeds(report, job, places)
+            steps = steps_of(walk, places)
+            report.notes["greatest distance of a corner"] = f"{walk.corner_distance:.12g}"
+        if any(isinstance(s, Arc) and not s.flat for s in job.shapes):
+            report.notes["helices"] = "distances sampled"
+    for k, (axis, curve) in enumerate(zip(job.axes, job.curves)):
         check_limits(report, axis["name"], curve, axis)
-        check_joints(report, axis["name"], curve, axis)
+        check_joints(report, axis["name"], curve, axis, [(t, width, jump[k]) for t, width, jump in steps])
     if job.law is not None:
         check_limits(report, "law", job.law, job.law_limits)
         check_joints(report, "law", job.law, job.law_limits)
@@ -41,14 +52,6 @@ def judge(document, folder="."):
     for t, point, wanted, what in ends:
         if math.dist(point, wanted) > job.tolerance:
             report.violation("end", f"distance from the {what} of the program", math.dist(point, wanted), job.tolerance, t)
-    if job.shapes:
-        walk = Walk(report, job)
-        places = walk.run()
-        if places is not None:
-            check_feeds(report, job, places)
-            report.notes["greatest distance of a corner"] = f"{walk.corner_distance:.12g}"
-        if any(isinstance(s, Arc) and not s.flat for s in job.shapes):
-            report.notes["helices"] = "distances sampled"
     report.notes["time"] = f"{job.time:.12g}"
     if not job.partial:
         check_time(report, job)

@@ -8,6 +8,7 @@ deviation and the end of the job; its tables must keep positions within their to
 within the limits. A program that must be refused must give an error with its line. A program that only writes another
 one differently must take the same time. Without PROGRAM all are run.
 """
+import csv
 import json
 import math
 import re
@@ -19,10 +20,22 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TABLE_TOLERANCE = 1e-3
 ROUNDING = 1e-9  # share of a limit, by the digits of a table
+EPS = 2.0**-52
 
 
 def run(*command):
     return subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=120, check=False)
+
+
+def rounding_of(table, found):
+    """The greatest error of a derivative between two knots of a table by the last digits of their positions."""
+    rows = [row for row in csv.reader(table.read_text(encoding="utf-8").splitlines()) if row and row[0][0] != "#"]
+    knots = [(float(row[0]), abs(float(row[1]))) for row in rows[1:]]
+    for (t0, p0), (t1, p1) in zip(knots, knots[1:]):
+        if t0 <= found["time"] <= t1:
+            order = 1 if found["what"].startswith("velocity") else 2
+            return (4, 12)[order - 1] * EPS * max(p0, p1) / (t1 - t0) ** order
+    return 0.0
 
 
 def symmetric(axis):
@@ -102,7 +115,8 @@ class Runner:
             cubic = {key: value for key, value in job.items() if key != "path"}
             cubic["axes"] = [{key: x for key, x in axis.items() if key != "jerk"} for axis in job["axes"]]
             for found in self.judge(name, cubic, tables, 2 * len(curves) * TABLE_TOLERANCE):
-                rounded = found["kind"] == "limit" and abs(found["value"]) <= found["limit"] * (1 + ROUNDING)
+                rounded = found["kind"] == "limit" and abs(found["value"]) <= (
+                    found["limit"] * (1 + ROUNDING) + rounding_of(tables[found["what"].split()[-1]], found))
                 # Between its knots a table is within its tolerance of the curve: the feed is that of the curve alone.
                 promised = found["kind"] != "feed" and not found["kind"].startswith("slower")
                 if promised and not rounded:

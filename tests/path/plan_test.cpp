@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/path/plan.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -249,6 +251,30 @@ TEST(Plan, BadInputNamesItsLine) {
             }),
             "0: program");
   EXPECT_EQ(error([] { plan(Program(2), usual(1)); }), "0: axes");
+}
+
+TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
+  // Legs from 1e-6 to 1e3: the intervals are very unequal. The expected result is that of a search over all of them.
+  path_tests::Random random(7);
+  Program program(2);
+  program.set({.velocity = 100, .corner = Corner::deviation, .value = 0.01});
+  Point at{};
+  for (int i = 1; i <= 300; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) at[k] += random.log_between(1e-6, 1e3);
+    program.line(at, i);
+  }
+  const Plan motion = plan(program, path_tests::usual(2));
+  const auto all = motion.law().stretches();
+  const auto expected = [&](double t) {
+    const auto behind = std::upper_bound(all.begin() + 1, all.end(), t,
+                                         [](double x, const LawStretch& s) { return x < s.time; });
+    return static_cast<std::size_t>(behind - all.begin()) - 1;
+  };
+  const auto check = [&](double t) { ASSERT_EQ(motion.law().stretch_at(t), expected(t)) << t; };
+  for (const LawStretch& s : all)
+    for (const double t : {std::nextafter(s.time, -1.0), s.time, std::nextafter(s.time, 1e9)})
+      check(t);
+  for (int i = 0; i < 10000; ++i) check(random.between(-1, motion.duration() + 1));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "jounce/cam/laws/law.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/pvt/check.hpp"
 
 #include "support/oracle.hpp"
 
@@ -74,6 +75,69 @@ TEST(SampleWithin, HoldsWhatTheRuleHoldsExactlyInItsKnots) {
   EXPECT_LT(sampled.error.position, 1e-13);
 }
 
+TEST(Sample, FindsTheErrorInTheMiddleOfASymmetricSine) {
+  // The greatest error is in the middle, where the sine and its derivatives have closed forms. The derivative of the
+  // error vanishes there, which is an end of the pieces of roots.cpp.
+  constexpr double half_pi = 1.5707963267948966;
+  for (int i = 1; i <= 800; ++i)
+    for (const double amplitude : {1.0, 43.172}) {
+      const double angle = 0.01 * i;
+      Segment f;
+      f.length = 2.5;
+      f.c[0] = 111.25;
+      f.sines = 1;
+      f.sine[0] = {amplitude, angle, half_pi - angle / 2};
+      const Sampled made = sample(Trajectory({f}), Interpolation::quintic_hermite, std::size_t{1});
+      // Even quintic: p + v h 5/16 + a h^2 / 32 in the middle, with those of the start.
+      const double c = std::cos(angle / 2);
+      const double s = angle * std::sin(angle / 2);
+      const double middle = c + s * 5 / 16 - c * angle * angle / 32;
+      const double error = amplitude * std::abs(middle - 1);
+      EXPECT_GE(made.error.position, error * (1 - 1e-9) - 1e-13) << angle << " " << amplitude;
+    }
+}
+
+/// Limits at the curve's own greatest rates, times `factor`.
+Limits limits_of(const Cam& cam, double factor) {
+  const Ranges peaks = extrema(cam);
+  const auto limit = [&](std::size_t k) { return factor * std::abs(peaks[k].peak().value); };
+  return {.velocity = limit(1), .acceleration = limit(2), .jerk = limit(3)};
+}
+
+TEST(SampleWithin, KeepsTheLimitsThatTheCurveKeeps) {
+  for (const Law law : {Law::inclined_sine, Law::poly345, Law::poly4567})
+    for (const Interpolation rule : {Interpolation::cubic_hermite, Interpolation::quintic_hermite})
+      for (const double margin : {1e-3, 1e-6}) {
+        const Cam cam(normalised(law));
+        const Limits limits = limits_of(cam, 1 + margin);
+        const Sampled kept = sample_within(cam, rule, 1e-3, limits);
+        EXPECT_TRUE(check(kept.table, limits).ok()) << name(law) << " " << name(rule) << margin;
+        EXPECT_LE(kept.error.position, 1e-3);
+      }
+  const Limits limits = limits_of(cycloid(), 1 + 1e-6);
+  const Table coarse = sample_within(cycloid(), Interpolation::cubic_hermite, 1e-3).table;
+  EXPECT_FALSE(check(coarse, limits).ok()) << "without limits, the acceleration is too great";
+  const Table kept = sample_within(cycloid(), Interpolation::cubic_hermite, 1e-3, limits).table;
+  EXPECT_LT(kept.size(), coarse.size() + 80) << "only the intervals beside a peak are halved";
+}
+
+TEST(SampleWithin, ExceedsALimitNoMoreThanTheCurve) {
+  const Limits own = limits_of(cycloid(), 1);
+  Limits low = own;
+  low.acceleration = 0.9 * *own.acceleration;
+  const Table made = sample_within(cycloid(), Interpolation::cubic_hermite, 1e-3, low).table;
+  EXPECT_TRUE(check(made, own).ok());
+}
+
+TEST(SampleWithin, AddsNoKnotsWhereHalvesDoNotHelp) {
+  // The acceleration of the parabola steps. A quintic cannot step: the shorter, the greater its third derivative.
+  const Cam cam(normalised(Law::parabola));
+  const auto size = [&](const Limits& limits) {
+    return sample_within(cam, Interpolation::quintic_hermite, 1e-3, limits).table.size();
+  };
+  EXPECT_EQ(size({.jerk = 1e-3}), size({}));
+}
+
 TEST(Sample, FindsTheErrorBetweenKnotsThatMissABreak) {
   // A triangle with its tip between two knots: the table cuts it off.
   const Trajectory triangle({line(1, 0, 1), line(1, 1, 0)});
@@ -101,7 +165,7 @@ TEST(Sample, RefusesKnotsThatDoNotSpanTheCurve) {
   EXPECT_THROW(sample(cycloid(), Interpolation::linear, std::vector<double>{0, 0.5}), InputError);
   EXPECT_THROW(sample(cycloid(), Interpolation::linear, std::size_t{0}), InputError);
   EXPECT_THROW(sample_within(cycloid(), Interpolation::linear, 0), InputError);
-  EXPECT_THROW(sample_within(cycloid(), Interpolation::linear, 1e-12, 1000), InputError)
+  EXPECT_THROW(sample_within(cycloid(), Interpolation::linear, 1e-12, {}, 1000), InputError)
       << "too many knots";
 }
 

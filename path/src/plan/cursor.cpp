@@ -9,8 +9,45 @@
 
 namespace jounce {
 
+namespace {
+
+/// The piece at `at`, among those of an interval of the law.
+std::size_t piece_at(std::span<const PathPiece> pieces, const LawStretch& interval, double at) {
+  const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(interval.piece);
+  const auto behind = std::upper_bound(first + 1, first + interval.pieces, at,
+                                       [](double x, const PathPiece& p) { return x < p.start; });
+  return static_cast<std::size_t>(behind - pieces.begin()) - 1;
+}
+
+/// Motion of every axis at u on a piece, by the motion along the path.
+void compose(const Path& path, std::size_t piece, double u, const Motion& q,
+             std::span<Motion> out) {
+  std::array<Jet, max_axes> jet;
+  path.jets(piece, std::clamp(u, 0.0, path.pieces()[piece].length),
+            std::span(jet).first(out.size()));
+  const double v = q.velocity;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Jet& r = jet[i];
+    out[i] = {r[0], r[1] * v, r[1] * q.acceleration + r[2] * v * v,
+              r[1] * q.jerk + 3 * r[2] * v * q.acceleration + r[3] * v * v * v};
+  }
+}
+
+}  // namespace
+
 void Plan::at(double t, std::span<Motion> out) const {
-  PlanCursor(*this).at(t, out);
+  assert(out.size() == path_.axes());
+  const LawStretch& interval = law_.stretches()[law_.stretch_at(t)];
+  const Motion q = motion_in(interval, t - interval.time);
+  const auto pieces = path_.pieces();
+  std::size_t piece = interval.piece;
+  double u = q.position + (interval.start - pieces[piece].start);
+  if (interval.pieces > 1) {
+    const double at = pieces[piece].start + u;
+    piece = piece_at(pieces, interval, at);
+    u = at - pieces[piece].start;
+  }
+  compose(path_, piece, u, q, out);
 }
 
 /// Finds the interval of the law at t, which is usually the next one.
@@ -48,23 +85,11 @@ void PlanCursor::at(double t, std::span<Motion> out) {
   if (interval.pieces > 1) {
     const double at = pieces[interval.piece].start + u;
     if (!is_in_piece(at, piece_) &&
-        !(piece_ + 1 < interval.piece + interval.pieces && is_in_piece(at, ++piece_))) {
-      const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(interval.piece);
-      const auto behind =
-          std::upper_bound(first + 1, first + interval.pieces, at,
-                           [](double x, const PathPiece& p) { return x < p.start; });
-      piece_ = static_cast<std::size_t>(behind - pieces.begin()) - 1;
-    }
+        !(piece_ + 1 < interval.piece + interval.pieces && is_in_piece(at, ++piece_)))
+      piece_ = piece_at(pieces, interval, at);
     u = at - pieces[piece_].start;
   }
-  std::array<Jet, max_axes> jet;
-  path.jets(piece_, std::clamp(u, 0.0, pieces[piece_].length), std::span(jet).first(out.size()));
-  const double v = q.velocity;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const Jet& r = jet[i];
-    out[i] = {r[0], r[1] * v, r[1] * q.acceleration + r[2] * v * v,
-              r[1] * q.jerk + 3 * r[2] * v * q.acceleration + r[3] * v * v * v};
-  }
+  compose(path, piece_, u, q, out);
 }
 
 }  // namespace jounce

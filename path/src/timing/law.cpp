@@ -51,18 +51,30 @@ struct Builder {
   }
 };
 
-}  // namespace
+/// Phases that cover the length but for rounding: durations and distances are multiplied by `factor`, velocities stay.
+struct Unscaled {
+  std::size_t count = 0;
+  double factor = 1;
+};
 
-std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
+LawPhase scaled(LawPhase phase, double factor) {
+  phase.duration *= factor;
+  phase.position *= factor;
+  phase.acceleration /= factor;
+  phase.jerk /= factor * factor;
+  return phase;
+}
+
+Unscaled unscaled_phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   Builder builder{out};
   builder.now.velocity = stretch.v0;
   if (stretch.pieces == 0) {
     builder.add(stretch.duration, 0);
-    return builder.count;
+    return {builder.count, 1};
   }
   if (stretch.single_phase) {
     out[0] = {stretch.duration, 0, stretch.v0, stretch.acceleration, stretch.jerk};
-    return 1;
+    return {1, 1};
   }
   const double down = ramp_distance(stretch.peak, stretch.v1, stretch.deceleration, stretch.jerk);
   builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
@@ -70,20 +82,41 @@ std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
   // A rest within rounding is no cruise.
   if (cruise > rounded_value * stretch.length) builder.add(cruise / stretch.peak, 0);
   builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
-  // The phases cover the length except for rounding. Distances and durations are multiplied to
-  // correct this; velocities stay.
-  const double factor = stretch.length / builder.now.position;
-  for (LawPhase& phase : out.first(builder.count)) {
-    phase.duration *= factor;
-    phase.position *= factor;
-    phase.acceleration /= factor;
-    phase.jerk /= factor * factor;
-  }
-  return builder.count;
+  return {builder.count, stretch.length / builder.now.position};
+}
+
+/// Motion t after the start of a phase.
+Motion motion_of(const LawPhase& p, double t) {
+  t = std::clamp(t, 0.0, p.duration);
+  return {p.position + t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6)),
+          p.velocity + t * (p.acceleration + t * p.jerk / 2), p.acceleration + t * p.jerk, p.jerk};
+}
+
+}  // namespace
+
+std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
+  const auto [count, factor] = unscaled_phases(stretch, out);
+  for (LawPhase& phase : out.first(count)) phase = scaled(phase, factor);
+  return count;
 }
 
 TimingLaw::TimingLaw(std::vector<LawStretch> stretches) : stretches_(std::move(stretches)) {
   assert(!stretches_.empty());
+  constexpr std::size_t in_a_part = 4;
+  const std::size_t parts = stretches_.size() / in_a_part + 1;
+  parts_per_second_ = static_cast<double>(parts) / duration();
+  before_.reserve(parts + 1);
+  before_.push_back(0);
+  for (std::size_t i = 0; i < stretches_.size(); ++i)
+    while (before_.size() <= part_at(stretches_[i].time, parts))
+      before_.push_back(static_cast<std::uint32_t>(i));
+  before_.resize(parts + 1, static_cast<std::uint32_t>(stretches_.size()));
+}
+
+/// It ascends with t, also with rounding: so no interval before the part of t begins after t.
+std::size_t TimingLaw::part_at(double t, std::size_t parts) const {
+  const double last = static_cast<double>(parts - 1);
+  return static_cast<std::size_t>(std::min(std::max(0.0, t) * parts_per_second_, last));
 }
 
 double TimingLaw::duration() const {
@@ -91,8 +124,13 @@ double TimingLaw::duration() const {
 }
 
 std::size_t TimingLaw::stretch_at(double t) const {
-  const auto it = std::upper_bound(stretches_.begin() + 1, stretches_.end(), t,
-                                   [](double x, const LawStretch& s) { return x < s.time; });
+  const std::size_t part = part_at(t, before_.size() - 1);
+  const std::size_t first = std::max<std::size_t>(1, before_[part]);
+  const std::size_t last = std::max<std::size_t>(first, before_[part + 1]);
+  const auto from = stretches_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto to = stretches_.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto it =
+      std::upper_bound(from, to, t, [](double x, const LawStretch& s) { return x < s.time; });
   return static_cast<std::size_t>(it - stretches_.begin()) - 1;
 }
 
@@ -100,15 +138,16 @@ Motion motion_of(std::span<const LawPhase> phases, double t) {
   if (phases.empty()) return {};
   std::size_t i = 0;
   while (i + 1 < phases.size() && t >= phases[i].duration) t -= phases[i++].duration;
-  const LawPhase& p = phases[i];
-  t = std::clamp(t, 0.0, p.duration);
-  return {p.position + t * (p.velocity + t * (p.acceleration / 2 + t * p.jerk / 6)),
-          p.velocity + t * (p.acceleration + t * p.jerk / 2), p.acceleration + t * p.jerk, p.jerk};
+  return motion_of(phases[i], t);
 }
 
 Motion motion_in(const LawStretch& stretch, double t) {
   std::array<LawPhase, 7> phase;
-  return motion_of(std::span(phase).first(phases(stretch, phase)), t);
+  const auto [count, factor] = unscaled_phases(stretch, phase);
+  if (count == 0) return {};
+  std::size_t i = 0;
+  for (double h; i + 1 < count && t >= (h = phase[i].duration * factor); ++i) t -= h;
+  return motion_of(scaled(phase[i], factor), t);
 }
 
 Motion TimingLaw::at(double t) const {

@@ -80,14 +80,15 @@ template <std::size_t n>
 struct Isolation {
   const Segment& f;
   double flat;
-  double remainder;  // greatest difference of the polynomials from f
+  double remainder;  // greatest difference of the polynomials from f, without rounding
+  double border;     // the same at the ends of [a, b], with rounding
   double noise;      // greatest error of f = 0 by rounding
   std::vector<double>& out;
 
   /// Finds the roots of f over [a, b]; beta is its Bernstein form there.
   void run(double a, double b, const profiles_detail::Bernstein<n>& beta) const {
     const auto [lo, hi] = profiles_detail::hull<n>(beta);
-    if (lo > remainder || hi < -remainder) return;
+    if (lo > border || hi < -border) return;
     if ((lo >= -flat && hi <= flat) || b - a < rounded_root) {
       out.push_back((a + b) / 2);
       return;
@@ -132,7 +133,9 @@ void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
     remainder += one_rounding * std::abs(f.sine[i].amplitude);
   }
   constexpr std::size_t n = Segment::max_degree;
-  const Isolation<n> isolation{f, flat, remainder, noise_of(f), out};
+  // The pieces do not share their ends: by rounding, a root between two pieces may be in neither of them.
+  const double border = std::max(remainder, noise_of(f));
+  const Isolation<n> isolation{f, flat, remainder, border, noise_of(f), out};
   const double pieces = std::max(1.0, std::ceil(widest / widest_piece_angle));
   for (int i = 0; i < static_cast<int>(pieces); ++i) {
     const double a = i / pieces;
@@ -144,7 +147,7 @@ void isolate_sines(const Segment& f, double flat, std::vector<double>& out) {
 void isolate(const Segment& f, double flat, std::vector<double>& out) {
   if (f.sines > 0) return isolate_sines(f, flat, out);
   profiles_detail::with_degree(static_cast<std::size_t>(f.degree), [&](auto n) {
-    Isolation<n>{f, flat, 0, noise_of(f), out}.run(0, 1, profiles_detail::to_bernstein<n>(f));
+    Isolation<n>{f, flat, 0, 0, noise_of(f), out}.run(0, 1, profiles_detail::to_bernstein<n>(f));
   });
 }
 

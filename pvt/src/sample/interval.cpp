@@ -24,19 +24,6 @@ namespace {
 
 using profiles_detail::one_rounding;
 
-Segment between(Interpolation rule, const Knot& a, const Knot& b) {
-  const double length = b.x - a.x;
-  switch (rule) {
-    case Interpolation::linear:
-      return line(length, a.jet[0], b.jet[0]);
-    case Interpolation::cubic_hermite:
-      return cubic(length, a.jet[0], a.jet[1], b.jet[0], b.jet[1]);
-    case Interpolation::quintic_hermite:
-      break;
-  }
-  return quintic(length, a.jet[0], a.jet[1], a.jet[2], b.jet[0], b.jet[1], b.jet[2]);
-}
-
 /// True if (2) is within the bound.
 bool hull_within(const Segment& d, double bound) {
   if (d.sines > 0) return false;
@@ -85,6 +72,19 @@ Segment cut(const Segment& f, double s0, double s1) {
 }
 
 }  // namespace
+
+Segment between(Interpolation rule, const Knot& a, const Knot& b) {
+  const double length = b.x - a.x;
+  switch (rule) {
+    case Interpolation::linear:
+      return line(length, a.jet[0], b.jet[0]);
+    case Interpolation::cubic_hermite:
+      return cubic(length, a.jet[0], a.jet[1], b.jet[0], b.jet[1]);
+    case Interpolation::quintic_hermite:
+      break;
+  }
+  return quintic(length, a.jet[0], a.jet[1], a.jet[2], b.jet[0], b.jet[1], b.jet[2]);
+}
 
 template <class Over>
 double share(const Curve<Over>& f, Interpolation rule, const Knot& a, const Knot& b,

@@ -20,6 +20,8 @@ struct Tolerances {
   double velocity = 0;
 };
 
+/// The piece of the table from knot a to knot b.
+Segment between(Interpolation rule, const Knot& a, const Knot& b);
 /// The share of its tolerances that the table uses from knot a to knot b: the greater of the two
 /// ratios of error to tolerance. It is exact up to 1 (see interval.cpp). Above 1 it is a number
 /// above 1 that is at most the true share. Allocates only the scratch memory of the thread.

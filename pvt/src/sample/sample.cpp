@@ -18,6 +18,7 @@
 #include "jounce/pvt/check.hpp"
 
 #include "pvt/src/sample/longest.hpp"
+#include "pvt/src/sample/within_limits.hpp"
 
 namespace jounce {
 namespace {
@@ -341,7 +342,7 @@ void require_certifiable(const Curve<Over>& f, const char* key, double tolerance
 
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
-                      std::size_t most) {
+                      const Limits& limits, std::size_t most) {
   require_positive("tolerance", tolerance);
   // A tolerance below the rounding of the values cannot be kept.
   const double wanted = std::max(tolerance, two_roundings * std::abs(extrema(f, 0).peak().value));
@@ -372,6 +373,10 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
+  if (!check(sampled.table, limits).ok()) {
+    knots = pvt_detail::knots_within_limits(f, rule, limits, knots);
+    sampled = certified(f, rule, with.columns(knots));
+  }
   // An interval that kept the tolerance because of its symmetry may exceed it when it is shorter.
   for (int i = 0; i < 20 && sampled.error.position > wanted; ++i) {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, sampled.error.where);
@@ -381,12 +386,13 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   return sampled;
 }
 
-#define JOUNCE_INSTANTIATE(Over)                                                          \
-  template Sampled sample(const Curve<Over>&, Interpolation, const std::vector<double>&); \
-  template Sampled sample(const Curve<Over>&, Interpolation, std::size_t);                \
-  template Sampled certified(const Curve<Over>&, Interpolation, Columns);                 \
-  template void require_certifiable(const Curve<Over>&, const char*, double);             \
-  template Sampled sample_within(const Curve<Over>&, Interpolation, double, std::size_t);
+#define JOUNCE_INSTANTIATE(Over)                                                           \
+  template Sampled sample(const Curve<Over>&, Interpolation, const std::vector<double>&);  \
+  template Sampled sample(const Curve<Over>&, Interpolation, std::size_t);                 \
+  template Sampled certified(const Curve<Over>&, Interpolation, Columns);                  \
+  template void require_certifiable(const Curve<Over>&, const char*, double);              \
+  template Sampled sample_within(const Curve<Over>&, Interpolation, double, const Limits&, \
+                                 std::size_t);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

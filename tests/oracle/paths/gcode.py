@@ -3,6 +3,8 @@
 import math
 from decimal import Decimal
 
+from paths.job import Arc, Line
+
 FEED = 6000  # mm/min
 LIMITS = {"acceleration": 1000.0, "jerk": 10000.0}
 
@@ -44,21 +46,24 @@ def gcode(start, pieces, deviation):
     return "".join(f"N{i + 1} {row}\n" for i, row in enumerate(rows + ["M30"])), numbered
 
 
-def goes_straight(start, pieces, i):
-    """Two lines in one direction, to 1e-9: G61 is the exact path, which passes them (decision 0095)."""
-    if i + 1 == len(pieces) or "arc" in (pieces[i]["type"], pieces[i + 1]["type"]):
-        return False
-    at = pieces[i - 1]["to"] if i > 0 else start
-    ways = [[b - a for a, b in zip(p, q)] for p, q in ((at, pieces[i]["to"]), (pieces[i]["to"], pieces[i + 1]["to"]))]
-    sizes = [math.hypot(*way) for way in ways]
-    return min(sizes) > 0 and math.dist(*([x / size for x in way] for way, size in zip(ways, sizes))) < 1e-9
+def passed(start, pieces):
+    """For each piece: if G61, the exact path, passes the joint at its end (decision 0095).
+
+    G61 passes a joint if the directions on both sides are equal to 1e-9. A line without length has no direction.
+    """
+    starts = [start, *(piece["to"] for piece in pieces)]
+    shapes = [Line(a, p["to"]) if p["type"] == "line" else Arc(a, p["to"], p) for a, p in zip(starts, pieces)]
+    result, ahead = [], None
+    for shape in reversed(shapes):
+        result.append(ahead is not None and (shape.length == 0 or math.dist(shape.ends, ahead.begins) < 1e-9))
+        ahead = shape if shape.length > 0 else ahead
+    return result[::-1]
 
 
 def job(start, pieces, deviation, feed=FEED / 60):
     """The geometry and limits for path_judge.py; the curves of the axes are added by the test."""
-    corners = [{**p, "deviation": float(deviation),
-                "stop": i + 1 == len(pieces) or (deviation == 0 and not goes_straight(start, pieces, i))}
-               for i, p in enumerate(pieces)]
+    corners = [{**p, "deviation": float(deviation), "stop": i + 1 == len(pieces) or (deviation == 0 and not passes)}
+               for i, (p, passes) in enumerate(zip(pieces, passed(start, pieces)))]
     names = "XYZUVW"[:len(start)]
     return {"jounce_path_job": 1, "axes": [{"name": n, **LIMITS} for n in names], "path": {"velocity": feed},
             "start": [float(c) for c in start], "pieces": corners}

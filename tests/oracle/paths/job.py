@@ -143,6 +143,9 @@ class Line:
     def turned(self, _):
         return Turned(0.0, 0.0, 0.0, 0.0)
 
+    def curvature(self, _):
+        return [0.0] * len(self.start)
+
     sweep = 0.0
 
     def middle(self, cell):
@@ -200,6 +203,11 @@ class Arc:
         k = self.radius * self.sweep / self.length
         return [k * (y * math.cos(angle) - x * math.sin(angle)) + r / self.length
                 for x, y, r in zip(self.ex, self.ey, self.rise)]
+
+    def curvature(self, angle):
+        """The second derivative of the position by the length."""
+        k = self.radius * (self.sweep / self.length) ** 2
+        return [-k * (x * math.cos(angle) + y * math.sin(angle)) for x, y in zip(self.ex, self.ey)]
 
     def at(self, angle):
         return [c + self.radius * (x * math.cos(angle) + y * math.sin(angle)) + r * angle / self.sweep

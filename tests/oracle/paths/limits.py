@@ -75,8 +75,11 @@ def check_signed(report, name, t, h, c, faster, slower, noise):
                 report.violation("limit", f"{key} of {name}", top, limit, t + (s0 + at * (s1 - s0)) * h)
 
 
-def check_joints(report, name, curve, limits):
-    """Jumps between pieces, and rest outside the curve."""
+def check_joints(report, name, curve, limits, steps=()):
+    """Jumps between pieces, and rest outside the curve.
+
+    `steps`: (time, width, jump) where the acceleration may jump, from `width` before the time to `width` after it.
+    """
     highest = 2 if limits.get("jerk") is not None else 1
     places = [x for _, _, c in curve.pieces for x in (c[0], sum(c))]
     peaks = [max(places) - min(places)]
@@ -90,6 +93,8 @@ def check_joints(report, name, curve, limits):
             jump = abs(bn.value(derived(c0, h0, order), 1.0) - bn.value(derived(c1, h1, order), 0.0))
             noise = rounding(c0, h0, order) + rounding(c1, h1, order)
             allowed = noise + (1e-12 if order == 0 else 1e-9) * peaks[order]
+            if order == 2:
+                allowed += max((step for at, width, step in steps if abs(t - at) <= width), default=0.0)
             if jump > allowed:
                 report.violation("continuity", f"jump of the {DERIVATIVES[order]} of {name}", jump, allowed, t)
 

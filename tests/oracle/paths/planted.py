@@ -146,6 +146,11 @@ def planted(judge):
     yield "a leg is missing", changed(stops, lambda d: d["pieces"].insert(1, {"type": "line", "to": [120.0, 0.0], "stop": True})), \
         {"deviation"}, {"stop", "corner"}
     yield "other order", changed(stops, lambda d: d["pieces"].reverse()), {"deviation"}, {"end", "stop", "corner", *SLOWER}
+    limited = changed(fly, lambda d: [axis.update(jerk=V**3 / 50**2 * more) for axis in d["axes"]])
+    limited["axes"][0]["jerk"] = peak(judge, fly, "x", "jerk") * more
+    yield "step of the curvature at a tangent joint", limited, set(), {*SLOWER}
+    yield "step of the curvature at a joint to round", changed(limited, lambda d: d["pieces"][0].update(deviation=0.01)), \
+        {"continuity"}, {*SLOWER}
     yield "feed", changed(stops, lambda d: [p.update(feed=V * less) for p in d["pieces"][:2]]), {"feed"}, set()
     yield "feed of the middle", changed(stops, lambda d: d["pieces"][1].update(feed=V * less)), {"feed"}, set()
     yield "feed allowed", changed(stops, lambda d: [p.update(feed=V) for p in d["pieces"]]), set(), set()

@@ -181,6 +181,24 @@ class Walk:
         return places[::-1]
 
 
+def steps_of(walk, places):
+    """Joints that are passed although their curvature steps: (time, width, jump of the acceleration by axis).
+
+    These are tangent joints that may not be rounded: an exact path (G61) passes them (decision 0090).
+    """
+    job, steps = walk.job, []
+    for place, piece, before, after in zip(places, job.pieces, job.shapes, job.shapes[1:]):
+        if piece.get("stop") or piece.get("deviation") or math.dist(before.ends, after.begins) > 1e-9:
+            continue
+        _, h, cell = job.cells[place[0]]
+        square = sum(bn.value(bn.derivative(c, h), place[1]) ** 2 for c in cell)
+        if square > 0:
+            turns = zip(before.curvature(before.sweep), after.curvature(0.0))
+            jump = [(1 + 1e-6) * square * abs(b - a) for a, b in turns]
+            steps.append((walk.time(place), (10 * job.tolerance + 1e-9 * job.extent) / math.sqrt(square), jump))
+    return steps
+
+
 def check_feeds(report, job, places):
     feeds = [p.get("feed", math.inf) for p in job.pieces]
     if min(feeds, default=math.inf) == math.inf:

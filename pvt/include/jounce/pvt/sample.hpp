@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
@@ -56,7 +57,7 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 /// would be necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
-                      std::size_t most = 1'000'000);
+                      const Limits& limits = {}, std::size_t most = 1'000'000);
 
 /// Throws InputError with this key if the tolerance is too small to be certified with doubles:
 /// below 1e-14 of the curve's greatest position, or below 1e-15 of the sum of a segment's terms if

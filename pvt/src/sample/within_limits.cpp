@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pvt/src/sample/within_limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
+
+#include "pvt/src/sample/interval.hpp"
+#include "pvt/src/sample/longest.hpp"
+
+// Between its knots, a table differs from the curve. So it may exceed a limit that the curve just keeps. On an interval
+// of length h, its k-th derivative differs by
+//
+//   (1)  C h^(n - k) M,     n = 4 (cubic), 6 (quintic), M the greatest n-th derivative of the curve
+//
+// so halves of the interval exceed the limit by less, if at all. Where the curve has a peak below its limit, it falls
+// with the square of the distance from the peak. So only the few intervals next to the peak must be halved.
+//
+// Halves do not help where a derivative of the curve steps that the table cannot step in: there, a shorter interval
+// has a greater third derivative. Such an interval stays as it is. The rounding e of a position changes the k-th
+// derivative by c e / h^k. No interval is so short that this is more than a thousandth of a limit.
+namespace jounce::pvt_detail {
+namespace {
+
+constexpr double rounding_share = 1e-3;
+
+template <class Over>
+class WithinLimits {
+ public:
+  WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits)
+      : f_(f), rule_(rule) {
+    const Ranges taken = extrema(f);
+    rounding_ = std::numeric_limits<double>::epsilon() * std::abs(taken[0].peak().value);
+    const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
+    permit(0, limits.position_min, limits.position_max, taken[0]);
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      const auto least_rate = rates[k] ? std::optional(-*rates[k]) : std::nullopt;
+      permit(k + 1, least_rate, rates[k], taken[k + 1]);
+    }
+  }
+
+  [[nodiscard]] std::vector<double> run(const std::vector<double>& knots) const {
+    std::vector<double> all{knots.front()};
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+      halve(knots[i - 1], knots[i], all);
+      all.push_back(knots[i]);
+    }
+    return all;
+  }
+
+ private:
+  /// Values of a derivative that the table may take: up to the limit, or up to the curve's own where it exceeds it.
+  struct Permitted {
+    double least = -profiles_detail::inf;
+    double most = profiles_detail::inf;
+    double scale = 0;  ///< the greatest magnitude; 0: not limited
+  };
+
+  void permit(std::size_t order, std::optional<double> least, std::optional<double> most,
+              const Range& taken) {
+    Permitted& p = permitted_[order];
+    if (least) p.least = std::min(*least, taken.min.value);
+    if (most) p.most = std::max(*most, taken.max.value);
+    if (least || most)
+      p.scale = std::max({least ? std::abs(p.least) : 0, most ? std::abs(p.most) : 0,
+                          std::abs(taken.peak().value)});
+  }
+
+  [[nodiscard]] Knot knot(double x) const {
+    return knot_at(f_, x, x == f_.end() ? Side::left : Side::right);
+  }
+
+  /// The change of the k-th derivative of an interval by the rounding of its knots.
+  [[nodiscard]] double rounding(std::size_t k, double length) const {
+    constexpr std::array factors{2.0, 4.0, 12.0, 120.0};
+    return factors[k] * rounding_ / std::pow(length, static_cast<double>(k));
+  }
+
+  [[nodiscard]] bool is_too_short(double length) const {
+    for (std::size_t k = 0; k < permitted_.size(); ++k)
+      if (permitted_[k].scale > 0 && rounding(k, length) > rounding_share * permitted_[k].scale)
+        return true;
+    return false;
+  }
+
+  /// The greatest share of a limit by which the interval exceeds it, beyond the rounding of its knots; 0: none.
+  [[nodiscard]] double excess(double a, double b) const {
+    const Segment table = between(rule_, knot(a), knot(b));
+    double worst = 0;
+    for (std::size_t k = 0; k < permitted_.size(); ++k) {
+      const Permitted& p = permitted_[k];
+      if (p.scale == 0) continue;
+      const Range range = segment_range(table, a, b, static_cast<int>(k));
+      const double over = std::max(range.max.value - p.most, p.least - range.min.value);
+      const double beyond = over - rounding(k, b - a) - 1e-12 * p.scale;
+      worst = std::max(worst, beyond / p.scale);
+    }
+    return worst;
+  }
+
+  /// Appends the knots between a and b with which the table exceeds the limits least; returns the rest of the excess.
+  double halve(double a, double b, std::vector<double>& knots) const {
+    const double whole = excess(a, b);
+    if (whole == 0 || is_too_short((b - a) / 2)) return whole;
+    const std::size_t before = knots.size();
+    const double middle = a + (b - a) / 2;
+    const double left = halve(a, middle, knots);
+    knots.push_back(middle);
+    const double halves = std::max(left, halve(middle, b, knots));
+    if (halves < whole) return halves;
+    knots.resize(before);
+    return whole;
+  }
+
+  const Curve<Over>& f_;
+  Interpolation rule_;
+  double rounding_ = 0;  ///< rounding of the greatest position
+  std::array<Permitted, 4> permitted_{};
+};
+
+}  // namespace
+
+template <class Over>
+std::vector<double> knots_within_limits(const Curve<Over>& f, Interpolation rule,
+                                        const Limits& limits, const std::vector<double>& knots) {
+  return WithinLimits<Over>(f, rule, limits).run(knots);
+}
+
+template std::vector<double> knots_within_limits(const Curve<OverTime>&, Interpolation,
+                                                 const Limits&, const std::vector<double>&);
+template std::vector<double> knots_within_limits(const Curve<OverMaster>&, Interpolation,
+                                                 const Limits&, const std::vector<double>&);
+
+}  // namespace jounce::pvt_detail
