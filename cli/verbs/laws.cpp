@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/nearest.hpp"
+#include "jounce/cam/laws/law_names.hpp"
 #include "jounce/design/law_guide.hpp"
 #include "jounce/plot/curve_figure.hpp"
 #include "jounce/profiles/error.hpp"
@@ -28,6 +29,7 @@ struct LawsArguments {
 Law law_of(const std::string& word) {
   const auto law = law_named(word);
   if (law) return *law;
+  if (const LawAlias* alias = law_alias(word)) throw InputError("LAW", word, rule_of(*alias));
   std::vector<std::string> names;
   for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
   const std::string near = nearest(word, names);

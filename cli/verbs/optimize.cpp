@@ -100,9 +100,11 @@ int report(const OptimizeArguments& options, const Spec& given, const SpecOptimu
   if (options.json) {
     Json document = Json::parse(best.json);
     if (spec) document["peaks"] = Json::parse(peaks_json(peak_changes(given, *spec)));
+    if (spec) document["other_figures"] = Json::parse(peaks_json(other_changes(given, *spec)));
     print_json(out, document);
   } else if (spec) {
-    fmt::print(out, "{}", peaks_text(peak_changes(given, *spec)));
+    fmt::print(out, "{}{}", peaks_text(peak_changes(given, *spec)),
+               others_text(other_changes(given, *spec)));
     print_bound(out, given, *spec);
   }
   if (!spec || !passes_check(options.json ? stderr : out, *spec)) return finding;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/cam/laws/law_names.hpp"
+
 namespace jounce {
 namespace {
 
@@ -52,6 +54,14 @@ std::string keys_of(Law law) {
     add("straight");
   if (!has_own_shape(law)) add("points");
   return keys;
+}
+
+/// The names of a law in books and other tools.
+std::string other_names(Law law) {
+  std::string names;
+  for (const LawAlias& alias : law_aliases())
+    if (alias.law == law) names += (names.empty() ? "" : ", ") + std::string(alias.name);
+  return names;
 }
 
 struct Row {
@@ -117,6 +127,8 @@ std::string markdown(Law law) {
   text += fmt::format("| at its ends | {} |\n", ends_in_words(about.ends));
   if (const std::string keys = keys_of(law); !keys.empty())
     text += fmt::format("| keys | {} |\n", keys);
+  if (const std::string names = other_names(law); !names.empty())
+    text += fmt::format("| other names | {} |\n", names);
   if (rises)
     for (const Row& row : rows(characteristics(law)))
       text += fmt::format("| {} | {} ({}) |\n", row.label, shown(row.value), row.meaning);
@@ -189,6 +201,7 @@ std::string law_text(Law law) {
   line("weakness", about.weakness);
   line("ends", ends_in_words(about.ends));
   if (const std::string keys = keys_of(law); !keys.empty()) line("keys", keys);
+  if (const std::string names = other_names(law); !names.empty()) line("names", names);
   if (law != Law::line && law != Law::dwell && has_own_shape(law))
     for (const Row& row : rows(characteristics(law)))
       line(row.label, fmt::format("{:<9} {}", shown(row.value), row.meaning));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/design/master_check.hpp"
 #include "jounce/design/reference.hpp"
 #include "jounce/design/sync_zones.hpp"
 #include "jounce/profiles/curve/roots.hpp"
@@ -68,6 +69,8 @@ Input over_time(const Input& input) {
   Trajectory motion = motion_over_time(input);
   Input slave = input;
   slave.limits = input.spec->slave;
+  for (std::size_t k = 0; k < slave.rate_units.size(); ++k)
+    slave.rate_units[k] = slave_rate_unit(*input.spec, static_cast<int>(k) + 1);
   slave.labels.units.x = input.spec->time_unit;
   slave.labels.over_master = false;
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);

@@ -13,8 +13,13 @@
 /// The parts of a spec, each read from its own tables of the document.
 namespace jounce::spec_detail {
 
-/// start, [[segment]] (its free values go to spec.optimize), periodic, slave_period, boundaries.
+/// start, [[segment]] (its free values go to spec.optimize), periodic, slave_period, boundaries. Rates over time are
+/// taken at the speed of spec.master.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
+
+/// The length of the knots of a cam, in the unit of the master. None if one of them is missing or wrong: read_cam()
+/// reports that.
+std::optional<double> cam_length(TomlReader& top, const Units& units);
 
 /// [gear]: GearSpec, GearCourse or GearInPosPart, by its `engage`.
 SyncSpec read_gear(TomlReader gear, const Units& units);
@@ -135,5 +140,8 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
 
 /// A unit of a position: of length, of angle, or pulses.
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback);
+
+/// A unit of a master: the same, or of time for a virtual one.
+std::string read_master_unit(TomlReader& reader, const char* key);
 
 }  // namespace jounce::spec_detail

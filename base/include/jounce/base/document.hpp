@@ -22,6 +22,10 @@ struct Document {
   Sha256 hash{};  ///< hash of the text
   std::map<std::string, Place> places;
   std::map<std::string, std::string> units = {};  ///< unit of every plain number read
+  std::map<std::string, std::string> given = {};  ///< unit of every number whose text names one
+
+  /// The unit in which the text gives the number under `key`; `otherwise` for a plain number, and for a missing one.
+  [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;
 
   /// The error with the place of its key, or of the nearest enclosing key that is known.
   [[nodiscard]] InputError located(const InputError& error) const;

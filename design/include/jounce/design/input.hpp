@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -31,6 +32,8 @@ struct Input {
   std::vector<std::string> unread = {};   ///< other content of its file
   std::shared_ptr<const Plan> plan = {};  ///< plan of a spec of kind "path", shared by its axes
   std::shared_ptr<const Overlapped> overlap = {};  ///< instead of a plan: lines that overlap
+  /// Units for velocity, acceleration and jerk in pictures; "": unit_of() of the labels.
+  std::array<std::string, 3> rate_units = {};
 };
 
 /// Calls `act` with the input's curve, or with its table if there is no other curve: the table

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "jounce/cam/coupling/master_limits.hpp"
+#include "jounce/cam/coupling/slave_check.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
@@ -16,6 +16,22 @@ MasterRates master_rates(const Spec& spec);
 
 /// Unit of the `order`th derivative of the master by time.
 std::string master_rate_unit(const Spec& spec, int order);
+
+/// The unit in which the spec gives the speed of its master, and its size in master_rate_unit(): "rpm", "cpm" for
+/// cycles, otherwise master_rate_unit() itself.
+struct SpeedUnit {
+  std::string name;
+  double size = 1;
+};
+SpeedUnit master_speed_unit(const Spec& spec);
+
+/// The unit in which the spec gives the limit of the `order`th derivative over time: "m/s^2". For a plain number, the
+/// unit that follows from [units].
+std::string slave_rate_unit(const Spec& spec, int order);
+
+/// The slave over time against [limits.slave], behind the [master] of the spec: see check_slave(). Values in
+/// slave_rate_unit().
+Report check_slave(const Cam& cam, const Spec& spec);
 
 /// True if the master's own acceleration breaks a limit of the slave already at its start: a slower
 /// master would not help.

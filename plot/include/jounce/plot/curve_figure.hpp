@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@ namespace jounce {
 /// Options of the picture of a curve. All are optional.
 struct CurveLook {
   std::string title{};
-  std::string axis{};           ///< name of the x axis; by default "time" or "master"
-  std::string axis_unit{};      ///< "s", "deg", ...; "deg" and "°" get angular ticks
-  std::string unit{};           ///< unit of the position: "mm"; the rates' units follow from both
+  std::string axis{};       ///< name of the x axis; by default "time" or "master"
+  std::string axis_unit{};  ///< "s", "deg", ...; "deg" and "°" get angular ticks
+  std::string unit{};       ///< unit of the position: "mm"; the rates' units follow from both
+  std::array<std::string, 3>
+      rate_units{};  ///< other units for velocity, acceleration, jerk; "" keeps the above
   std::string label = "curve";  ///< label of the curve and of the one before it, for the legend
   std::string before = "before";
   Limits limits{};
