@@ -59,7 +59,7 @@ TEST(MasterRate, CountsCyclesOfTheCam) {
 TEST(MasterRate, IsInCyclesForAKnifeAsWell) {
   const Spec knife = read(
       "jounce = 1\nkind = \"knife\"\nunits = { master = \"mm\", position = \"deg\" }\n[knife]\n"
-      "diameter = 200\ncut_length = 800\n[master]\nvelocity = \"150 cpm\"\n");
+      "diameter = 200\ncut_length = 800\nsync_angle = 60\n[master]\nvelocity = \"150 cpm\"\n");
   EXPECT_DOUBLE_EQ(knife.master->velocity, 2000) << "2.5 cuts of 800 mm a second";
   EXPECT_DOUBLE_EQ(knife.master->distance, 800);
 }
@@ -67,7 +67,7 @@ TEST(MasterRate, IsInCyclesForAKnifeAsWell) {
 TEST(MasterRate, NeedsACycle) {
   const std::string once = cam(segment("345", "master = 90, slave = 40"), master, "");
   EXPECT_EQ(complaint(once),
-            "a.toml:8:12: master.velocity = \"120 cpm\": counts cycles, but this motion does not "
+            "a.toml:9:12: master.velocity = \"120 cpm\": counts cycles, but this motion does not "
             "repeat: give the velocity in deg/s");
   EXPECT_EQ(complaint(cam(turn, "[master]\nvelocity = \"0 cpm\"\n")),
             "a.toml:13:12: master.velocity = 0 1/s: must be greater than 0");
@@ -126,15 +126,15 @@ TEST(KnotsOverTime, PointsOfASplineAndFreeValuesToo) {
 TEST(KnotsOverTime, NeedASpeedAndOneKey) {
   const std::string knot = "master = 60, slave = 10, velocity = 300";
   EXPECT_EQ(complaint(cam(segment("quintic", knot), "", "")),
-            "a.toml:7:44: segment[1].end.velocity: is over time and needs the speed of the master: "
+            "a.toml:7:45: segment[1].end.velocity: is over time and needs the speed of the master: "
             "add [master] with velocity, or give geo_velocity");
   EXPECT_EQ(complaint(cam(segment("quintic", knot + ", geo_velocity = 1"),
                           "[master]\nvelocity = 720\n", "")),
-            "a.toml:7:44: segment[1].end.velocity: cannot be combined with geo_velocity: give one "
+            "a.toml:7:45: segment[1].end.velocity: cannot be combined with geo_velocity: give one "
             "of the two");
   EXPECT_EQ(complaint(cam(segment("quintic", "master = 60, slave = 10, velocity = \"3 m\""),
                           "[master]\nvelocity = 720\n", "")),
-            "a.toml:7:44: segment[1].end.velocity = \"3 m\": m is not a unit of this quantity: "
+            "a.toml:7:45: segment[1].end.velocity = \"3 m\": m is not a unit of this quantity: "
             "give the value in mm/s");
   EXPECT_EQ(complaint(cam(segment("quintic", knot), "[master]\nvelocity = -1\n", "")),
             "a.toml:9:12: master.velocity = -1 deg/s: must be greater than 0")

@@ -95,7 +95,7 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
   limits.position_max = table->optional_number("position_max", units.position);
   if (slave)
     for (std::size_t k = 1; k < OverTime::names.size(); ++k)
-      if (table->has(OverTime::names[k]))
+      if (table->optional_quantity(OverTime::names[k]))
         table->fail(OverTime::names[k], "", "is a limit over time: give it in [limits.slave]");
   read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
   if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
