@@ -103,9 +103,12 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.advice = fmt::format(
       "the slave reaches limits.slave.{} at any speed: [master] acceleration at most {}",
       limit.quantity, rounded(limit.value));
+  const SpeedUnit speed_unit = master_speed_unit(spec);
   const double steady = greatest_master_velocity(cam, spec.slave).value;
   if (spec.master->velocity > steady)
-    f.advice += fmt::format("; and velocity at most {} even without it", speed_text(steady, spec));
+    f.advice += fmt::format(
+        "; and velocity at most {} even without it",
+        speed_unit.name == master_rate_unit(spec, 1) ? rounded(steady) : speed_text(steady, spec));
   return f;
 }
 
