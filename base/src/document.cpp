@@ -23,14 +23,19 @@ InputError with_unit(const InputError& error, const std::map<std::string, std::s
 
 }  // namespace
 
-InputError Document::located(const InputError& given) const {
-  if (!given.document().empty()) return given;
-  const InputError error = with_unit(given, units);
+InputError Document::located(const InputError& unplaced) const {
+  if (!unplaced.document().empty()) return unplaced;
+  const InputError error = with_unit(unplaced, units);
   for (std::string key = error.key();; key.erase(key.find_last_of(".["))) {
     if (const auto it = places.find(key); it != places.end())
       return error.at(name, it->second.line, it->second.column);
     if (key.find_last_of(".[") == std::string::npos) return error.at(name);
   }
+}
+
+std::string Document::given_unit(const std::string& key, const std::string& otherwise) const {
+  const auto unit = given.find(key);
+  return unit == given.end() ? otherwise : unit->second;
 }
 
 InputError Document::naming(const std::string& key, const std::string& file,

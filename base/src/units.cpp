@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include <udunits2.h>
 
@@ -46,7 +47,8 @@ class System {
     define("g", 1e-3, "kg");
     define("N", 1, "kg.m/s^2"), define("J", 1, "N.m"), define("W", 1, "J/s"),
         define("Hz", 1, "1/s"), define("kHz", 1e3, "Hz"), define("MHz", 1e6, "Hz");
-    define("rpm", 1, "rev/min"), define("V", 1, "W/A"), define("ohm", 1, "V/A");
+    define("rpm", 1, "rev/min"), define("cpm", 1, "1/min"), define("V", 1, "W/A"),
+        define("ohm", 1, "V/A");
   }
 
   ~System() { ut_free_system(system_); }
@@ -90,7 +92,7 @@ Unit require_unit(std::string_view text) {
   if (!unit)
     throw InputError("unit", std::string(text),
                      "is not a known unit; known are m mm um cm in, rad deg rev, pulse, s ms us ns "
-                     "min h, kg g, N J W, Hz kHz MHz, rpm, A V ohm and their products");
+                     "min h, kg g, N J W, Hz kHz MHz, rpm cpm, A V ohm and their products");
   return unit;
 }
 
@@ -98,6 +100,21 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// A quantity in its two parts.
+struct Parts {
+  std::optional<double> value;  ///< none: the text begins with no finite number
+  std::string_view unit;
+};
+
+Parts parts_of(std::string_view text) {
+  const std::string_view whole = trimmed(text);
+  double value = 0;
+  const char* begin = whole.data() + (whole.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, whole.data() + whole.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return {};
+  return {value, trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())))};
 }
 
 }  // namespace
@@ -123,31 +140,42 @@ double conversion(std::string_view from, std::string_view to) {
   return factor;
 }
 
+bool is_convertible(std::string_view unit, std::string_view other) {
+  try {
+    return conversion(unit, other) > 0;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool is_position_unit(std::string_view unit) {
+  return is_convertible(unit, "m") || is_convertible(unit, "rad") || is_convertible(unit, "pulse");
+}
+
 double quantity(std::string_view text, std::string_view unit) {
-  const std::string_view whole = trimmed(text);
-  double value = 0;
-  const char* begin = whole.data() + (whole.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, whole.data() + whole.size(), value);
+  const auto [value, given] = parts_of(text);
   const std::string shown = '"' + std::string(text) + '"';
-  if (error != std::errc() || !std::isfinite(value))
+  if (!value)
     throw InputError(
         "", shown,
         "must be a finite number, with or without a unit" +
             (unit.empty() ? std::string() : ", such as \"12.5 " + std::string(unit) + '"'));
-  const std::string_view given =
-      trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())));
-  if (given.empty()) return value;
+  if (given.empty()) return *value;
   if (!is_unit(given))
     throw InputError("", shown,
                      '"' + std::string(given) + "\" is not a known unit; give the value in " +
                          std::string(unit));
   try {
-    return value * conversion(given, unit);
+    return *value * conversion(given, unit);
   } catch (const InputError&) {
     throw InputError("", shown,
                      std::string(given) + " is not a unit of this quantity: give the value in " +
                          std::string(unit));
   }
+}
+
+std::string_view quantity_unit(std::string_view text) {
+  return parts_of(text).unit;
 }
 
 std::string rate_unit(const std::string& position, const std::string& x, int order) {

@@ -47,8 +47,10 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   take(report, std::move(odd));
   if (has_designed_rises(input)) take(report, certificates(cam));
-  if (input.spec && has_slave_limits(*input.spec) && input.spec->master)
+  if (input.spec && has_slave_limits(*input.spec) && input.spec->master) {
+    take(report, check_slave(cam, *input.spec));
     report.findings.push_back(master_finding(cam, *input.spec));
+  }
   sort(report);
 }
 

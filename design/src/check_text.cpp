@@ -52,8 +52,9 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   }
   const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates);
   if (std::isinf(limit.value)) return "";
+  const SpeedUnit unit = master_speed_unit(*input.spec);
   std::string line =
-      fmt::format("  fastest master {} {}", rounded(limit.value), master_rate_unit(*input.spec, 1));
+      fmt::format("  fastest master {} {}", rounded(limit.value / unit.size), unit.name);
   if (is_made_for_a_speed(*input.spec)) line += " for this table";
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),

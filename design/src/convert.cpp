@@ -32,6 +32,9 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
   };
   if (const double factor = change("master_unit", file.units.x, wanted.units.x); factor != 1)
     file.table = stretched(file.table, factor);
+  if (const std::string& to = wanted.units.position; is_unit(to) && !is_position_unit(to))
+    throw InputError("position_unit", to,
+                     "is not a unit of position: give a length, an angle, or pulse, count or inc");
   const double factor = change("position_unit", file.units.position, wanted.units.position);
   Columns columns = file.table.columns();
   if (factor != 1)

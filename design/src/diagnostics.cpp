@@ -80,8 +80,8 @@ KeyPlace place_of_limit(const Finding& finding, const Subject& subject) {
         return first_of(subject.spec->document, {"limits.slave", "master"});
       if (name.starts_with("load_"))
         return first_of(subject.spec->document, {"load.limits." + name.substr(5), "load"});
-      return first_of(subject.spec->document,
-                      {own + "limits." + name, "path.limits." + name, "limits." + name});
+      return first_of(subject.spec->document, {own + "limits." + name, "path.limits." + name,
+                                               "limits." + name, "limits.slave." + name});
     case RuleFamily::drive:
       return first_of(subject.spec->document, {own + "drive.limits." + name});
     case RuleFamily::disc:

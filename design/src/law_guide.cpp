@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/nearest.hpp"
+#include "jounce/cam/laws/law_names.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -56,6 +57,14 @@ std::string keys_of(Law law) {
     add("straight");
   if (!has_own_shape(law)) add("points");
   return keys;
+}
+
+/// The names of a law in books and other tools.
+std::string other_names(Law law) {
+  std::string names;
+  for (const LawAlias& alias : law_aliases())
+    if (alias.law == law) names += (names.empty() ? "" : ", ") + std::string(alias.name);
+  return names;
 }
 
 struct Row {
@@ -121,6 +130,8 @@ std::string markdown(Law law) {
   text += fmt::format("| at its ends | {} |\n", ends_in_words(about.ends));
   if (const std::string keys = keys_of(law); !keys.empty())
     text += fmt::format("| keys | {} |\n", keys);
+  if (const std::string names = other_names(law); !names.empty())
+    text += fmt::format("| other names | {} |\n", names);
   if (rises)
     for (const Row& row : rows(characteristics(law)))
       text += fmt::format("| {} | {} ({}) |\n", row.label, shown(row.value), row.meaning);
@@ -194,6 +205,7 @@ std::string law_text(Law law) {
   line("weakness", about.weakness);
   line("ends", ends_in_words(about.ends));
   if (const std::string keys = keys_of(law); !keys.empty()) line("keys", keys);
+  if (const std::string names = other_names(law); !names.empty()) line("names", names);
   if (law != Law::line && law != Law::dwell && has_own_shape(law))
     for (const Row& row : rows(characteristics(law)))
       line(row.label, fmt::format("{:<9} {}", shown(row.value), row.meaning));
@@ -245,6 +257,7 @@ std::string laws_json() {
 
 Law law_of(const std::string& word) {
   if (const auto law = law_named(word)) return *law;
+  if (const LawAlias* alias = law_alias(word)) throw InputError("law", word, rule_of(*alias));
   std::vector<std::string> names;
   for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
   const std::string near = nearest(word, names);

@@ -314,7 +314,8 @@ Trajectory master_of(const Spec& spec) {
     throw InputError("master.distance", number(master.distance),
                      "must be 1e-9 to 1e4 times the length of the cam, " + six_digits(turn));
   if (master.distance / velocity < shortest_pass)
-    throw InputError("master.velocity", master.velocity,
+    throw InputError("master.velocity",
+                     number(master.velocity) + " " + rate_unit(spec.units.x, spec.time_unit, 1),
                      "is too high: the master would travel master.distance in less than 1 us");
   if (!master.acceleration)
     return Trajectory({line(master.distance / velocity, start, start + master.distance)}, 0,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "design/src/master_check.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
@@ -16,6 +18,20 @@ bool has_slave_limits(const Spec& spec) {
 
 std::string master_rate_unit(const Spec& spec, int order) {
   return rate_unit(spec.units.x, spec.time_unit, order);
+}
+
+SpeedUnit master_speed_unit(const Spec& spec) {
+  const std::string own = master_rate_unit(spec, 1);
+  const std::string unit = spec.document.given_unit("master.velocity", own);
+  if (is_convertible(unit, own)) return {unit, conversion(unit, own)};
+  const double cycle = spec.master_period().value_or(1);
+  return {unit, conversion(unit, rate_unit("", spec.time_unit, 1)) * cycle};
+}
+
+std::string slave_rate_unit(const Spec& spec, int order) {
+  const std::string key =
+      std::string("limits.slave.") + OverTime::names[static_cast<std::size_t>(order)];
+  return spec.document.given_unit(key, rate_unit(spec.units.position, spec.time_unit, order));
 }
 
 MasterRates master_rates(const Spec& spec) {
@@ -39,6 +55,43 @@ namespace {
 
 using profiles_detail::rounded_sum;
 
+/// A speed of the master in the unit of the spec: "96.4 cpm".
+std::string speed_text(double speed, const Spec& spec) {
+  const SpeedUnit unit = master_speed_unit(spec);
+  return rounded(speed / unit.size) + " " + unit.name;
+}
+
+/// Ways to keep a limit of the slave. `fastest`: 0 if no speed of the master keeps it.
+std::string slave_advice(const std::string& quantity, double fastest, const Spec& spec) {
+  std::string text;
+  if (std::holds_alternative<CamSpec>(spec.subject))
+    text = fmt::format("lengthen the segment, or use a law with a lower {} coefficient", quantity);
+  if (fastest > 0)
+    text += (text.empty() ? "slow the master down to " : ", or slow the master down to ") +
+            speed_text(fastest, spec);
+  return text;
+}
+
+}  // namespace
+
+Report check_slave(const Cam& cam, const Spec& spec) {
+  const MasterRates rates = master_rates(spec);
+  Report report = check_slave(cam, spec.slave, spec.master->velocity, rates);
+  const double fastest = report.ok() ? 0 : greatest_master_velocity(cam, spec.slave, rates).value;
+  for (Finding& f : report.findings) {
+    const auto name = std::find(OverTime::names.begin(), OverTime::names.end(), f.quantity);
+    const int order = static_cast<int>(name - OverTime::names.begin());
+    f.unit = slave_rate_unit(spec, order);
+    const double size = conversion(rate_unit(spec.units.position, spec.time_unit, order), f.unit);
+    f.value *= size;
+    f.limit *= size;
+    if (f.broken) f.advice = slave_advice(f.quantity, fastest, spec);
+  }
+  return report;
+}
+
+namespace {
+
 Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   const MasterLimit limit = greatest_master_acceleration(cam, spec);
   Finding f;
@@ -54,9 +107,12 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
       "the slave reaches limits.slave.{0} at any speed of the master: lower acceleration in "
       "[master] to at most {1}",
       limit.quantity, rounded(limit.value));
+  const SpeedUnit speed_unit = master_speed_unit(spec);
   const double steady = greatest_master_velocity(cam, spec.slave).value;
   if (spec.master->velocity > steady)
-    f.advice += fmt::format(", and velocity to at most {}", rounded(steady));
+    f.advice += fmt::format(
+        ", and velocity to at most {}",
+        speed_unit.name == master_rate_unit(spec, 1) ? rounded(steady) : speed_text(steady, spec));
   return f;
 }
 
@@ -64,17 +120,18 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
 
 Finding master_finding(const Cam& cam, const Spec& spec) {
   if (master_accelerates_too_fast(cam, spec)) return acceleration_finding(cam, spec);
+  const SpeedUnit unit = master_speed_unit(spec);
   const double speed = spec.master->velocity;
   const MasterLimit limit = greatest_master_velocity(cam, spec.slave, master_rates(spec));
   Finding f;
   f.rule = "limit/master_velocity";
   f.quantity = "master_velocity";
   f.where = limit.where;
-  f.value = speed;
-  f.limit = limit.value;
+  f.value = speed / unit.size;
+  f.limit = limit.value / unit.size;
   f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
   f.broken = speed > limit.value * (1 + rounded_sum);
-  f.unit = master_rate_unit(spec, 1);
+  f.unit = unit.name;
   if (f.broken)
     f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";
   return f;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "jounce/cam/coupling/master_limits.hpp"
+#include "jounce/cam/coupling/slave_check.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
@@ -16,6 +16,21 @@ MasterRates master_rates(const Spec& spec);
 
 /// Unit of the derivative of this order of the master's position with respect to time.
 std::string master_rate_unit(const Spec& spec, int order);
+
+/// The unit in which the spec gives the speed of its master, and its size in master_rate_unit().
+struct SpeedUnit {
+  std::string name;  ///< "rpm"; "cpm" for cycles; otherwise master_rate_unit() itself
+  double size = 1;
+};
+SpeedUnit master_speed_unit(const Spec& spec);
+
+/// The unit in which the spec gives the limit of the derivative of this order over time: "m/s^2". If
+/// the limit is a number without a unit, this is the unit that follows from [units].
+std::string slave_rate_unit(const Spec& spec, int order);
+
+/// Compares the slave over time, behind the [master] of the spec, with [limits.slave]: see
+/// check_slave() in jounce/cam. Values are in slave_rate_unit().
+Report check_slave(const Cam& cam, const Spec& spec);
 
 /// True if the acceleration of the master alone breaks a limit of the slave, already at its start,
 /// so that a slower master would not help.

@@ -9,6 +9,8 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "design/src/master_check.hpp"
+
 namespace jounce {
 namespace {
 
@@ -71,6 +73,8 @@ Input over_time(const Input& input) {
   Trajectory motion = motion_over_time(input);
   Input slave = input;
   slave.limits = input.spec->slave;
+  for (std::size_t k = 0; k < slave.rate_units.size(); ++k)
+    slave.rate_units[k] = slave_rate_unit(*input.spec, static_cast<int>(k) + 1);
   slave.labels.units.x = input.spec->time_unit;
   slave.labels.over_master = false;
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);

@@ -2,6 +2,7 @@
 #include "jounce/spec/edit.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,12 +29,22 @@ void set(TomlEditor& editor, const toml::table& table, const char* key, double b
     editor.add(table, "master", key, number(after));
 }
 
-void set(TomlEditor& editor, const toml::table& table, const CamKnot& before,
+/// A derivative of a knot, under the key that its table has: by the master, or over time at the speed of the master.
+void set_rate(TomlEditor& editor, const Spec& spec, const toml::table& table, std::size_t order,
+              double before, double after, bool may_add) {
+  const char* const timed = OverTime::names[order];
+  if (table.get(timed) == nullptr)
+    return set(editor, table, OverMaster::names[order], before, after, may_add);
+  const double rate = std::pow(spec.master->velocity, order);
+  set(editor, table, timed, before * rate, after * rate, false);
+}
+
+void set(TomlEditor& editor, const Spec& spec, const toml::table& table, const CamKnot& before,
          const CamKnot& after) {
   set(editor, table, "master", before.master, after.master, false);
   set(editor, table, "slave", before.slave, after.slave, false);
-  set(editor, table, "geo_velocity", *before.geo_velocity, *after.geo_velocity, true);
-  set(editor, table, "geo_acceleration", *before.geo_acceleration, *after.geo_acceleration, true);
+  set_rate(editor, spec, table, 1, *before.geo_velocity, *after.geo_velocity, true);
+  set_rate(editor, spec, table, 2, *before.geo_acceleration, *after.geo_acceleration, true);
 }
 
 std::string line_of(const CamPoint& point) {
@@ -68,15 +79,15 @@ void set_law(TomlEditor& editor, const toml::table& segment, const CamSegment& a
   editor.add(segment, "law", "points", list_of(after.points));
 }
 
-/// Changes only values that are present in the text.
-void set_given(TomlEditor& editor, const toml::table& table, const CamKnot& before,
-               const CamKnot& after) {
+/// Changes values that are in the text; adds nothing.
+void set_given(TomlEditor& editor, const Spec& spec, const toml::table& table,
+               const CamKnot& before, const CamKnot& after) {
   set(editor, table, "slave", before.slave, after.slave, false);
   if (after.geo_velocity)
-    set(editor, table, "geo_velocity", before.geo_velocity.value_or(0), *after.geo_velocity, false);
+    set_rate(editor, spec, table, 1, before.geo_velocity.value_or(0), *after.geo_velocity, false);
   if (after.geo_acceleration)
-    set(editor, table, "geo_acceleration", before.geo_acceleration.value_or(0),
-        *after.geo_acceleration, false);
+    set_rate(editor, spec, table, 2, before.geo_acceleration.value_or(0), *after.geo_acceleration,
+             false);
 }
 
 toml::table parsed(const Spec& spec) {
@@ -91,9 +102,9 @@ std::string with_knots(const Spec& spec, const CamSpec& cam) {
   const auto after = resolved_knots(cam);
   assert(before.size() == after.size());
   TomlEditor editor(spec.document.text);
-  set(editor, *root.get("start")->as_table(), before[0], after[0]);
+  set(editor, spec, *root.get("start")->as_table(), before[0], after[0]);
   for (std::size_t i = 1; i < after.size(); ++i)
-    set(editor, *root["segment"][i - 1]["end"].as_table(), before[i], after[i]);
+    set(editor, spec, *root["segment"][i - 1]["end"].as_table(), before[i], after[i]);
   return editor.result();
 }
 
@@ -101,11 +112,11 @@ std::string with_shapes(const Spec& spec, const CamSpec& cam) {
   const toml::table root = parsed(spec);
   const auto& before = std::get<CamSpec>(spec.subject);
   TomlEditor editor(spec.document.text);
-  set_given(editor, *root.get("start")->as_table(), before.start, cam.start);
+  set_given(editor, spec, *root.get("start")->as_table(), before.start, cam.start);
   for (const FreeShape& shape : spec.optimize.shape.shapes)
     set_law(editor, *root["segment"][shape.segment].as_table(), cam.segments[shape.segment]);
   for (std::size_t i = 0; i < cam.segments.size(); ++i)
-    set_given(editor, *root["segment"][i]["end"].as_table(), before.segments[i].end,
+    set_given(editor, spec, *root["segment"][i]["end"].as_table(), before.segments[i].end,
               cam.segments[i].end);
   return editor.result();
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -37,28 +38,68 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
                                      : "units = { position = \"mm\" }");
   spec.units.position = spec_detail::read_position_unit(units, "position", nullptr);
   spec.time_unit = read_unit(units, "time", "s");
-  try {
-    (void)conversion(spec.time_unit, "s");
-  } catch (const InputError&) {
+  if (!is_convertible(spec.time_unit, "s"))
     units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
-  }
-  spec.units.x = over_master ? read_unit(units, "master", nullptr) : spec.time_unit;
+  spec.units.x = over_master ? spec_detail::read_master_unit(units, "master") : spec.time_unit;
   if (kind.runs == Kind::no_curve && units.has("master"))
-    spec.master_unit = read_unit(units, "master", nullptr);
+    spec.master_unit = spec_detail::read_master_unit(units, "master");
   units.finish();
+}
+
+/// The travel of the master through the motion of the slave once.
+struct MasterRun {
+  std::optional<double> length;
+  bool repeats = false;
+};
+
+/// A cam is read after its master: its knots may have rates over time.
+MasterRun master_run(TomlReader& top, const Spec& spec) {
+  if (std::holds_alternative<CamSpec>(spec.subject))
+    return {spec_detail::cam_length(top, spec.units),
+            top.optional_flag("periodic").value_or(false)};
+  const auto period = spec.master_period();
+  return {period, period.has_value()};
+}
+
+/// The speed of the master, in its unit or in cycles per time.
+double read_master_velocity(TomlReader& table, const Spec& spec, const MasterRun& run) {
+  const auto positive = [&](double value) {
+    if (!(value > 0)) table.fail("velocity", number(value), "must be greater than 0");
+    return value;
+  };
+  const std::string unit = rate_unit(spec.units.x, spec.time_unit, 1);
+  const std::string cycles = rate_unit("", spec.time_unit, 1);
+  const auto text = table.is_text("velocity") ? table.optional_text("velocity") : std::nullopt;
+  if (!text || !is_convertible(quantity_unit(*text), cycles))
+    return positive(table.number("velocity", unit));
+  if (!run.repeats || !run.length)
+    table.fail("velocity", '"' + *text + '"',
+               "counts cycles, but this motion does not repeat: give the velocity in " + unit);
+  return positive(table.number("velocity", cycles)) * *run.length;
+}
+
+/// The travel of a master that the spec leaves out: one cycle at full speed, and its ramps, in whole cycles. A motion
+/// that does not repeat is passed once.
+double default_distance(const MasterSpec& master, const MasterRun& run) {
+  if (!run.repeats) return *run.length;
+  const double ramps =
+      master.acceleration ? master.velocity * master.velocity / *master.acceleration : 0;
+  return *run.length * (1 + std::ceil(ramps / *run.length - 1e-9));
 }
 
 std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
   auto table = top.optional_table("master");
   if (!table) return std::nullopt;
+  const MasterRun run = master_run(top, spec);
   MasterSpec master;
-  master.velocity = table->number("velocity", rate_unit(spec.units.x, spec.time_unit, 1));
-  master.distance = table->number("distance", spec.units.x);
+  master.velocity = read_master_velocity(*table, spec, run);
   master.acceleration =
       table->optional_number("acceleration", rate_unit(spec.units.x, spec.time_unit, 2));
-  for (const auto& [key, value] : {std::pair{"velocity", master.velocity},
-                                   {"distance", master.distance},
-                                   {"acceleration", master.acceleration.value_or(1)}})
+  const auto distance = run.length ? table->optional_number("distance", spec.units.x)
+                                   : table->number("distance", spec.units.x);
+  master.distance = distance ? *distance : default_distance(master, run);
+  for (const auto& [key, value] :
+       {std::pair{"acceleration", master.acceleration.value_or(1)}, {"distance", master.distance}})
     if (!(value > 0)) table->fail(key, number(value), "must be greater than 0");
   table->finish();
   return master;
@@ -90,8 +131,8 @@ void read_beside_cam(TomlReader& top, Spec& spec) {
 }
 
 void read_cam(TomlReader& top, Spec& spec) {
+  top.attempt([&] { spec.master = read_master(top, spec); });
   spec.subject = spec_detail::read_cam(top, spec.units, spec);
-  spec.master = read_master(top, spec);
   top.attempt([&] { spec_detail::read_optimize(top, spec); });
   top.attempt([&] { spec.disc = spec_detail::read_disc(top, spec.units); });
   top.attempt([&] { spec.polydyne = spec_detail::read_polydyne(top); });

@@ -63,5 +63,25 @@ TEST(RateUnit, ReadsAsPeopleWriteIt) {
   EXPECT_EQ(rate_unit("mm", "s", 3), "mm/s^3");
 }
 
+TEST(Units, CyclesAreNoAngle) {
+  EXPECT_DOUBLE_EQ(conversion("cpm", "1/s"), 1.0 / 60);
+  EXPECT_FALSE(is_convertible("cpm", "rpm"));
+  EXPECT_TRUE(is_convertible("mm/s", "m/min"));
+  EXPECT_FALSE(is_convertible("mm/s", "furlong"));
+}
+
+TEST(Units, ThoseOfPositionsAreLengthsAnglesAndPulses) {
+  for (const char* unit : {"mm", "in", "deg", "rev", "pulse", "inc"})
+    EXPECT_TRUE(is_position_unit(unit)) << unit;
+  for (const char* unit : {"s", "N", "mm/s", "1/m", "deg^2", "", "furlong"})
+    EXPECT_FALSE(is_position_unit(unit)) << unit;
+}
+
+TEST(Units, AreFoundInAQuantity) {
+  EXPECT_EQ(quantity_unit(" 12.5 mm/s "), "mm/s");
+  EXPECT_EQ(quantity_unit("+3"), "");
+  EXPECT_EQ(quantity_unit("mm"), "");
+}
+
 }  // namespace
 }  // namespace jounce::units_test

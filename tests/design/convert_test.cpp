@@ -93,6 +93,7 @@ TEST(Convert, NamesTheUnitThatIsWrong) {
   };
   EXPECT_EQ(key({"furlong", ""}), "master_unit");
   EXPECT_EQ(key({"", "mm"}), "position_unit") << "an angle is no length";
+  EXPECT_EQ(key({"", "s"}), "position_unit") << "a time is no position";
   EXPECT_EQ(key({"m", "rad"}), "");
 }
 

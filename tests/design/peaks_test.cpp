@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/peaks.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +32,47 @@ TEST(Peaks, AreThoseOfBothVersionsWithTheLimit) {
   EXPECT_THAT(text, testing::HasSubstr("-50.0 %"));
   EXPECT_THAT(text, testing::HasSubstr("not limited"));
   EXPECT_THAT(peaks_json(peaks), testing::HasSubstr("\"limit\":null"));
+}
+
+/// A rise of 40 mm, over 360 deg at 120 cycles a minute: 0.5 s.
+Spec timed(const std::string& law) {
+  return parse_spec(
+      "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
+      "periodic = true\nstart = { master = 0, slave = 0 }\n"
+      "[[segment]]\nlaw = \"" +
+          law +
+          "\"\nend = { master = 180, slave = 40 }\n"
+          "[[segment]]\nlaw = \"345\"\nend = { master = 360, slave = 0 }\n"
+          "[master]\nvelocity = \"120 cpm\"\n"
+          "[limits.slave]\nvelocity = \"1 m/s\"\nacceleration = \"15 m/s^2\"\n",
+      "cam.toml");
+}
+
+TEST(OtherChanges, AreInTheUnitsOfTheSpec) {
+  // The peaks of the 3-4-5 polynomial of the return remain: only the rise with 4567 has a higher peak.
+  const auto others = other_changes(timed("345"), timed("4567"));
+  const auto named = [&](const std::string& name) {
+    for (const PeakChange& other : others)
+      if (other.name == name) return other;
+    ADD_FAILURE() << name;
+    return PeakChange{};
+  };
+  const PeakChange acceleration = named("peak acceleration");
+  EXPECT_EQ(acceleration.unit, "m/s^2");
+  EXPECT_NEAR(acceleration.given.value(), 10 / std::sqrt(3) * 0.04 / 0.0625, 1e-6);
+  EXPECT_NEAR(acceleration.optimized, 84 * std::sqrt(5) / 25 * 0.04 / 0.0625, 1e-6);
+  EXPECT_NEAR(acceleration.limit.value(), 15, 1e-12);
+  const PeakChange fastest = named("fastest master");
+  EXPECT_EQ(fastest.unit, "cpm");
+  EXPECT_NEAR(fastest.given.value(), 120 * std::sqrt(15 / acceleration.given.value()), 1e-6);
+  EXPECT_THAT(others_text(others), testing::HasSubstr("other figures"));
+  for (const PeakChange& other : others)
+    EXPECT_NE(other.name, "cycle time") << "it does not change";
+}
+
+TEST(OtherChanges, AreEmptyForTheSameSpec) {
+  EXPECT_TRUE(other_changes(timed("345"), timed("345")).empty());
+  EXPECT_EQ(others_text({}), "");
 }
 
 }  // namespace

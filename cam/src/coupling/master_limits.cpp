@@ -13,6 +13,8 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "cam/src/coupling/derivatives.hpp"
+
 // Over all signs of the master's rates, the slave's greatest velocity, acceleration and jerk at a
 // position z are, by (1) of the header,
 //
@@ -70,9 +72,7 @@ class Transfers {
  public:
   explicit Transfers(const Cam& cam) : cam_(cam) {
     for (std::size_t i = 0; i < cam.segments().size(); ++i) {
-      const Segment d1 = derivative(cam.segments()[i]);
-      const Segment d2 = derivative(d1);
-      segments_.push_back({d1, d2, derivative(d2)});
+      segments_.emplace_back(cam.segments()[i]);
       const Ranges ranges = segment_extrema(cam, i);
       Sizes& peak = peaks_.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
@@ -94,14 +94,13 @@ class Transfers {
 
  private:
   void search(std::size_t i, const Sizes& weights, Place& worst) const {
-    const auto& [d1, d2, d3] = segments_[i];
     for (const double s2 : {1.0, -1.0}) {
       if (s2 < 0 && weights[1] == 0) continue;
       for (const double s3 : {1.0, -1.0}) {
         if (s3 < 0 && weights[2] == 0) continue;
-        const auto combined = sum(*sum(scaled(d1, weights[0]), scaled(d2, s2 * weights[1])),
-                                  scaled(d3, s3 * weights[2]));
-        const Range range = extrema(Cam({*combined}), 0);  // always fits: the sines are the same
+        const Segment combined =
+            segments_[i].weighted({weights[0], s2 * weights[1], s3 * weights[2]});
+        const Range range = extrema(Cam({combined}), 0);
         take(i, range.min.where, weights, worst);
         take(i, range.max.where, weights, worst);
       }
@@ -109,7 +108,7 @@ class Transfers {
   }
 
   void take(std::size_t i, double u, const Sizes& weights, Place& worst) const {
-    const Segment& slope = segments_[i][0];
+    const Segment& slope = segments_[i].first;
     const Jet jet = evaluate(slope, std::min(1.0, u / slope.length));
     const Sizes size{std::abs(jet[0]), std::abs(jet[1]), std::abs(jet[2])};
     const double sum = weighted(weights, size);
@@ -117,7 +116,7 @@ class Transfers {
   }
 
   const Cam& cam_;
-  std::vector<std::array<Segment, 3>> segments_;
+  std::vector<cam_detail::Derivatives> segments_;
   std::vector<Sizes> peaks_;
   Sizes most_{};
 };

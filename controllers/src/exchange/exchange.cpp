@@ -27,6 +27,8 @@ void take_notes(const controllers_detail::Exchanged& read, const controllers_det
     if (const auto note = read.notes.find(key); note != read.notes.end()) {
       *target = note->second.value;
       if (!is_unit(*target)) place.fail(note->second.line, key, *target, "is not a known unit");
+      if (target == &file.units.position && !is_position_unit(*target))
+        place.fail(note->second.line, key, *target, "is not a unit of position");
     }
   if (const auto note = read.notes.find("outside"); note != read.notes.end())
     outside = io_detail::choice(note->second.value, std::span(io_detail::policies),

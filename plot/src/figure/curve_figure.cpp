@@ -134,11 +134,37 @@ std::vector<Extremum> extrema_to_mark(const Curve<Over>& f, int order, const Ban
   return marks;
 }
 
+/// The unit of a panel, and its size in the unit of the curve.
+struct PanelUnit {
+  std::string name;
+  double size = 1;
+};
+
+PanelUnit unit_of(const CurveLook& look, int order) {
+  const std::string own = rate_unit(look.unit, look.axis_unit, order);
+  if (order == 0) return {own};
+  const std::string& other = look.rate_units[static_cast<std::size_t>(order) - 1];
+  if (other.empty() || other == own) return {own};
+  return {other, conversion(other, own)};
+}
+
+/// All values of a panel in a unit of this size.
+Panel in_unit(Panel panel, double size) {
+  if (panel.lower) *panel.lower /= size;
+  if (panel.upper) *panel.upper /= size;
+  panel.noise /= size;
+  for (Marker& marker : panel.markers) marker.y /= size;
+  for (Series& series : panel.series)
+    for (double& y : series.y) y /= size;
+  return panel;
+}
+
 template <class Over>
-Panel panel_of(const Curve<Over>& f, int order, const CurveLook& look) {
+Panel panel_of(const Curve<Over>& f, const Curve<Over>* before, int order, const CurveLook& look) {
   const std::string name = Over::names[static_cast<std::size_t>(order)];
-  const std::string unit = superscripts(rate_unit(look.unit, look.axis_unit, order));
-  const std::string in_unit = unit.empty() ? "" : " " + unit;
+  const PanelUnit panel_unit = unit_of(look, order);
+  const std::string unit = superscripts(panel_unit.name);
+  const std::string with_unit = unit.empty() ? "" : " " + unit;
   const std::string in_axis_unit = look.axis_unit.empty() ? "" : " " + look.axis_unit;
   const Band band = band_of(look.limits, order);
   Panel panel;
@@ -147,20 +173,22 @@ Panel panel_of(const Curve<Over>& f, int order, const CurveLook& look) {
   panel.upper = band.upper;
   panel.noise = noise_of(f, order);
   for (const Extremum& e : extrema_to_mark(f, order, band, panel.noise)) {
-    const double value = std::abs(e.value) <= panel.noise ? 0 : e.value;
+    const double value = (std::abs(e.value) <= panel.noise ? 0 : e.value) / panel_unit.size;
     panel.markers.push_back({e.where, e.value, short_number(value),
-                             fmt::format("{} {}{} at {}{}", name, number(value), in_unit,
+                             fmt::format("{} {}{} at {}{}", name, number(value), with_unit,
                                          number(e.where), in_axis_unit),
                              band.broken(e.value)});
   }
   panel.series.push_back(line_of(f, order, look.label, Style::line));
-  return panel;
+  if (before != nullptr) {
+    panel.series.push_back(line_of(*before, order, look.before, Style::under));
+    panel.noise = std::max(panel.noise, noise_of(*before, order));
+  }
+  return in_unit(std::move(panel), panel_unit.size);
 }
 
-}  // namespace
-
 template <class Over>
-Figure curve_figure(const Curve<Over>& f, const CurveLook& look) {
+Figure stacked_figure(const Curve<Over>& f, const Curve<Over>* before, const CurveLook& look) {
   require_valid(look.limits);
   const std::string axis = !look.axis.empty()               ? look.axis
                            : std::is_same_v<Over, OverTime> ? "time"
@@ -172,19 +200,20 @@ Figure curve_figure(const Curve<Over>& f, const CurveLook& look) {
   figure.strips = look.strips;
   figure.knots = look.knots.value_or(std::vector<double>(f.breaks().begin(), f.breaks().end()));
   figure.degrees = look.axis_unit == "deg" || look.axis_unit == "°";
-  for (int order = 0; order < 4; ++order) figure.panels.push_back(panel_of(f, order, look));
+  for (int order = 0; order < 4; ++order) figure.panels.push_back(panel_of(f, before, order, look));
   return figure;
+}
+
+}  // namespace
+
+template <class Over>
+Figure curve_figure(const Curve<Over>& f, const CurveLook& look) {
+  return stacked_figure<Over>(f, nullptr, look);
 }
 
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const Curve<Over>& before, const CurveLook& look) {
-  Figure figure = curve_figure(f, look);
-  for (int order = 0; order < 4; ++order) {
-    Panel& panel = figure.panels[static_cast<std::size_t>(order)];
-    panel.series.push_back(line_of(before, order, look.before, Style::under));
-    panel.noise = std::max(panel.noise, noise_of(before, order));
-  }
-  return figure;
+  return stacked_figure(f, &before, look);
 }
 
 #define JOUNCE_INSTANTIATE(Over)                                      \

@@ -39,6 +39,7 @@ CurveLook look_of(const Input& input) {
   CurveLook look{.title = input.name,
                  .axis_unit = input.labels.units.x,
                  .unit = input.labels.units.position,
+                 .rate_units = input.rate_units,
                  .limits = input.limits};
   for (const SyncZone& zone : sync_zones(input))
     look.shades.push_back({zone.from, zone.to, zone.name});

@@ -29,6 +29,7 @@ namespace jounce::pvt_detail {
 namespace {
 
 constexpr double rounding_share = 1e-3;
+constexpr double limit_rounding = 1e-12;  ///< share of a limit that counts as rounding
 
 template <class Over>
 class WithinLimits {
@@ -98,7 +99,7 @@ class WithinLimits {
       if (p.scale == 0) continue;
       const Range range = segment_range(table, a, b, static_cast<int>(k));
       const double over = std::max(range.max.value - p.most, p.least - range.min.value);
-      const double beyond = over - rounding(k, b - a) - 1e-12 * p.scale;
+      const double beyond = over - rounding(k, b - a) - limit_rounding * p.scale;
       worst = std::max(worst, beyond / p.scale);
     }
     return worst;

@@ -1,13 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/cam/laws/law_names.hpp"
 
 #include "spec/src/toml/parts.hpp"
 
 namespace jounce::spec_detail {
 namespace {
+
+/// Units of the knots of a cam, and the speed of its master for rates over time.
+struct CamUnits {
+  const Units& of;
+  const std::string& time;
+  std::optional<double> speed;
+
+  [[nodiscard]] std::string by_master(int order) const {
+    return rate_unit(of.position, of.x, order);
+  }
+  [[nodiscard]] std::string over_time(int order) const {
+    return rate_unit(of.position, time, order);
+  }
+};
+
+/// The rate over time of a slave whose derivative by the master is 1. `key` is given instead of `geo`.
+double rate_over_time(TomlReader& table, const char* geo, const char* key, int order,
+                      const CamUnits& units) {
+  if (table.has(geo))
+    table.fail(key, "", std::string("cannot be combined with ") + geo + ": give one of the two");
+  if (!units.speed)
+    table.fail(key, "",
+               std::string("is over time and needs the speed of the master: add [master] with "
+                           "velocity, or give ") +
+                   geo);
+  return std::pow(*units.speed, order);
+}
+
+/// A derivative of the slave: under `geo` by the master, or under `key` over time.
+std::optional<double> read_rate(TomlReader& table, const char* geo, const char* key, int order,
+                                const CamUnits& units) {
+  const auto by_master = table.optional_number(geo, units.by_master(order));
+  const auto timed = table.optional_number(key, units.over_time(order));
+  if (!timed) return by_master;
+  return *timed / rate_over_time(table, geo, key, order, units);
+}
 
 std::optional<Bound> read_bound(TomlReader& free, const char* key, const std::string& unit) {
   const auto pair = free.optional_pair(key, unit);
@@ -15,15 +54,24 @@ std::optional<Bound> read_bound(TomlReader& free, const char* key, const std::st
   return Bound{pair->first, pair->second};
 }
 
-void read_free(TomlReader& owner, std::size_t knot, const Units& units, OptimizeSpec& optimize) {
+std::optional<Bound> read_rate_bound(TomlReader& free, const char* geo, const char* key, int order,
+                                     const CamUnits& units) {
+  const auto by_master = read_bound(free, geo, units.by_master(order));
+  const auto timed = read_bound(free, key, units.over_time(order));
+  if (!timed) return by_master;
+  const double rate = rate_over_time(free, geo, key, order, units);
+  return Bound{timed->lower / rate, timed->upper / rate};
+}
+
+void read_free(TomlReader& owner, std::size_t knot, const CamUnits& units, OptimizeSpec& optimize) {
   auto free = owner.optional_table("free");
   if (!free) return;
   FreeKnot f;
   f.knot = knot;
-  f.master = read_bound(*free, "master", units.x);
-  f.slave = read_bound(*free, "slave", units.position);
-  f.geo_velocity = read_bound(*free, "geo_velocity", rate_unit(units.position, units.x, 1));
-  f.geo_acceleration = read_bound(*free, "geo_acceleration", rate_unit(units.position, units.x, 2));
+  f.master = read_bound(*free, "master", units.of.x);
+  f.slave = read_bound(*free, "slave", units.of.position);
+  f.geo_velocity = read_rate_bound(*free, "geo_velocity", "velocity", 1, units);
+  f.geo_acceleration = read_rate_bound(*free, "geo_acceleration", "acceleration", 2, units);
   if (knot > 0) read_free_shape(*free, knot - 1, optimize.shape);
   free->finish();
   const bool nothing = !f.master && !f.slave && !f.geo_velocity && !f.geo_acceleration;
@@ -32,14 +80,37 @@ void read_free(TomlReader& owner, std::size_t knot, const Units& units, Optimize
   if (!(nothing && shape)) optimize.free.push_back(f);
 }
 
-CamKnot read_knot(TomlReader& knot, const Units& units) {
+/// True for the end of a line that gives its speed instead of its slave position.
+bool follows_speed(const TomlReader& end, Law law) {
+  return law == Law::line && !end.has("slave") && (end.has("geo_velocity") || end.has("velocity"));
+}
+
+/// A knot. `line_from`: the knot before a line that keeps its speed wherever it begins and ends.
+CamKnot read_knot(TomlReader& knot, const CamUnits& units, const CamKnot* line_from = nullptr) {
   CamKnot k;
-  k.master = knot.number("master", units.x);
-  k.slave = knot.number("slave", units.position);
-  k.geo_velocity = knot.optional_number("geo_velocity", rate_unit(units.position, units.x, 1));
-  k.geo_acceleration =
-      knot.optional_number("geo_acceleration", rate_unit(units.position, units.x, 2));
+  k.master = knot.number("master", units.of.x);
+  if (line_from == nullptr) k.slave = knot.number("slave", units.of.position);
+  k.geo_velocity = read_rate(knot, "geo_velocity", "velocity", 1, units);
+  k.geo_acceleration = read_rate(knot, "geo_acceleration", "acceleration", 2, units);
+  if (line_from != nullptr)
+    k.slave = line_from->slave + *k.geo_velocity * (k.master - line_from->master);
   return k;
+}
+
+/// Throws InputError if something free would move the ends of a line that keeps its speed. `number`: of its segment.
+void refuse_free_ends(TomlReader& top, const OptimizeSpec& optimize, std::size_t number) {
+  const auto& knots = optimize.free;
+  const auto& shapes = optimize.shape.shapes;
+  const bool moves = std::any_of(knots.begin(), knots.end(), [&](const FreeKnot& free) {
+    return free.knot == number || free.knot + 1 == number;
+  });
+  const bool changes = std::any_of(shapes.begin(), shapes.end(), [&](const FreeShape& free) {
+    return free.segment + 1 == number;
+  });
+  if (moves || changes)
+    top.fail(("segment[" + std::to_string(number) + "].end.slave").c_str(), "",
+             "follows from the velocity of the line, but the line or one of its knots is free: "
+             "give slave, or move the line with [[optimize.parameter]] instead of free");
 }
 
 std::vector<std::string> law_names() {
@@ -48,15 +119,21 @@ std::vector<std::string> law_names() {
   return names;
 }
 
-CamPoint read_point(TomlReader& point, const Units& units) {
+/// Throws InputError with the name of the law here, if the spec has its name in another tool.
+void refuse_alias(TomlReader& owner, const char* key) {
+  if (!owner.is_text(key)) return;
+  const auto text = owner.optional_text(key);
+  if (const LawAlias* alias = law_alias(*text)) owner.fail(key, '"' + *text + '"', rule_of(*alias));
+}
+
+CamPoint read_point(TomlReader& point, const CamUnits& units) {
   CamPoint p;
-  p.master = point.number("master", units.x);
-  p.slave = point.optional_number("slave", units.position);
-  p.geo_velocity = point.optional_number("geo_velocity", rate_unit(units.position, units.x, 1));
-  p.geo_acceleration =
-      point.optional_number("geo_acceleration", rate_unit(units.position, units.x, 2));
-  p.geo_jerk = point.optional_number("geo_jerk", rate_unit(units.position, units.x, 3));
-  p.tolerance = point.optional_number("tolerance", units.position).value_or(0);
+  p.master = point.number("master", units.of.x);
+  p.slave = point.optional_number("slave", units.of.position);
+  p.geo_velocity = read_rate(point, "geo_velocity", "velocity", 1, units);
+  p.geo_acceleration = read_rate(point, "geo_acceleration", "acceleration", 2, units);
+  p.geo_jerk = read_rate(point, "geo_jerk", "jerk", 3, units);
+  p.tolerance = point.optional_number("tolerance", units.of.position).value_or(0);
   point.finish();
   return p;
 }
@@ -66,9 +143,37 @@ const std::array<std::string, 3> boundaries{"rest", "minimum_jerk", "minimum_pea
 }  // namespace
 
 std::optional<Law> read_law(TomlReader& owner, const char* key) {
+  refuse_alias(owner, key);
   const auto chosen = owner.optional_choice(key, law_names());
   if (!chosen) return std::nullopt;
   return all_laws()[*chosen].law;
+}
+
+namespace {
+
+/// The number of a master position; none if it is missing or wrong.
+std::optional<double> master_of(TomlReader& knot, const std::string& unit) {
+  const auto text = knot.optional_quantity("master");
+  if (!text) return std::nullopt;
+  return quantity(*text, unit);
+}
+
+}  // namespace
+
+std::optional<double> cam_length(TomlReader& top, const Units& units) {
+  try {
+    auto start = top.optional_table("start");
+    auto segments = top.tables("segment");
+    if (!start || segments.empty()) return std::nullopt;
+    auto end = segments.back().optional_table("end");
+    if (!end) return std::nullopt;
+    const auto from = master_of(*start, units.x);
+    const auto to = master_of(*end, units.x);
+    if (!from || !to || !(*to > *from)) return std::nullopt;
+    return *to - *from;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 LawForm read_form(TomlReader& segment) {
@@ -81,30 +186,38 @@ LawForm read_form(TomlReader& segment) {
   return form;
 }
 
-CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec) {
+CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
+  const auto speed = spec.master ? std::optional(spec.master->velocity) : std::nullopt;
+  const CamUnits units{of, spec.time_unit, speed};
   OptimizeSpec& optimize = spec.optimize;
   CamSpec cam;
   cam.periodic = top.optional_flag("periodic").value_or(false);
-  cam.slave_period = top.optional_number("slave_period", units.position);
+  cam.slave_period = top.optional_number("slave_period", of.position);
   if (const auto chosen = top.optional_choice("boundaries", boundaries))
     spec.boundaries = static_cast<Boundaries>(*chosen);
   TomlReader start = top.table("start", "start = { master = 0, slave = 0 }");
   cam.start = read_knot(start, units);
   read_free(start, 0, units, optimize);
   start.finish();
+  std::vector<std::size_t> lines;  // that keep their speed, by number
   top.for_each("segment", [&](TomlReader& segment) {
     CamSegment s;
     s.name = segment.optional_text("name").value_or("");
     s.form = read_form(segment);
     for (TomlReader& point : segment.tables("points")) s.points.push_back(read_point(point, units));
+    refuse_alias(segment, "law");
     s.law = all_laws()[segment.choice("law", law_names())].law;
     TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
-    s.end = read_knot(end, units);
+    const bool keeps_speed = follows_speed(end, s.law);
+    const CamKnot& begin = cam.segments.empty() ? cam.start : cam.segments.back().end;
+    s.end = read_knot(end, units, keeps_speed ? &begin : nullptr);
     end.finish();
     cam.segments.push_back(std::move(s));
     read_free(segment, cam.segments.size(), units, optimize);
+    if (keeps_speed) lines.push_back(cam.segments.size());
     segment.finish();
   });
+  for (const std::size_t line : lines) refuse_free_ends(top, optimize, line);
   return cam;
 }
 

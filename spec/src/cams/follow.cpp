@@ -122,14 +122,12 @@ void read_points(TomlReader& top, const Units& units, const std::string& ratio, 
   }
 }
 
-Law read_law(TomlReader& follow) {
-  const auto text = follow.optional_text("law");
-  if (!text) return Law::quintic;
-  const auto law = law_named(*text);
-  if (!law) follow.fail("law", '"' + *text + '"', "is not a law: `jounce laws` lists them");
+Law read_follow_law(TomlReader& follow) {
+  const auto law = read_law(follow, "law");
+  if (!law) return Law::quintic;
   const Ends ends = info(*law).ends;
   if (ends != Ends::given && ends != Ends::moving)
-    follow.fail("law", '"' + *text + '"',
+    follow.fail("law", std::string("\"") + name(*law) + '"',
                 "must be a law that begins and ends at a velocity without acceleration, such as "
                 "quintic or modified_sine");
   return *law;
@@ -141,7 +139,7 @@ FollowPlan read_plan(TomlReader& top, TomlReader& follow, const Units& units,
   plan.start_ratio = follow.optional_number("start_ratio", ratio);
   plan.periodic = follow.optional_flag("periodic").value_or(false);
   plan.form = static_cast<FollowForm>(follow.optional_choice("form", forms).value_or(0));
-  plan.law = read_law(follow);
+  plan.law = read_follow_law(follow);
   plan.whole_master = follow.optional_flag("whole_master").value_or(false);
   read_points(top, units, ratio, plan);
   return plan;

@@ -25,16 +25,6 @@ Ratio read_ratio(TomlReader& reader) {
   return ratio;
 }
 
-Law read_law(TomlReader& reader, Law otherwise) {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const LawInfo& law : all_laws()) all.emplace_back(law.name);
-    return all;
-  }();
-  const auto chosen = reader.optional_choice("law", names);
-  return chosen ? all_laws()[*chosen].law : otherwise;
-}
-
 GearSpec read_for_ever(TomlReader& gear, const Units& units) {
   const Ratio ratio = read_ratio(gear);
   GearSpec spec{ratio.numerator, ratio.denominator, gear.number("master_period", units.x)};
@@ -49,7 +39,7 @@ RatioChange read_change(TomlReader& reader, const Units& units, double at) {
   change.at = at;
   change.ratio = read_ratio(reader).value();
   change.distance = reader.number("distance", units.x);
-  change.law = read_law(reader, Law::line);
+  change.law = read_law(reader, "law").value_or(Law::line);
   return change;
 }
 
@@ -58,7 +48,7 @@ PhaseShift read_shift(TomlReader& reader, const Units& units) {
   shift.at = reader.number("at", units.x);
   shift.shift = reader.number("shift", units.position);
   shift.distance = reader.number("distance", units.x);
-  shift.law = read_law(reader, Law::poly345);
+  shift.law = read_law(reader, "law").value_or(Law::poly345);
   return shift;
 }
 
@@ -94,7 +84,7 @@ GearInPosPart read_in_pos(TomlReader& gear, const Units& units) {
   spec.slave_start = gear.optional_number("slave_start", units.position).value_or(0);
   spec.avoid_reversal = gear.optional_flag("avoid_reversal").value_or(false);
   spec.slave_period = gear.optional_number("slave_period", units.position);
-  spec.law = read_law(gear, Law::quintic);
+  spec.law = read_law(gear, "law").value_or(Law::quintic);
   part.master_start = gear.optional_number("master_start", units.x).value_or(0);
   part.master_end = gear.number("master_end", units.x);
   return part;

@@ -28,15 +28,18 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
 
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback) {
   std::string unit = read_unit(reader, key, fallback);
-  for (const char* base : {"m", "rad", "pulse"}) {
-    try {
-      if (conversion(unit, base) > 0) return unit;
-    } catch (const InputError&) {  // the unit measures something else
-    }
-  }
+  if (is_position_unit(unit)) return unit;
   reader.fail(key, '"' + unit + '"',
               "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev), "
               "or pulse, count or inc");
+}
+
+std::string read_master_unit(TomlReader& reader, const char* key) {
+  std::string unit = read_unit(reader, key, nullptr);
+  if (is_position_unit(unit) || is_convertible(unit, "s")) return unit;
+  reader.fail(key, '"' + unit + '"',
+              "is not a unit of a master: give an angle (deg rad rev), a length (m mm um cm in), "
+              "pulse, count or inc, or a time (s ms) for a virtual master");
 }
 
 TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Domain axis) {
@@ -90,6 +93,10 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
   if (!table) return limits;
   limits.position_min = table->optional_number("position_min", units.position);
   limits.position_max = table->optional_number("position_max", units.position);
+  if (slave)
+    for (std::size_t k = 1; k < OverTime::names.size(); ++k)
+      if (table->optional_quantity(OverTime::names[k]))
+        table->fail(OverTime::names[k], "", "is a limit over time: give it in [limits.slave]");
   read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
   if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
     table->fail(

@@ -17,6 +17,9 @@ namespace jounce::spec_detail {
 /// boundaries.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 
+/// The length of the knots of a cam, in the unit of the master. None if one of them is missing or wrong: read_cam()
+/// reports that.
+std::optional<double> cam_length(TomlReader& top, const Units& units);
 /// Reads [gear]: a GearSpec, GearCourse or GearInPosPart, depending on its key `engage`.
 SyncSpec read_gear(TomlReader gear, const Units& units);
 
@@ -144,5 +147,8 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
 
 /// Reads a unit of a position: of length, of angle, or pulses.
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback);
+
+/// A unit of a master: the same, or of time for a virtual one.
+std::string read_master_unit(TomlReader& reader, const char* key);
 
 }  // namespace jounce::spec_detail

@@ -137,6 +137,7 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
   };
   if (const auto text = node.value_exact<std::string>()) {
     try {
+      if (const auto own = quantity_unit(*text); !own.empty()) document_->given[key] = own;
       return quantity(*text, unit);
     } catch (const InputError& e) {
       throw error('"' + *text + '"', e.rule());

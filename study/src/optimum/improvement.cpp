@@ -26,12 +26,15 @@ std::string path_gain(const Spec& given, const Spec& optimized) {
 }  // namespace
 
 std::string improvement_text(const Spec& given, const Spec& optimized) {
-  return peaks_text(peak_changes(given, optimized)) + path_gain(given, optimized);
+  return peaks_text(peak_changes(given, optimized)) + others_text(other_changes(given, optimized)) +
+         path_gain(given, optimized);
 }
 
 std::string improvement_json(const SpecOptimum& best, const Spec& given, const Spec& optimized) {
   auto document = nlohmann::ordered_json::parse(best.json);
   document["peaks"] = nlohmann::ordered_json::parse(peaks_json(peak_changes(given, optimized)));
+  document["other_figures"] =
+      nlohmann::ordered_json::parse(peaks_json(other_changes(given, optimized)));
   return document.dump();
 }
 

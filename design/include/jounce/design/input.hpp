@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,13 +18,13 @@ struct Input {
   std::optional<Spec> spec;  ///< the spec; nullopt for a table
   LazyCurve curve;           ///< the exact curve; of a table from a file: its own
   TableFile table;           ///< the table with its units
-  /// Error of the table against the curve; nullopt if the curve is that of the table.
-  std::optional<SampleError> error;
-  Limits limits;              ///< limits of the spec; none for a table
-  Labels labels;              ///< names and units for reports
-  std::string name;           ///< name of the spec, with that of the axis; or name of the file
-  std::string axis;           ///< name of the axis if there are several; otherwise ""
-  TableOptions options = {};  ///< options with which the table was made
+  std::optional<SampleError>
+      error;         ///< error of the table against the curve; none if there is no other curve
+  Limits limits;     ///< limits of the spec; none for a table
+  Labels labels;     ///< names and units for reports
+  std::string name;  ///< name of the spec, with that of the axis; or name of the file
+  std::string axis;  ///< name of the axis if there are several; otherwise ""
+  TableOptions options = {};             ///< options with which the table was made
   std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
   std::vector<Residual> residuals = {};  ///< residual vibration of each mode of an operator
   std::vector<SyncZone> zones = {};      ///< sync zones
@@ -33,6 +34,8 @@ struct Input {
   std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
   /// For kind "path" with overlapping lines: their motion, instead of a plan.
   std::shared_ptr<const Overlapped> overlap = {};
+  /// Units for velocity, acceleration and jerk in pictures; "": unit_of() of the labels.
+  std::array<std::string, 3> rate_units = {};
 };
 
 /// Calls `act` with the input's curve, or with its table if the curve is that of the table: the

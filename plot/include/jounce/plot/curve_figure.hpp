@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct CurveLook {
   std::string axis_unit{};
   /// Unit of the position, "mm"; the units of its derivatives follow from both units.
   std::string unit{};
+  std::array<std::string, 3>
+      rate_units{};  ///< other units for velocity, acceleration, jerk; "" keeps the above
   std::string label = "curve";               ///< label of the curve in the legend
   std::string before = "before";             ///< label of the curve before
   Limits limits{};                           ///< limits that are drawn
