@@ -58,7 +58,7 @@ Figure figure(const PlotArguments& options) {
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) return follower_figure(inputs.front());  // with [follower]: one axis
+  if (options.follower) return follower_figure(inputs.front());  // a spec with [follower] has one axis
   const bool over = options.over == "time";
   if (over)
     for (Input& input : inputs) input = slave_of(input);

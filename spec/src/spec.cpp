@@ -78,13 +78,15 @@ double read_master_velocity(TomlReader& table, const Spec& spec, const MasterRun
   return positive(table.number("velocity", cycles)) * *run.length;
 }
 
+constexpr double cycle_rounding = 1e-9;  ///< cycles that the ramps may exceed a whole number
+
 /// The travel of a master that the spec leaves out: one cycle at full speed, and its ramps, in whole cycles. A motion
 /// that does not repeat is passed once.
 double default_distance(const MasterSpec& master, const MasterRun& run) {
   if (!run.repeats) return *run.length;
   const double ramps =
       master.acceleration ? master.velocity * master.velocity / *master.acceleration : 0;
-  return *run.length * (1 + std::ceil(ramps / *run.length - 1e-9));
+  return *run.length * (1 + std::ceil(ramps / *run.length - cycle_rounding));
 }
 
 std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {

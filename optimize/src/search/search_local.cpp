@@ -19,7 +19,7 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr double least_first_step = 1e-7;  ///< of a further attempt
+constexpr double least_first_step = 1e-7;  ///< first step of a further attempt
 
 /// The function of a search in the form of a solver. Values and slopes of one point are computed once.
 class Run {

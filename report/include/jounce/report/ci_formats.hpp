@@ -50,7 +50,7 @@ std::string to_junit(const RunResult& run, bool strict = false);
 /// The formats of to_format().
 const std::vector<std::string>& run_formats();
 
-/// How much of a run is written.
+/// Selection of the findings that the text shows.
 struct RunLook {
   bool strict = false;  ///< a warning counts as a broken limit
   bool quiet = false;   ///< errors and broken limits alone

@@ -51,7 +51,7 @@ struct MachineMasterSpec {
   struct FromTable {
     /// A spec or a table over time; its path is relative to the machine's spec.
     std::string file = {};
-    Limits limits = {};  ///< of the axis: velocity, acceleration; jerk if it is given
+    Limits limits = {};  ///< velocity and acceleration of the axis; jerk if it is given
   };
 
   std::string name;                                 ///< name in the file and in the network

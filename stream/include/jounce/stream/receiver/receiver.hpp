@@ -216,9 +216,9 @@ class Receiver {
   Session session_;
   TableIntake tables_;
   QueueIntake queues_;
-  LastCommand command_;                        // of the present session, or of the last one
-  LastCommand operator_;                       // of session 0
-  std::int64_t operators_last_challenge_ = 0;  // of the last command in session 0
+  LastCommand command_;                        // newest command of the present session, or of the last one
+  LastCommand operator_;                       // newest command of session 0
+  std::int64_t operators_last_challenge_ = 0;  // challenge of the last command in session 0
 
   bool armed_ = false;
   std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // queue and bank armed last
