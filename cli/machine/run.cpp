@@ -16,7 +16,6 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/page_process.hpp"
 
-#include "cli/common/folders.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"

@@ -11,7 +11,6 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/proof/drive_figures.hpp"
-#include "jounce/proof/loop_text.hpp"
 #include "jounce/validate/loop.hpp"
 
 #include "proof/src/text/loop_text.hpp"
