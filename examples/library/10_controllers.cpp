@@ -33,10 +33,10 @@ int main() {
               extrema(sine, 1).max.value);
 
   // PMC600, 6.3: the sigmoid takes the trapezoid's time at pi/2 times its acceleration.
+  const Trajectory sigmoid = pmc600::move_absolute(
       0, 4000, {.velocity = 2000, .acceleration = 4000}, pmc600::VelocityMode::sigmoid);
-      0, 4000, {.velocity = 2000, .acceleration = 4000, .mode = pmc600::VelocityMode::sigmoid});
-      std::printf("PMC600 sigmoid    %.6g s, acceleration %.6g\n", sigmoid.end(),
-                  extrema(sigmoid, 2).max.value);
+  std::printf("PMC600 sigmoid    %.6g s, acceleration %.6g\n", sigmoid.end(),
+              extrema(sigmoid, 2).max.value);
 }
 
 // > Googol trap       1300 ms, smoothed 1325 ms
