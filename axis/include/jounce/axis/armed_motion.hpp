@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// The slot for the armed movement of an axis, with the condition of its start. The slot is empty,
-/// armed, or waiting: its start was accepted and has not begun.
+/// armed, or waiting: the start was accepted, but the movement has not begun.
 ///
 ///     ArmedMotion armed;
 ///     armed.arm(&movement, group);
@@ -44,7 +44,7 @@ class ArmedMotion {
   /// Number of the group of the movement; 0: no group.
   [[nodiscard]] std::int64_t group() const noexcept { return group_; }
 
-  /// True if its start was accepted and has not begun.
+  /// True if the start was accepted, but the movement has not begun.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
   /// True if the start was accepted in this tick.
   [[nodiscard]] bool accepted_in(std::int64_t tick) const noexcept { return accepted_ == tick; }

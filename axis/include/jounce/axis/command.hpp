@@ -56,7 +56,7 @@ struct Couple {
   Movement* movement = nullptr;  ///< must live until the axis returns it
   std::int64_t tick = -1;        ///< tick of the start; -1: at once
 };
-/// The same as Stop, at the end of a hold-to-run jog.
+/// Stops the axis like Stop, at the end of a hold-to-run jog.
 struct Release {
   static constexpr auto kind = CommandKind::release;
 };

@@ -18,7 +18,7 @@ struct TimedState {
 };
 
 /// Plays a move that the axis plans itself. Its goal and its plan always match: if a move cannot be
-/// planned, both stay unchanged.
+/// planned, the goal and the plan stay unchanged.
 ///
 ///     MovePlayer player(config.period);
 ///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move

@@ -36,8 +36,9 @@ struct Moment {
 /// Independent variable of a movement. It determines how the axis holds, slows and stops the
 /// movement.
 enum class Course : std::uint8_t {
-  /// Its own time. The axis slows that time, down to standstill, and the setpoint never leaves the
-  /// path. `t` is path time; at full speed it is exactly ticks * period.
+  /// The movement's own time: the movement is a path. The axis slows that time, down to standstill,
+  /// and the setpoint never leaves the path. `t` is path time; at full speed it is exactly ticks *
+  /// period.
   path,
   /// A master that moves freely. To stop, the axis leaves the movement by a move of its own from
   /// its present state. `t` is the time since the movement began.
