@@ -38,8 +38,8 @@ class PathClock {
 
   /// Sets path time to `s` (s) and the rate in that tick.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// Changes the rate from that tick on, or from the tick of the previous change if that is later.
-  /// `slope`: greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
+  /// Changes the rate from that tick on, but not before the tick of the previous change. `slope`:
+  /// greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
   /// Shifts the zero of path time: s becomes s - by.
   void shift(double by) noexcept { base_ -= by; }

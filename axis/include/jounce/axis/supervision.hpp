@@ -23,7 +23,7 @@ class Supervision {
   /// True if the axis is at rest and |error| has been within AxisConfig::in_position for
   /// in_position_time. One tick outside the window, or in motion, starts the time again.
   bool settled(double error, bool at_rest, double dt, const AxisConfig& config) noexcept;
-  /// Starts both times again.
+  /// Restarts the times of the two windows.
   void reset() noexcept { *this = {}; }
 
  private:
