@@ -17,7 +17,7 @@ namespace jounce {
 /// True if the text is a unit. The empty text is not a unit.
 bool is_unit(std::string_view text);
 
-/// True if both are units of one quantity: "mm/s" and "m/min".
+/// True if the two texts are units of one quantity: "mm/s" and "m/min".
 bool is_convertible(std::string_view unit, std::string_view other);
 
 /// True for a unit of a position: of length or of angle, or pulses.
