@@ -23,9 +23,9 @@ namespace jounce {
 /// hold, or refuse.
 ///
 /// **Values** do not change: a jump at a joint remains, and check_continuity() finds it. A **cut**
-/// nearer to a break than 1e-13 of the axis is made at the break. Segments that are not cut stay
-/// the same to the last digit. The lengths of the two parts of a cut segment have exactly its
-/// length as their sum.
+/// nearer to a break than 1e-13 of the master positions is made at the break. Segments that are not
+/// cut stay the same to the last digit. The lengths of the two parts of a cut segment have exactly
+/// its length as their sum.
 ///
 /// **Throws** InputError, as documented for each function.
 
@@ -70,9 +70,9 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 /// "sum" if a segment needs more than three sines; the next overload accepts this.
 Cam superimposed(const Cam& f, const Cam& g);
 
-/// The same for any number of sines. If the exact sum does not fit, polynomials replace the sines
-/// of `g`, within `tolerance` > 0 (unit of the slave). The error is certified (fitted.hpp); it is
-/// zero if nothing is replaced.
+/// Returns f + g for any number of sines. If the exact sum does not fit, polynomials replace the
+/// sines of `g`, within `tolerance` > 0 (unit of the slave). The error is certified (fitted.hpp);
+/// it is zero if nothing is replaced.
 Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance);
 
 }  // namespace jounce

@@ -160,7 +160,7 @@ Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += c[k];
   return y;
 }
-/// The same with the cam of the coupling.
+/// Like point() above, with the cam of the coupling.
 inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& master, double t,
                  Side side = Side::right) {
   return point(coupling.cam(), engaged, master, t, side);

@@ -18,7 +18,7 @@ namespace jounce {
 /// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master. u is the
 /// slave's unit, m the master's.
 
-/// Scale and offset of a cam on both axes.
+/// Scale and offset of a cam, for the master and for the slave.
 struct Placement {
   double master_scaling = 1;  ///< > 0
   double master_offset = 0;   ///< m, added after scaling

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// A part of a cam that leads from one slave position to another, with its properties.
-/// Characteristic values and certificates are computed from it.
+/// A part of a cam that leads from one slave position to another, with its properties. Its
+/// characteristic values, and their lower bounds (certificate.hpp), are computed from it.
 ///
 ///     for (const Rise& rise : rises(cam)) {
 ///       Characteristics c = characteristics(rise);   // Cv, Ca, Cj, Cm
