@@ -17,8 +17,8 @@ enum class Law {
   line,            ///< straight line, constant velocity
   dwell,           ///< the slave stands still
   quintic,         ///< polynomial of degree 5 from position, velocity and acceleration at both ends
-  septic,          ///< degree 7: the same, with jerk 0 at both ends
-  nonic,           ///< degree 9: the same, with jerk and jounce 0 at both ends
+  septic,          ///< degree 7: like quintic, with jerk 0 at both ends
+  nonic,           ///< degree 9: like quintic, with jerk and jounce 0 at both ends
   polynomial,      ///< through points and derivatives inside the segment; up to degree 11
   cubic_spline,    ///< cubic pieces through points
   quintic_spline,  ///< quintic pieces through points, with the least rms jerk
