@@ -12,7 +12,7 @@ namespace jounce {
 /// switches.
 std::string check_text(const Report& report, const Input& input);
 
-/// The same as a JSON object; numbers have all their digits.
+/// Returns the contents of check_text() as a JSON object; numbers have all their digits.
 std::string check_json(const Report& report, const Input& input);
 
 }  // namespace jounce

@@ -67,13 +67,14 @@ std::vector<std::string> all_losses(const Input& input, const TableForm& form, c
 
 /// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
 std::string known_endings();
-/// True if a path has one of them, or is "-".
+/// True if a path has one of these endings, or is "-".
 bool has_known_ending(const std::string& path);
 /// The output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
-/// The same as a JSON object; `path` is the name of the output file.
+/// Returns the contents of conversion_text() as a JSON object; `path` is the name of the output
+/// file.
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
                             const std::vector<std::string>& losses);
 

@@ -12,7 +12,8 @@ namespace jounce {
 /// make), and the hash of the table.
 std::string design_text(const Input& input, const Report& report);
 
-/// The same as a JSON object; numbers have all their digits. `file` is the name of the table.
+/// Returns the contents of design_text() as a JSON object; numbers have all their digits. `file` is
+/// the name of the table.
 std::string design_json(const Input& input, const Report& report, const std::string& file);
 
 }  // namespace jounce

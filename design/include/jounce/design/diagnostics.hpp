@@ -15,7 +15,7 @@ namespace jounce {
 /// places. `file` is the name of the file.
 std::vector<Diagnostic> diagnostics_of(const Report& report, const Input& input,
                                        const std::string& file);
-/// The same for a spec that does not describe a motion.
+/// Returns the diagnostics for a spec that does not describe a motion.
 std::vector<Diagnostic> diagnostics_of(const Report& report, const Spec& spec,
                                        const std::string& file);
 

@@ -7,7 +7,8 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/laws/law.hpp"
 
-/// The guide to motion laws. It is generated from the data of design(), so both agree.
+/// The guide to motion laws. It is generated from the data of design(), so the guide and design()
+/// agree.
 
 namespace jounce {
 
@@ -33,7 +34,7 @@ std::string law_text(Law law);
 
 /// The description as a JSON object with the characteristic values (null if infinite).
 std::string law_json(Law law);
-/// The same of all laws, a list.
+/// Returns a JSON list of these objects, one for each law.
 std::string laws_json();
 
 /// The text of docs/laws.md.
