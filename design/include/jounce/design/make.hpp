@@ -42,7 +42,7 @@ struct Made {
 /// axis, all over the same time. Throws InputError, with the place in the document.
 std::vector<Made> make_axes(const Spec& spec);
 
-/// The same for a spec of one axis. Throws InputError if there are several.
+/// Makes the motion of a spec of one axis. Throws InputError if the spec has several axes.
 Made make(const Spec& spec);
 
 /// Warnings for a valid time table (kinds "pt" and "pvt", without operators): steps, oscillation
@@ -64,8 +64,8 @@ Limits slave_limits_by_master(const Spec& spec);
 /// Throws InputError, with the place in the document, unless it is well posed.
 CamProblem make_problem(const Spec& spec);
 
-/// The same for a spec with free shapes (spec.optimize.shape). A figure of a drive has no function
-/// until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
+/// Makes the problem of a spec with free shapes (spec.optimize.shape). A figure of a drive has no
+/// function until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
 /// `against_a_drive`.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 

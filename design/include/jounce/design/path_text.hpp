@@ -45,7 +45,7 @@ Report path_report(const Spec& spec, const Plan& played);
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
-/// The same for each line of the program with a command: the place where the axes begin the
+/// Returns, for each line of the program with a command, the place where the axes begin the
 /// command.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 

@@ -22,9 +22,10 @@ struct PeakChange {
 /// without them, a lower peak acceleration may hide a higher jerk that has no limit.
 std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
 
-/// The other figures that differ between the two by more than 0.1 %: duration, rms values, the peaks of a cam's slave
-/// over time, the fastest master, and those of a [drive], which is simulated. Names as in key_figures.hpp, units as the
-/// optimized spec gives its limits and its master. Empty if one of the specs cannot be assessed.
+/// The other figures that differ between the two specs by more than 0.1 %: duration, rms values,
+/// the peaks of a cam's slave over time, the fastest master, and those of a [drive], which is
+/// simulated. Names as in key_figures.hpp, units as the optimized spec gives its limits and its
+/// master. Empty if one of the specs cannot be assessed.
 std::vector<PeakChange> other_changes(const Spec& given, const Spec& optimized);
 /// The peaks as a text table, and as a JSON list with null for a missing number.
 std::string peaks_text(const std::vector<PeakChange>& peaks);
