@@ -53,7 +53,7 @@ class Dispatcher {
   [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return servers_[axis].last(); }
   [[nodiscard]] bool moving() const;   ///< true if any axis moves
   [[nodiscard]] bool settled() const;  ///< true if all axes are settled, see AxisServer
-  [[nodiscard]] bool owned() const;    ///< true if a session owns any axis
+  [[nodiscard]] bool owned() const;    ///< true if any axis has a session
   /// A name of this executor that another executor also owns, so that this one must end; "" if
   /// there is none.
   [[nodiscard]] std::string lost_name() const;
