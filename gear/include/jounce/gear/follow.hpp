@@ -52,7 +52,7 @@ struct FollowTable {
 /// other tables precede the endless one, the cam contains all passes that differ and one more, and
 /// refuses positions beyond. It is a finding if a table ends at a ratio: a controller stops the
 /// slave there at once, while an axis of Jounce brakes. If the master moves backwards, the slave
-/// moves back along its path.
+/// retraces its motion.
 ///
 /// Throws InputError like pt(); if there are several tables, the key begins with the table's
 /// number. Also throws if there is no table, if an endless table is not the last, or if all passes

@@ -45,10 +45,11 @@ enum class FollowForm { smooth, table };
 ///     const Report report = check(shear);
 ///
 /// **As a table**, a zone is an even segment, so its ratio is exact in spite of rounded numbers.
-/// Between two zones, one normal segment is enough if the mean ratio there is the mean of both
-/// ratios. Otherwise there are two segments, which meet at the point that minimizes the greater of
-/// their slopes (equation (3) in follow_plan.cpp). If the slave would move backwards between the
-/// zones, it slows down, stands still and speeds up instead, as gently as possible.
+/// Between two zones, one normal segment is enough if the mean ratio there is the mean of the
+/// ratios of the two zones. Otherwise there are two segments, which meet at the point that
+/// minimizes the greater of their slopes (equation (3) in follow_plan.cpp). If the slave would move
+/// backwards between the zones, it slows down, stands still and speeds up instead, as gently as
+/// possible.
 ///
 /// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend,
 /// zones overlap, a point inside a zone contradicts it, the ratio at the end of a periodic plan

@@ -104,8 +104,8 @@ struct EngageWindow {
 EngageWindow engage_window(const GearInPosSpec& spec);
 
 /// The slave over a master that moves from `from` to `to` (m): hold, engagement and gear, for
-/// checks, tables and plots. Throws InputError "master_start", "master_end" unless from < to and
-/// both are outside the engagement (or at its ends).
+/// checks, tables and plots. Throws InputError "master_start", "master_end" if from >= to, or if
+/// one of them is inside the engagement (its ends excluded).
 SyncCam sync_cam(const GearInPos& gear, double from, double to);
 
 // ---- cycle by cycle ---------------------------------------------------------------------------

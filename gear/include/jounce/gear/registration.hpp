@@ -66,10 +66,10 @@ std::vector<Segment> correction(const Registration& registration, double period,
 Cam registered(const Cam& cam, const Registration& registration, std::span<const double> errors,
                RegistrationState state = {});
 
-/// The same with the correction added to the master: cam(x + c(x)). For slaves that return, such as
-/// a flying shear: it begins its next run earlier (c > 0) or later, and its ratio in the sync zone
-/// does not change. The window is an interval of the phase x + c(x), whose periods are the
-/// products. So it stays between the cut and the next sync zone for every correction. A product
+/// Like registered(), but adds the correction to the master: cam(x + c(x)). For slaves that return,
+/// such as a flying shear: it begins its next run earlier (c > 0) or later, and its ratio in the
+/// sync zone does not change. The window is an interval of the phase x + c(x), whose periods are
+/// the products. So it stays between the cut and the next sync zone for every correction. A product
 /// takes less of the master, by its step: the result begins at the cam's start - state.applied and
 /// covers n periods minus all steps. `most` must be less than the length of the window.
 ///

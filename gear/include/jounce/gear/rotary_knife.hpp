@@ -96,7 +96,7 @@ struct RotaryKnifeFigures {
 /// (4567, 56789, ...) also the jerk. The knife reverses if the cut is too long and `dwell` is not
 /// set.
 ///
-/// Throws InputError for a value out of range: both sync values; none of them for a web without
+/// Throws InputError for a value out of range: two sync values; no sync value for a web without
 /// thickness; a sync zone that leaves no recovery or (horizontal) reaches 90 deg; a law that is not
 /// a symmetric rise from rest to rest.
 SyncCam rotary_knife(const RotaryKnifeSpec& spec);
