@@ -25,7 +25,7 @@ namespace jounce {
 /// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
 /// over time that begins at a nonzero velocity.
 std::vector<PtPoint> points_of(const Table& table);
-/// The same as CSV.
+/// Returns the points as CSV.
 std::string points_text(const TableFile& file);
 
 }  // namespace jounce
