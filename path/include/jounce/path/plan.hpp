@@ -111,7 +111,7 @@ class Plan {
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
   /// All joints that are not tangential, and all with a note, in the order of the path.
   [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
-  /// The same joints with their full results.
+  /// Returns the joints of the path with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
@@ -167,7 +167,7 @@ struct PlanAxes {
 
 /// Returns the axes of a plan over time, from 0 s. They are exact on lines, on corners (degree 9),
 /// and on arcs at constant speed. Where the speed changes on an arc or an ellipse, they are fits of
-/// degree 11 within `tolerance` (unit of the axis), or within rounding if that is coarser. The
+/// degree 11 within `tolerance` (unit of the axis) or within rounding, whichever is greater. The
 /// errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
