@@ -5,7 +5,8 @@
 
 namespace jounce {
 
-/// Returns the part of a curve over the interval [from, to]. The part keeps its place on the axis.
+/// Returns the part of a curve over the interval [from, to]. The part keeps its times or master
+/// positions.
 ///
 ///     const Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100})
 ///                                 .curve();                      // 0 to 5.7 s
@@ -21,8 +22,8 @@ template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 
 /// Returns f delayed by `delay`, over [start, end + late]; 0 <= delay <= late, in the unit of the
-/// axis. Before and after its motion f is at rest. A filter adds several such curves. For a
-/// periodic f the interval stays [start, end].
+/// curve's variable. Before and after its motion f is at rest. A filter adds several such curves.
+/// For a periodic f the interval stays [start, end].
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
 

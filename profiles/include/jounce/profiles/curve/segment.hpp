@@ -19,11 +19,11 @@ struct SineTerm {
 ///
 ///     f(s) = c[0] + c[1] s + ... + c[degree] s^degree + sum of sine terms,   s = u / length
 ///
-/// u is the distance from the start of the segment, in the unit of the axis (s, deg, pulse, ...).
-/// Every coefficient is in the unit of the value, so a stretched segment differs only in `length`.
-/// The capacity (degree 11, three sines) makes every profile and every classical cam law exact;
-/// only the degree in use is evaluated. Derivatives, shifted, scaled and reversed segments and
-/// parts are again segments; `sum` returns nothing if the result does not fit.
+/// u is the distance from the start of the segment, in the unit of the curve's variable (s, deg,
+/// pulse, ...). Every coefficient is in the unit of the value, so a stretched segment differs only
+/// in `length`. The capacity (degree 11, three sines) makes every profile and every classical cam
+/// law exact; only the degree in use is evaluated. Derivatives, shifted, scaled and reversed
+/// segments and parts are again segments; `sum` returns nothing if the result does not fit.
 struct Segment {
   static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
   static constexpr int max_sines = 3;    ///< greatest number of sine terms

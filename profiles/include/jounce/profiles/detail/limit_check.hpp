@@ -62,7 +62,7 @@ class LimitCheck {
   Report report_;
 };
 
-/// The interval of a motion on its axis, and whether the motion repeats.
+/// The interval of a motion, and whether the motion repeats.
 struct Ends {
   double start = 0;
   double end = 0;
