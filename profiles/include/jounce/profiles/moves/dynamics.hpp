@@ -33,7 +33,7 @@ struct Dynamics {
 /// InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// The same with the limits of dynamics; dynamics.velocity is not used.
+/// Like velocity_ramp() above, with the limits of `dynamics`; dynamics.velocity is not used.
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
 
 // ---- in flight -------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace jounce {
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds);
 
-/// The same for a move with a required duration, in s.
+/// Like explain() above, for a move with a required duration, in s.
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds, double duration);
 

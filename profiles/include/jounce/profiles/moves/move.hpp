@@ -98,7 +98,8 @@ struct MoveResult {
 /// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The same, with exactly this duration, >= 0 s. It prefers a low velocity, then low accelerations.
+/// Returns a move with exactly this duration, >= 0 s. Of the possible moves, it prefers one of low
+/// velocity, then of low accelerations.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept;
 

@@ -76,10 +76,11 @@ class Profile {
   /// predecessor extends the predecessor. A profile holds at most `capacity` phases, and four
   /// different values besides zero.
   void add(double duration, double value) noexcept { add(duration, value, 0); }
-  /// The same for a phase whose value is the sum value + more. The limit of four different values
-  /// applies to the terms, not to the sums.
+  /// Adds a phase whose value is the sum value + more. The limit of four different values applies
+  /// to the terms, not to the sums.
   void add(double duration, double value, double more) noexcept;
-  /// The same phases with their values multiplied by a factor, between two other states.
+  /// Returns this profile with the values of its phases multiplied by a factor, between two other
+  /// states.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
                                const MotionState& end) const noexcept;
   /// The rest of the motion from time t: begins with the state at t, ends at end().
@@ -103,7 +104,7 @@ class Profile {
   /// it.
   [[nodiscard]] Motion at(double t) const noexcept;
 
-  /// The same motion as a curve that begins at 0 s and holds outside. Throws InputError if the
+  /// Returns this motion as a curve that begins at 0 s and holds outside. Throws InputError if the
   /// duration is 0.
   [[nodiscard]] Trajectory curve() const;
 

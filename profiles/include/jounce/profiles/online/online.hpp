@@ -54,8 +54,8 @@ class OnlineGenerator {
   MoveStatus set_bounds(std::size_t axis, const Bounds& bounds) noexcept {
     return axes_[axis].set_bounds(bounds);
   }
-  /// A disabled axis comes to rest as fast as possible; the other axes do not wait for it. Default:
-  /// enabled.
+  /// Enables or disables an axis. A disabled axis comes to rest as fast as possible; the other axes
+  /// do not wait for it. Default: enabled.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
   /// Sets the tolerance (u and u/s) for new targets. If a new target differs from that of the
   /// present motion by no more than the tolerance, the present motion continues; the axis then ends
