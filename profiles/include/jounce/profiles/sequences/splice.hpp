@@ -39,7 +39,7 @@ Trajectory until(const Trajectory& f, double t);
 /// result holds outside if it ends at rest; otherwise it refuses.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
-/// The same for a sequence of profiles; profiles without duration are omitted.
+/// Continues with a sequence of profiles; profiles without duration are omitted.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));
