@@ -45,8 +45,8 @@ struct ProofOptions {
 };
 
 /// Proves an input: integrates its curve and its table, runs the [drive] and the [follower] with
-/// the table, and compares the tick log with both. Throws InputError for a cam that has a [drive]
-/// or a [follower] but no [master], and for a file that is not a tick log.
+/// the table, and compares the tick log with the curve and the table. Throws InputError for a cam
+/// that has a [drive] or a [follower] but no [master], and for a file that is not a tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
 /// Returns the text of `jounce validate` for one input, without the findings.
