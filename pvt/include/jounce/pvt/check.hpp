@@ -21,7 +21,7 @@ namespace jounce {
 /// The exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
-/// The same for the intervals first, ..., last - 1, counted from 0.
+/// Returns the exact ranges for the intervals first, ..., last - 1, counted from 0.
 Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last);
 
 /// Compares the exact extrema with the limits, like check(table.curve<...>(), limits).

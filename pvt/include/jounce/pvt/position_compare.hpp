@@ -17,7 +17,7 @@ enum class CompareMode : std::uint8_t {
   less = 2,        ///< at or below the position; the output then stays on
   greater = 3,     ///< at or above the position; the output then stays on
   fifo_time = 4,   ///< at each position of a list, for the time `pulse`
-  linear = 5,      ///< the same, for positions of equal spacing: see evenly()
+  linear = 5,      ///< like fifo_time, for positions of equal spacing: see evenly()
   fifo_level = 6,  ///< at each position of a list, the output takes the level of the point
 };
 

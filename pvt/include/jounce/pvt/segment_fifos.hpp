@@ -39,11 +39,11 @@ namespace jounce {
 /// that it can be started again. A queued switch takes place at the end of the pass: the other FIFO
 /// is played, and the old one is emptied.
 ///
-/// **Stream** (Googol: dynamic). Both FIFOs together are one path. When one is exhausted, it is
-/// emptied, and the other continues at the last rate; so space becomes free in blocks of one FIFO.
-/// Functions ignore their argument `fifo`. Clear a stream that has ended before pushing the next
-/// one. An *open* stream ends only with its row marked `last`. If the rows run out before, the
-/// state stays `moving`: at() returns the values at the end of the last row, and plays new rows
+/// **Stream** (Googol: dynamic). The two FIFOs together are one motion. When one FIFO is exhausted,
+/// it is emptied, and the other one continues at the last rate; so space becomes free in blocks of
+/// one FIFO. Functions ignore their argument `fifo`. Clear a stream that has ended before pushing
+/// the next one. An *open* stream ends only with its row marked `last`. If the rows run out before,
+/// the state stays `moving`: at() returns the values at the end of the last row, and plays new rows
 /// when they are pushed.
 ///
 /// **Numbers.** The producer can give ascending numbers to its actions with stamp(). see() makes

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// A row: one segment of a path that is sent row by row (a rolling stream, the FIFO of a
+/// A row: one segment of a motion that is sent row by row (a rolling stream, the FIFO of a
 /// controller). It gives the end of the segment and the data of its polynomial. x is the time or
 /// the position of the master. u is the axis' unit.
 ///
@@ -27,7 +27,7 @@ namespace jounce {
 /// - 3: p and both rates, as in a cubic Hermite table (PVT).
 /// - 5: p, both rates and both second derivatives, as in a quintic Hermite table (PVA).
 ///
-/// Numbers count from the start of the path. Rows of degree 3 and 5 agree bit for bit with the
+/// Numbers count from the start of the motion. Rows of degree 3 and 5 agree bit for bit with the
 /// table that they come from. Rows of degree 1 and 2 agree bit for bit with pt() of the same
 /// points, if the sums of x are exact (otherwise to rounding). Rows of a linear Table agree to one
 /// rounding of the position (Table multiplies by 1/length, pt() divides).

@@ -21,8 +21,8 @@ enum class Interpolation {
 /// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Instants at equal distances on a table's axis: instant k is start + k * step, each operation
-/// rounded. m is the master's unit.
+/// Instants of a table at equal distances, in time or master position: instant k is start + k *
+/// step, each operation rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m
@@ -78,7 +78,7 @@ class Table {
   /// equal size (asserted). Does not allocate or throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
-  /// The same at the instants of a grid; the number of instants is the size of p, v and a.
+  /// Evaluates at the instants of a grid; the number of instants is the size of p, v and a.
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
@@ -114,7 +114,7 @@ class Table {
 /// Throws like table.curve(), but does not make the curve.
 void require_curve(const Table& table);
 
-/// The same table in another unit of its first column: x times `factor` > 0, with derivatives
+/// Returns the table in another unit of its first column: x times `factor` > 0, with derivatives
 /// adapted. For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 

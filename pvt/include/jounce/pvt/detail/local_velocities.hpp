@@ -7,7 +7,7 @@ namespace jounce::pvt_detail {
 
 /// The pieces between knots; piece i begins at knot i.
 struct Chords {
-  std::span<const double> length;  ///< length of each piece on the axis
+  std::span<const double> length;  ///< length of each piece in time or master position
   /// Slope of the chord of each piece (the straight line between its knots).
   std::span<const double> chord;
 };
