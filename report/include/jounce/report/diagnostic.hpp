@@ -80,7 +80,7 @@ struct RunResult {
 /// document.
 std::vector<Diagnostic> diagnostics_of(const InputError& error, const std::string& file);
 
-/// Sorts statements: the worst first, otherwise in the same order.
+/// Sorts statements: the worst first; statements of one level keep their order.
 void sort(std::vector<Diagnostic>& diagnostics);
 
 }  // namespace jounce
