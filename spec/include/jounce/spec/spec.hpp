@@ -112,7 +112,7 @@ struct AxisSpec {
     double search_velocity = 0;  ///< velocity of the search for the switch
     double index_velocity = 0;   ///< velocity of the search for edge and index
     double acceleration = 0;
-    double offset = 0;    ///< new position of the home position
+    double offset = 0;    ///< position value of the axis at the home position
     double timeout = 60;  ///< s, greatest duration
     std::optional<double> distance = {};
   };
@@ -131,7 +131,7 @@ struct AxisSpec {
   double in_position = 0;         ///< u, window for "in position"
   double in_position_time = 0;    ///< s, time in this window
   double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
-  /// s; without a message for this time, the owner of the session loses the axis.
+  /// s; without a message for this time, the session ends and the streamer loses the axis.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
   std::optional<Homing> homing = {};

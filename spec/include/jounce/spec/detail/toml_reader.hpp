@@ -59,7 +59,7 @@ class TomlReader {
   std::optional<std::int64_t> optional_whole(const char* key);
   std::int64_t whole(const char* key);
   std::optional<bool> optional_flag(const char* key);
-  /// The error of a missing key shows KEY = "word".
+  /// A text. The error of a missing key shows KEY = "word".
   std::string text(const char* key, const char* word = "TEXT");
   std::optional<std::string> optional_text(const char* key);
   /// The index of the key's text in `permitted`.
