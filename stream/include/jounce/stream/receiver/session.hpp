@@ -19,7 +19,7 @@ struct SessionTimeouts {
 /// True if this message can open a session.
 bool opens_session(const wire::Body& body);
 
-/// The owner of an axis: at most one session at a time, and each session once.
+/// The session of an axis: at most one at a time, and each session once.
 ///
 ///     Session session(timeouts);
 ///     if (session.is_silent(now)) session.end();
@@ -40,9 +40,9 @@ class Session {
   [[nodiscard]] bool is_of_last_owner(const wire::Message& message) const;
 
   void open(std::int64_t id, std::int64_t challenge);
-  /// Sign of life of the owner.
+  /// Records a sign of life of the owner.
   void receive(Nanos now) { received_ = now; }
-  /// The shorter timeout applies from now on.
+  /// Applies the shorter timeout from now on.
   void hold() { holds_ = true; }
   [[nodiscard]] bool is_silent(Nanos now) const;
   void end();
