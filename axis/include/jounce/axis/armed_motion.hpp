@@ -54,7 +54,7 @@ class ArmedMotion {
   [[nodiscard]] double position() const noexcept { return position_; }
   /// True if the armed movement follows a live master. Only for a slot that is not empty.
   [[nodiscard]] bool is_live() const noexcept { return movement_->course() == Course::live; }
-  /// Tick of the start, for StartAt::tick; otherwise returns `otherwise`.
+  /// Returns the tick of the start for StartAt::tick, and `otherwise` for any other condition.
   [[nodiscard]] std::int64_t tick_or(std::int64_t otherwise) const noexcept {
     return when_ == StartAt::tick ? tick_ : otherwise;
   }

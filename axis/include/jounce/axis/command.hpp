@@ -71,7 +71,7 @@ using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command
                              command::Couple, command::Release>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
-/// The movement of an Arm or a Couple; null for other commands.
+/// Returns the movement of an Arm or a Couple; null for other commands.
 inline Movement* movement_of(const AxisCommand& command) {
   return std::visit(
       [](const auto& each) -> Movement* {

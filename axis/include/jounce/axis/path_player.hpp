@@ -82,7 +82,7 @@ class PathPlayer {
 
   // ---- the place
 
-  /// Path time and rate in that tick.
+  /// Returns the path time and rate in that tick.
   [[nodiscard]] PathTime time(std::int64_t tick) const noexcept { return clock_.at(tick); }
   /// Returns the setpoint at this path time and rate. `now`: the present moment of the axis.
   Setpoint play(const PathTime& time, const Moment& now) noexcept;

@@ -62,7 +62,7 @@ class SuperimposedMove {
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }
-  /// Distance from that tick to the end of the move, u; 0 if none is in progress.
+  /// Returns the distance from that tick to the end of the move, u; 0 if none is in progress.
   [[nodiscard]] double remaining(std::int64_t tick) const noexcept;
   /// Dynamics of the move, with their defaults filled in.
   [[nodiscard]] const MoveDynamics& dynamics() const noexcept { return goal_.dynamics; }
