@@ -31,8 +31,8 @@ class Supervision {
   double inside_ = 0;   // s
 };
 
-/// The greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity limit.
-/// Beyond it, rounding could lose the travel of one tick.
+/// Returns the greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity
+/// limit. Beyond it, rounding could lose the travel of one tick.
 double furthest(const AxisConfig& config) noexcept;
 
 /// Returns the inputs with impossible numbers replaced by NaN. The master is then lost, or the
