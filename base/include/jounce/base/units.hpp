@@ -32,7 +32,8 @@ double conversion(std::string_view from, std::string_view to);
 /// key; its rule names the error and the expected unit.
 double quantity(std::string_view text, std::string_view unit);
 
-/// The unit that the text of such a number names: "mm/s". Empty if it names none, or begins with no number.
+/// Returns the unit that the text of such a number names: "mm/s". Empty if it names none, or begins
+/// with no number.
 std::string_view quantity_unit(std::string_view text);
 /// Returns the unit position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". With an
 /// empty `position`, the numerator is a pure number: "1/s". With an empty `x`, returns `position`.
