@@ -41,10 +41,11 @@ Cam part(const Cam& f, double from, double to);
 /// advances.
 Cam phased(const Cam& f, double phase);
 
-/// The cam for a master that moves in the opposite direction: g(master + x) = f(master - x).
+/// Returns the cam for a master that moves in the opposite direction: g(master + x) = f(master -
+/// x).
 Cam mirrored_about_master(const Cam& f, double master);
 
-/// The cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
+/// Returns the cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
 Cam mirrored_about_slave(const Cam& f, double slave);
 
 /// Returns f, replaced by g on the interval of g. Throws InputError unless f contains this

@@ -51,7 +51,7 @@ class Inverse {
   [[nodiscard]] double start() const { return breaks_.front(); }
   [[nodiscard]] double end() const { return breaks_.back(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// The master position and its derivatives at a slave position.
+  /// Returns the master position and its derivatives at a slave position.
   [[nodiscard]] Jet jet(double slave, Side side = Side::right) const;
   [[nodiscard]] Transfer at(double slave, Side side = Side::right) const {
     return point<OverMaster>(jet(slave, side));

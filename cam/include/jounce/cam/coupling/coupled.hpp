@@ -29,7 +29,7 @@ class Coupled {
   [[nodiscard]] double start() const { return cam_.start(); }
   [[nodiscard]] double end() const { return cam_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// Position of the slave at t (s), and its derivatives with respect to time.
+  /// Returns the position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return jounce::point<OverTime>(jet(t, side));
