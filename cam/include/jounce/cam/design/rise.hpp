@@ -46,8 +46,8 @@ struct Rise {
 /// steps there.
 std::vector<Rise> rises(const Cam& cam);
 
-/// The whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...) if it
-/// ends at its start position.
+/// Returns the whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...)
+/// if it ends at its start position.
 Rise as_rise(const Cam& law);
 
 }  // namespace jounce
