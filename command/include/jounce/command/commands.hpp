@@ -416,7 +416,7 @@ using ClientCommand =
              command::QueueClear, command::QueueEnd, command::StartTable>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
-/// Kind of a command in any variant of commands.
+/// Returns the kind of a command in any variant of commands.
 template <class... Commands>
 CommandKind kind_of(const std::variant<Commands...>& command) {
   return std::visit([](const auto& each) { return each.kind; }, command);
