@@ -25,8 +25,8 @@ struct EngageTexts {
 /// unit of the member, and for an input without a spec with [coupling].
 EngageState engage_state(const Input& input, const EngageTexts& texts);
 
-/// The report of `jounce check` for one axis: checked(), the peaks without a limit, and a warning if
-/// there are no limits at all.
+/// Returns the report of `jounce check` for one axis: checked(), the peaks without a limit, and a
+/// warning if there are no limits at all.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// The check of all axes of a file, and of the path that they follow.
@@ -40,8 +40,8 @@ struct FileCheck {
 /// `reports` of the axes, such as axis_report().
 FileCheck file_check(const std::vector<Input>& axes, std::vector<Report> reports);
 
-/// The answer of `jounce check`: path_text() or overlap_text() if the axes follow a path, then
-/// check_text() of each axis.
+/// Returns the answer of `jounce check`: path_text() or overlap_text() if the axes follow a path,
+/// then check_text() of each axis.
 std::string file_check_text(const FileCheck& check, const std::vector<Input>& axes);
 /// Returns the answer as a JSON object: check_json() of the axes (axes_json()), with "path" or
 /// "overlap".
