@@ -56,7 +56,7 @@ class Clutch {
   /// Returns the increment of the slave (counts) for an increment of the master (counts).
   std::int64_t advance(State& state, std::int64_t master_increment) const;
 
-  /// The present ratio by (1), exact.
+  /// Returns the present ratio by (1), exact.
   [[nodiscard]] Gear ratio(const State& state) const;
 
   /// Returns the state with which this clutch replaces another clutch in the given state. The
@@ -103,7 +103,7 @@ struct DirectionMask {
     /// For recover: counts from the master to its furthest position, >= 0.
     std::int64_t behind = 0;
   };
-  /// The part of the increment (master counts) that the slave follows.
+  /// Returns the part of the increment (master counts) that the slave follows.
   std::int64_t advance(State& state, std::int64_t master_increment) const;
 };
 

@@ -66,13 +66,13 @@ struct FollowPlan {
   bool whole_master = false;
 };
 
-/// The plan in the smooth form.
+/// Returns the plan in the smooth form.
 CamSpec cam_spec(const FollowPlan& plan);
 
-/// The plan in the table form; endless if periodic.
+/// Returns the plan in the table form; endless if periodic.
 FollowTable follow_table(const FollowPlan& plan);
 
-/// The cam in the form plan.form; its zones have the names of the plan's zones.
+/// Returns the cam in the form plan.form; its zones have the names of the plan's zones.
 SyncCam follow(const FollowPlan& plan);
 
 /// Finding "follow/backwards" for each gap in which the slave moves opposite to the ratios at both
@@ -81,7 +81,8 @@ SyncCam follow(const FollowPlan& plan);
 /// whole unit.
 Report check(const FollowPlan& plan);
 
-/// The travel of the master after which a periodic plan repeats; nullopt if it is not periodic.
+/// Returns the travel of the master after which a periodic plan repeats; nullopt if it is not
+/// periodic.
 std::optional<double> master_period(const FollowPlan& plan);
 
 }  // namespace jounce

@@ -43,9 +43,9 @@ std::optional<double> begin_of(const FollowStart& start, const Trajectory& maste
 /// cycles the master moves as in passing.hpp.
 std::optional<Sample> begin_of(const FollowStart& start, const Sample& before, const Sample& now);
 
-/// The motion of the slave over time from t (s) on, if it stands at `slave` (u) until then: the
-/// start of the cam is shifted to the master's position at t. Throws like Followed, and if t is not
-/// before the end of the master's motion.
+/// Returns the motion of the slave over time from t (s) on, if it stands at `slave` (u) until then:
+/// the start of the cam is shifted to the master's position at t. Throws like Followed, and if t is
+/// not before the end of the master's motion.
 Followed followed_from(const Cam& cam, const Trajectory& master, double t, double slave);
 
 }  // namespace jounce
