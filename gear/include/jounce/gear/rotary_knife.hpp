@@ -87,8 +87,8 @@ struct RotaryKnifeFigures {
   double strays = 0;
 };
 
-/// The cam of one cut. Its segments are "sync", those of the recovery, and "sync"; its zones are
-/// the sync zones.
+/// Returns the cam of one cut. Its segments are "sync", those of the recovery, and "sync"; its
+/// zones are the sync zones.
 ///
 /// Surface matching is exact; at cut_length = synchronous (to 1e-12) the cam is one straight line.
 /// With horizontal matching, the sync zone is a fit within `tolerance`, with a certified error. The
@@ -101,7 +101,7 @@ struct RotaryKnifeFigures {
 /// a symmetric rise from rest to rest.
 SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 
-/// The key figures. Throws like rotary_knife().
+/// Returns the key figures. Throws like rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
 /// Findings about the knife that do not depend on its limits. May be broken: "knife/reversal", and
