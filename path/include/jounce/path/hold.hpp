@@ -29,9 +29,9 @@ Plan resumed(const Plan& plan, const Plan& held);
 /// Throws InputError "from" outside [0, length), and inside a corner.
 Plan resumed(const Plan& plan, double from);
 
-/// A retreat: moves from the rest at the end of `held` back along the path to the path position q =
-/// `to`. The result has the same path in the opposite direction; its q counts from the end.
-/// Acceleration and deceleration are both limited to the lower of the plan's two values. The
+/// Plans a retreat: a motion from the rest at the end of `held` back along the path to the path
+/// position q = `to`. The result has the same path in the opposite direction; its q counts from the
+/// end. Acceleration and deceleration are both limited to the lower of the plan's two values. The
 /// retreat rests where the plan rests. Throws InputError "to" outside [0, q at the end of `held`),
 /// and inside a corner, which is passed at constant velocity.
 Plan retreated(const Plan& plan, const Plan& held, double to);

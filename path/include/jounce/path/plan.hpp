@@ -67,8 +67,8 @@ struct CornerRecord {
   std::string text;
 };
 
-/// The note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty if the
-/// result is as requested.
+/// Returns the note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty
+/// if the result is as requested.
 std::string explain(const CornerRecord& corner, std::string_view length_unit = "");
 
 /// A planned program: its path and its timing law.
@@ -171,9 +171,9 @@ struct PlanAxes {
 /// errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
-/// A proven lower bound of the duration on the path plan.path(), without jerk limits, s: no motion
-/// along this path that keeps the limits of velocity and acceleration is faster. `cells`: number of
-/// parts into which each arc and corner is divided.
+/// Returns a proven lower bound of the duration on the path plan.path(), without jerk limits, s: no
+/// motion along this path that keeps the limits of velocity and acceleration is faster. `cells`:
+/// number of parts into which each arc and corner is divided.
 double lower_bound(const Plan& plan, int cells = 32);
 
 }  // namespace jounce
