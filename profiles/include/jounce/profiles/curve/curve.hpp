@@ -51,9 +51,9 @@ class Curve {
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
 
-  /// Value and three derivatives at x, as an array.
+  /// Returns the value and three derivatives at x, as an array.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
-  /// Value and three derivatives at x, as named members.
+  /// Returns the value and three derivatives at x, as named members.
   [[nodiscard]] Point at(double x, Side side = Side::right) const {
     return point<Over>(jet(x, side));
   }
@@ -75,12 +75,12 @@ using Cam = Curve<OverMaster>;
 
 // ---- algebra: each returns a new curve over the same axis -------------------------------------
 
-/// The first derivative, as a curve over the same variable.
+/// Returns the first derivative, as a curve over the same variable.
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
-/// The integral of f: start_value at start(), continuous at every break. Throws InputError if a
-/// segment already has degree 11.
+/// Returns the integral of f: start_value at start(), continuous at every break. Throws InputError
+/// if a segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 

@@ -28,8 +28,8 @@ struct Range {
 /// The ranges of the value and of its first, second and third derivative.
 using Ranges = std::array<Range, 4>;
 
-/// The exact range of the derivative of this order (0: the value, at most 3) over the whole curve.
-/// At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
+/// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
+/// curve. At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
 /// roots.hpp). Of equal extrema, the first is returned. Accurate to rounding: about 1e-15 of the
 /// curve's magnitude.
 template <class Over>
@@ -39,14 +39,14 @@ Range extrema(const Curve<Over>& f, int order);
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// The range of one derivative on the segment of this index.
+/// Returns the range of one derivative on the segment of this index.
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
 /// Returns the range of one order on a segment that extends from `start` to `end`.
 Range segment_range(const Segment& f, double start, double end, int order);
 
-/// The ranges of all four orders on one segment, or on the segments first, ..., last - 1.
+/// Returns the ranges of all four orders on one segment, or on the segments first, ..., last - 1.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
@@ -58,7 +58,7 @@ struct Jump {
   double where = 0;  ///< time or master position
 };
 
-/// The largest step (in magnitude) of the derivative of this order; 0 if there is none. It
+/// Returns the largest step (in magnitude) of the derivative of this order; 0 if there is none. It
 /// considers
 /// - all interior breaks;
 /// - for a curve that wraps, the step from its end to its start (for one that advances, from order
