@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// The shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
+/// Returns the shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
 std::string number(double value);
 
 /// An error in the input, in one sentence: its place, its value, and the rule that it breaks.

@@ -83,7 +83,7 @@ class Profile {
   /// states.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
                                const MotionState& end) const noexcept;
-  /// The rest of the motion from time t: begins with the state at t, ends at end().
+  /// Returns the rest of the motion from time t: begins with the state at t, ends at end().
   [[nodiscard]] Profile after(double t) const noexcept;
   /// Sets the nominal state at the end of the last phase. at() and curve() return it at the end, so
   /// that rounding in the phases has no effect there.
@@ -100,8 +100,8 @@ class Profile {
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
   [[nodiscard]] double duration() const noexcept;  ///< s
 
-  /// Position and three derivatives at t (s). At a step of the highest derivative: the value after
-  /// it.
+  /// Returns the position and three derivatives at t (s). At a step of the highest derivative: the
+  /// value after it.
   [[nodiscard]] Motion at(double t) const noexcept;
 
   /// Returns this motion as a curve that begins at 0 s and holds outside. Throws InputError if the
