@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// A number for a message, with six significant digits; a whole number below 1e9 has all its
-/// digits. Examples: 90000, 26.1799, 4e-5. For a file, number() in error.hpp gives all digits.
+/// Returns a number for a message, with six significant digits; a whole number below 1e9 has all
+/// its digits. Examples: 90000, 26.1799, 4e-5. For a file, number() in error.hpp gives all digits.
 std::string six_digits(double value);
 /// Like six_digits(), but rounded up or down, so that a limit that a user copies from a message is
 /// still satisfied.

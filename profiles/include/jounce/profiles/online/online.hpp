@@ -88,10 +88,10 @@ class OnlineGenerator {
     for (const auto& axis : axes_) t = std::max(t, axis.remaining());
     return t;
   }
-  /// The reason why an axis does not move to its goal, or ok.
+  /// Returns the reason why an axis does not move to its goal, or ok.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// The bounds of the present motion. Their limits of acceleration and jerk may be wider than
-  /// those that were set, as long as the axis would otherwise pass its target.
+  /// Returns the bounds of the present motion. Their limits of acceleration and jerk may be wider
+  /// than those that were set, as long as the axis would otherwise pass its target.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();
   }

@@ -29,7 +29,7 @@ double least_stretch(const Trajectory& motion, const Limits& limits);
 /// the same size.
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits);
 
-/// The motion with its duration multiplied by least_stretch(); its start time stays.
+/// Returns the motion with its duration multiplied by least_stretch(); its start time stays.
 Trajectory retimed(const Trajectory& motion, const Limits& limits);
 
 }  // namespace jounce
