@@ -52,8 +52,8 @@ Proof prove(const Input& input, const ProofOptions& options = {});
 /// Returns the text of `jounce validate` for one input, without the findings.
 std::string proof_text(const Proof& proof, const Input& input);
 
-/// The answer of `jounce validate` for one input: the verdict, proof_text(), and the findings if it is
-/// not proven.
+/// Returns the answer of `jounce validate` for one input: the verdict, proof_text(), and the
+/// findings if it is not proven.
 std::string proof_answer(const Proof& proof, const Input& input);
 /// Returns the result with all findings as a JSON object, with all digits of each number.
 std::string proof_json(const Proof& proof, const Input& input);
