@@ -18,7 +18,7 @@ namespace jounce {
 // All functions throw InputError if a derivative is too large for a double, like Table::curve().
 // check() also throws for invalid limits, like check() of a curve.
 
-/// The exact range of the position and its three derivatives.
+/// Returns the exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
 /// Returns the exact ranges for the intervals first, ..., last - 1, counted from 0.

@@ -28,9 +28,9 @@ enum class Filling {
   within_limits,  ///< each piece keeps the limits; otherwise as near to `clamped` as possible
 };
 
-/// The word of the spec: "natural", ...
+/// Returns the word of the spec: "natural", ...
 const char* name(Filling filling);
-/// The rule of a word; nullopt if unknown.
+/// Returns the rule of a word; nullopt if unknown.
 std::optional<Filling> filling_named(std::string_view name);
 
 /// Input of filled(): a table with some or no velocities (and accelerations).

@@ -123,14 +123,15 @@ Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory&
 /// The position trigger of HIWIN HIMC, with the names of the HMPL manual (12.1).
 namespace himc {
 
-/// Positions of equal spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. If start is above end,
-/// positions descend. Both ends fire if their distance is a whole number of intervals (to 1e-9 of
-/// one). pulse_width in ns, 20 to 80000 in steps of 20. Throws InputError with these names as keys.
+/// Returns the position compare for positions of equal spacing: SetPT_StartPos, EndPos, Interval,
+/// PulseWidth. If start is above end, positions descend. Both ends fire if their distance is a
+/// whole number of intervals (to 1e-9 of one). pulse_width in ns, 20 to 80000 in steps of 20.
+/// Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
-/// Given positions: SetPT_PosArray, StateArray (one bit for each position), StartIndex, EndIndex
-/// (from 0). If start_index is above end_index, the axis travels backwards. At most 256 positions.
-/// Throws InputError with these names as keys.
+/// Returns the position compare for given positions: SetPT_PosArray, StateArray (one bit for each
+/// position), StartIndex, EndIndex (from 0). If start_index is above end_index, the axis travels
+/// backwards. At most 256 positions. Throws InputError with these names as keys.
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,
                                std::size_t start_index, std::size_t end_index);
 
