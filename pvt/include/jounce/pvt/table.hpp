@@ -70,7 +70,7 @@ class Table {
   [[nodiscard]] double end() const { return columns().x.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] std::span<const double> breaks() const { return columns().x; }
-  /// The position and three derivatives at x.
+  /// Returns the position and three derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
   /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results are bit
@@ -82,12 +82,12 @@ class Table {
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
-  /// Index of the interval that contains x, for x in [start, end).
+  /// Returns the index of the interval that contains x, for x in [start, end).
   [[nodiscard]] std::size_t interval(double x) const {
     return knots_->index.find(columns().x, x, Side::right);
   }
 
-  /// The interval from knot i to knot i + 1 as a segment.
+  /// Returns the interval from knot i to knot i + 1 as a segment.
   [[nodiscard]] Segment segment(std::size_t i) const;
 
   /// The table as a curve. Throws InputError if Over does not agree with axis(), or if a
@@ -118,8 +118,8 @@ void require_curve(const Table& table);
 /// adapted. For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 
-/// The words used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time", "master";
-/// "refuse", "hold", "wrap", "advance".
+/// Returns the word used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time",
+/// "master"; "refuse", "hold", "wrap", "advance".
 const char* name(Interpolation rule);
 const char* name(Domain axis);
 const char* name(Extrapolation outside);
