@@ -87,9 +87,9 @@ std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
 std::string extrema_text(const Table& table, const Labels& labels);
 std::string extrema_json(const Table& table, const Labels& labels);
 
-/// The JSON objects of the axes of a file, by name, as one: that of one axis unchanged; of several
-/// {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok` is true if it is true for all axes, and is left
-/// out if they have none.
+/// Returns the JSON objects of the axes of a file, by name, as one: that of one axis unchanged; of
+/// several {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok` is true if it is true for all axes, and
+/// is left out if they have none.
 std::string axes_json(const std::vector<std::pair<std::string, std::string>>& axes);
 
 }  // namespace jounce
