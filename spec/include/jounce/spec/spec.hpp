@@ -80,7 +80,7 @@ struct DriveSpec {
   std::vector<Interval> sync = {};               ///< [[drive.sync]]: s, intervals of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
-  /// Options of the simulation.
+  /// Returns the options of the simulation.
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
     return {
         .settle = settle, .samples = samples, .limits = limits, .sync = sync, .periodic = periodic};
@@ -225,8 +225,8 @@ Spec read_spec(const std::string& path);
 /// Reads a spec from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
 
-/// The kind of a spec: "cam", "machine", "sweep", ...; empty if the text is not TOML or has no
-/// kind.
+/// Returns the kind of a spec: "cam", "machine", "sweep", ...; empty if the text is not TOML or has
+/// no kind.
 std::string spec_kind(const std::string& text);
 
 }  // namespace jounce
