@@ -343,7 +343,7 @@ struct Message {
   std::int64_t challenge = 0;
 };
 
-/// Names of the enumerators: "follow_input", ...
+/// Returns the name of an enumerator: "follow_input", ...
 const char* name(ArmMode mode);
 const char* name(Refusal refusal);
 const char* name(Next next);
@@ -356,7 +356,7 @@ struct Cut {
   std::uint32_t per_chunk = 0;  ///< knots of a full chunk
   std::uint32_t chunks = 0;     ///< number of chunks
 
-  /// Number of knots in chunk `seq` of a table with this number of knots.
+  /// Returns the number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
   /// Returns the number of chunks that fit into the buffer space of this number of messages of
   /// message_values. Longer chunks use up to credit_values per message. At least 1.

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// The number of a command; 0: the message is not a command.
+/// Returns the number of a command; 0: the message is not a command.
 std::int32_t command_number(const wire::Body& body);
 
 /// The newest command of a sender, and its outcome. Numbers ascend, and each command gets one

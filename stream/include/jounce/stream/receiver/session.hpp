@@ -34,7 +34,8 @@ class Session {
   [[nodiscard]] std::int64_t id() const { return id_; }        ///< 0: the axis is free
   [[nodiscard]] std::int64_t owner() const { return owner_; }  ///< the present, or the last one
 
-  /// The reason why this message must have no effect, with the present challenge of the executor.
+  /// Returns the reason why this message must have no effect, with the present challenge of the
+  /// executor.
   [[nodiscard]] Refused bars(const wire::Message& message, std::int64_t challenge) const;
   /// True if the last owner sent this message, and its session has ended.
   [[nodiscard]] bool is_of_last_owner(const wire::Message& message) const;
