@@ -44,8 +44,8 @@ std::string improvement_text(const Spec& given, const Spec& optimized);
 /// Returns SpecOptimum::json with the peaks of the two specs.
 std::string improvement_json(const SpecOptimum& best, const Spec& given, const Spec& optimized);
 
-/// The findings of `jounce check` that an optimized spec breaks, as text for people; "" if it breaks
-/// none.
+/// Returns the findings of `jounce check` that an optimized spec breaks, as text for people; "" if
+/// it breaks none.
 std::string broken_checks(const Spec& optimized);
 
 }  // namespace jounce

@@ -112,7 +112,7 @@ struct SweepSpec {
   [[nodiscard]] Sha256 identity() const;
 
  private:
-  /// Value of the random parameter number `which` in a sample.
+  /// Returns the value of the random parameter number `which` in a sample.
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 
