@@ -31,8 +31,8 @@ namespace jounce {
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
-/// Throws InputError unless from < to are finite, if the interval exceeds that of a cam that
-/// refuses, and if the result would have more than 1e6 segments.
+/// Throws InputError if from >= to, if one of them is not finite, if the interval exceeds that of a
+/// cam that refuses, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 
 /// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval, for any

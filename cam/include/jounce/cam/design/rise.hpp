@@ -10,8 +10,9 @@
 
 namespace jounce {
 
-/// A part of a cam that leads from one slave position to another, with its properties. Its
-/// characteristic values, and their lower bounds (certificate.hpp), are computed from it.
+/// A part of a cam that leads from one slave position to another, with its properties.
+/// characteristics.hpp computes the characteristic values of a rise, and certificate.hpp compares
+/// them with their lower bounds.
 ///
 ///     for (const Rise& rise : rises(cam)) {
 ///       Characteristics c = characteristics(rise);   // Cv, Ca, Cj, Cm
