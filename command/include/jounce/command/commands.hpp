@@ -92,7 +92,8 @@ namespace jounce::command {
 template <class C, class T>
 concept Of = std::same_as<std::remove_const_t<C>, T>;
 
-/// Calls f(field, member) for the dynamics that a stop, a change of velocity, and a move use.
+/// Calls f(field, member) for each of the dynamics that a stop, a change of velocity (ramp), or a
+/// move uses.
 template <Of<MoveDynamics> C, class F>
 constexpr void each_field_of_stop(C& c, F f) {
   f(deceleration, c.deceleration);
