@@ -44,7 +44,7 @@ struct Replay {
   /// True if the whole record was computed again, with identical results.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
   /// True if nothing differs, and everything that can be computed again was computed. (A black box
-  /// cannot be, because it begins in the middle of a run.)
+  /// cannot be computed again, because it begins in the middle of a run.)
   [[nodiscard]] bool agrees() const {
     return same() || (!difference && !axes.empty() && !axes.front().whole);
   }
