@@ -108,9 +108,10 @@ struct ScaraSpec {
   bool with_z = false;               ///< true: there is a vertical axis Z
   double offset_z = 0;               ///< value of the joint Z at Z = 0
 };
-/// Returns the map of the robot. Points beyond the sum of the lengths of the first two arms, or
-/// within their difference, are out of reach. The map is singular if the arms are stretched or
-/// folded, and at the origin. Throws InputError "arms", "offsets".
+/// Returns the map of the robot. A point is out of reach if the end of the second arm would be
+/// farther from the origin than the sum of the lengths of the first two arms, or nearer than their
+/// difference. The map is singular if the arms are stretched or folded, and at the origin. Throws
+/// InputError "arms", "offsets".
 std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 
 /// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The

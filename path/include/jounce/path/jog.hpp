@@ -14,8 +14,8 @@ namespace jounce {
 ///
 ///     const Plan jog = jogged({}, {1, 1}, 50, 0.8, limits);      // 45 degrees
 ///
-/// Throws InputError "direction" if it is zero, "velocity" and "duration" unless they are positive,
-/// and like plan().
+/// Throws InputError "direction" for a direction of zero, "velocity" or "duration" for a value that
+/// is not positive, and like plan().
 Plan jogged(const Point& from, const Point& direction, double velocity, double duration,
             const GroupLimits& limits);
 
