@@ -16,8 +16,8 @@ namespace jounce {
 /// If the interval reaches beyond f, the policy of f fills the missing part: with `hold` the end
 /// value at rest, with `wrap` and `advance` the periods before and after (at most 1e6 segments).
 /// The result has the policy of f, except that a part of a periodic curve holds. Exact: only `from`
-/// and `to` are new breaks. Throws InputError unless from < to, if f refuses positions outside, or
-/// if a periodic curve would need more segments.
+/// and `to` are new breaks. Throws InputError if from >= to, if the interval reaches beyond an f
+/// that refuses positions outside, or if a periodic curve would need more segments.
 template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 
