@@ -15,10 +15,10 @@ namespace jounce {
 ///       std::printf("%s: %g, bound %g\n", f.quantity.c_str(), f.value, f.limit);
 ///
 /// Each rise (stroke h, length b) has one finding for each rule that applies. The quantities are
-/// normalized to h = b = 1. Cv, Cj and Cm are those of Characteristics; Ca is max |f''|, the
-/// greater of its ca and ca_star. A bound applies if the rise is smooth enough. In the column
-/// "needs n", n means that the derivatives f' to f^(n-1) are zero at both ends and do not step
-/// between them (Rise::smooth >= n - 1).
+/// normalized to h = b = 1. Cv and Cm are those of Characteristics; Cj is its cj_inside; Ca is max
+/// |f''|, the greater of its ca and ca_star. A bound applies if the rise is smooth enough. In the
+/// column "needs n", n means that the derivatives f' to f^(n-1) are zero at both ends and do not
+/// step between them (Rise::smooth >= n - 1).
 ///
 /// | rule | quantity | bound | needs n | attained by |
 /// |---|---|---|---|---|
@@ -34,11 +34,11 @@ namespace jounce {
 /// | bound/acceleration_for_jerk | Ca | (Cj/4)(1 - sqrt(1 - 32/Cj)) | 3 | trapezoidal f'' |
 /// | bound/duration | 1/Cv + Cv/Ca + Ca/Cj | at most 1 | 2 without Ca/Cj, 3 with it | seven segments (S-curve) |
 ///
-/// For bound/duration with n = 3 and Ca^2 > Cv Cj, the quantity is 1/Cv + 2 sqrt(Cv/Cj), since the
-/// fastest ramp then has no constant acceleration. In a finding of a bound, `value` is the
-/// quantity, `limit` its bound, and `margin` the relative excess over the bound (for
-/// bound/duration: the shortfall). `where` is the position of the peak, or the start of the rise.
-/// `segment` is the first segment of the rise.
+/// In bound/duration, Cv is max f' in the direction of the stroke. With n = 3 and Ca^2 > Cv Cj, the
+/// quantity is 1/Cv + 2 sqrt(Cv/Cj), since the fastest ramp then has no constant acceleration. In a
+/// finding of a bound, `value` is the quantity, `limit` its bound, and `margin` the relative excess
+/// over the bound (for bound/duration: the shortfall). `where` is the position of the peak, or the
+/// start of the rise. `segment` is the first segment of the rise.
 ///
 /// Two more findings state identities that hold for every motion. Their `margin` is the unused
 /// share of the tolerance:
