@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// The slot for the armed movement of an axis, with the condition of its start. The slot is empty,
-/// armed, or waiting: its start was accepted and has not begun.
+/// armed, or waiting: the start was accepted, but the movement has not begun.
 ///
 ///     ArmedMotion armed;
 ///     armed.arm(&movement, group);
@@ -44,7 +44,7 @@ class ArmedMotion {
   /// Number of the group of the movement; 0: no group.
   [[nodiscard]] std::int64_t group() const noexcept { return group_; }
 
-  /// True if its start was accepted and has not begun.
+  /// True if the start was accepted, but the movement has not begun.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
   /// True if the start was accepted in this tick.
   [[nodiscard]] bool accepted_in(std::int64_t tick) const noexcept { return accepted_ == tick; }
@@ -54,7 +54,7 @@ class ArmedMotion {
   [[nodiscard]] double position() const noexcept { return position_; }
   /// True if the armed movement follows a live master. Only for a slot that is not empty.
   [[nodiscard]] bool is_live() const noexcept { return movement_->course() == Course::live; }
-  /// Tick of the start, for StartAt::tick; otherwise returns `otherwise`.
+  /// Returns the tick of the start for StartAt::tick, and `otherwise` for any other condition.
   [[nodiscard]] std::int64_t tick_or(std::int64_t otherwise) const noexcept {
     return when_ == StartAt::tick ? tick_ : otherwise;
   }

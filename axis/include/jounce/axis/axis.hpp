@@ -34,17 +34,17 @@ struct GroupStart {
 
 /// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
 struct Tick {
-  std::int64_t tick = 0;               ///< number of the tick
-  double time = 0;                     ///< tick * period, s
-  State state = State::disabled;       ///< state of the axis
-  double master = 0;                   ///< position of the master, m
-  double master_velocity = 0;          ///< velocity of the master, m/s
-  double position = 0;                 ///< commanded position (setpoint), u
-  double velocity = 0;                 ///< commanded velocity, u/s
-  double acceleration = 0;             ///< commanded acceleration, u/s^2
-  std::uint64_t job = 0;               ///< id of the motion that is played; 0: none
-  std::uint64_t armed = 0;             ///< id of the armed motion; 0: none
-  bool waiting = false;                ///< true if a start was accepted and has not begun
+  std::int64_t tick = 0;          ///< number of the tick
+  double time = 0;                ///< tick * period, s
+  State state = State::disabled;  ///< state of the axis
+  double master = 0;              ///< position of the master, m
+  double master_velocity = 0;     ///< velocity of the master, m/s
+  double position = 0;            ///< commanded position (setpoint), u
+  double velocity = 0;            ///< commanded velocity, u/s
+  double acceleration = 0;        ///< commanded acceleration, u/s^2
+  std::uint64_t job = 0;          ///< id of the motion that is played; 0: none
+  std::uint64_t armed = 0;        ///< id of the armed motion; 0: none
+  bool waiting = false;           ///< true if a start was accepted, but its motion has not begun
   Progress progress = Progress::done;  ///< progress of the motion
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
   std::int64_t skipped = 0;            ///< ticks skipped between the previous step and this one
@@ -282,7 +282,7 @@ class MotionAxis {
   void drop_movement();
 
   AxisConfig config_;
-  AxisConfig unranged_;  // the same without the position range
+  AxisConfig unranged_;  // config_ without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
   Inputs inputs_;

@@ -17,7 +17,7 @@ struct HomingSpec {
   /// Velocity for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
   double index_velocity = 0;
   double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
-  double offset = 0;        ///< position that homing assigns to the home position, u (607Ch)
+  double offset = 0;        ///< position value of the axis at the home position, u (607Ch)
   double timeout = 60;      ///< time limit of the whole homing, s, > 0
   std::optional<double> distance = {};  ///< u, > 0: limit of each search
 };

@@ -56,7 +56,7 @@ struct Couple {
   Movement* movement = nullptr;  ///< must live until the axis returns it
   std::int64_t tick = -1;        ///< tick of the start; -1: at once
 };
-/// The same as Stop, at the end of a hold-to-run jog.
+/// Stops the axis like Stop, at the end of a hold-to-run jog.
 struct Release {
   static constexpr auto kind = CommandKind::release;
 };
@@ -71,7 +71,7 @@ using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command
                              command::Couple, command::Release>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
-/// The movement of an Arm or a Couple; null for other commands.
+/// Returns the movement of an Arm or a Couple; null for other commands.
 inline Movement* movement_of(const AxisCommand& command) {
   return std::visit(
       [](const auto& each) -> Movement* {

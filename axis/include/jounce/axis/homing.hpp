@@ -71,7 +71,7 @@ class Homing {
   [[nodiscard]] bool done() const noexcept { return phase_ == Phase::done; }
   /// Home position, u, in the coordinate of the drive; NaN before the edge.
   [[nodiscard]] double home() const noexcept { return home_; }
-  /// HomingSpec::offset, u: the position to assign to home.
+  /// HomingSpec::offset, u: the position value of the axis at home.
   [[nodiscard]] double offset() const noexcept { return spec_.offset; }
   /// The fault that ended the search: home_timeout, home_not_found, index_not_found, both_switches,
   /// positive_switch or negative_switch. none: no fault.

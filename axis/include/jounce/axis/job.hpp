@@ -81,7 +81,7 @@ class Job final : public Movement {
   /// The last point.
   [[nodiscard]] const Setpoint& last() const { return last_; }
 
-  /// Greatest distance by which the master leaves a cam that does not permit it, m, and the time.
+  /// Greatest distance of the master outside a cam that refuses positions outside, m, and its time.
   /// 0: the master stays inside the cam.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
@@ -124,10 +124,11 @@ class Job final : public Movement {
 /// nullopt, or the first violated rule. Never allocates.
 ///
 /// A jump of the velocity counts as the acceleration that makes it within one tick. A table of
-/// straight lines therefore passes exactly if no tick exceeds the acceleration limit. With a jerk
-/// limit, the same holds for a jump of the acceleration.
+/// straight lines is therefore admitted exactly if no tick exceeds the acceleration limit. With a
+/// jerk limit, a jump of the acceleration likewise counts as the jerk that makes it within one
+/// tick.
 std::optional<Refusal> admit(const Job& job, const AxisConfig& config, const MotionState& from);
-/// The same for an axis at rest at `position`, u.
+/// Checks a job against an axis at rest at `position`, u.
 inline std::optional<Refusal> admit(const Job& job, const AxisConfig& config, double position) {
   return admit(job, config, MotionState{position, 0, 0});
 }

@@ -19,7 +19,7 @@ namespace jounce {
 ///     if (const Cause no = cam.begin(axis, now); no != Cause::none) ...    // would_reverse, ...
 ///     const Setpoint point = cam.at(now);                                  // every cycle
 ///
-/// A table with the policy `wrap` or `advance` is periodic; one with `hold` or `reject` runs once.
+/// A table with the policy `wrap` or `advance` is periodic; one with `hold` or `refuse` runs once.
 /// For start modes, scaling, offsets and jumps of the master, see jounce/cam/coupling/coupling.hpp
 /// and jounce/cam/coupling/coupling_cycle.hpp. In sync, the setpoints are exactly those of placed()
 /// of the table.

@@ -86,7 +86,7 @@ class Machine {
   [[nodiscard]] std::size_t masters() const { return masters_; }   ///< number of masters
   /// Duration of a tick, ns.
   [[nodiscard]] std::int64_t period() const { return axes_.front().config.period; }
-  /// The axis with this index, as declared.
+  /// Returns the axis with this index, as declared.
   [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
 
   /// Steps every axis. `images`: one for each axis, in the declared order. `tick`: greater than in

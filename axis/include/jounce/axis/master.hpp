@@ -46,7 +46,7 @@ class Master {
   /// if the master is lost. `time`, s, must ascend from call to call. Does not allocate, wait or
   /// throw.
   virtual Jet at(double time) noexcept = 0;
-  /// Age of the measurement, s. NaN: no measurement yet. 0: the position is computed.
+  /// Returns the age of the measurement, s. NaN: no measurement yet. 0: the position is computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
   /// The samples that the last at() used for the first time. If another object of the same class
   /// receives the same samples before the same calls of at(), it returns exactly the same results.

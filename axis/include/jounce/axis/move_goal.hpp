@@ -30,7 +30,8 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
                                const MoveRules& rules, Goal& goal) noexcept;
 std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
                                const MoveRules& rules, Goal& goal) noexcept;
-/// The same for an additive move. `start`: the position from which the distance counts, u.
+/// Sets the goal of an additive move, like the functions above. `start`: the position from which
+/// the distance counts, u.
 std::optional<Refusal> goal_of(const command::MoveAdditive& what, double start,
                                const MotionState& from, const MoveRules& rules,
                                Goal& goal) noexcept;
@@ -42,8 +43,9 @@ std::optional<MotionState> end_of(const WaitingMoves& moves, std::optional<Motio
 
 /// Returns the goal that brings an axis to rest at the end of its range, by the gentlest stop that
 /// is still possible from the state `from`. `limit`: positive_soft_limit or negative_soft_limit.
-/// `dt`: time until the next setpoint, s. Returns nullopt if the axis is outside the range, or does
-/// not move towards that end.
+/// `dt`: time until the next setpoint, s. Returns nullopt if the axis is outside the range, if it
+/// cannot stop inside the range, or if it would come to rest far from that end (farther than it
+/// moves in 10 ticks).
 std::optional<Goal> stop_at_limit(Cause limit, const MotionState& from, double dt,
                                   const AxisConfig& config) noexcept;
 

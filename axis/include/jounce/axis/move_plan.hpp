@@ -48,14 +48,14 @@ std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& confi
 std::optional<Profile> plan(const MotionState& from, const Goal& goal, double factor,
                             const AxisConfig& config) noexcept;
 
-/// Lowest and highest velocity of a motion, u/s; exact.
+/// Returns the lowest and highest velocity of a motion, u/s; exact.
 std::array<double, 2> velocities(const Profile& profile) noexcept;
 
-/// Lowest and highest position of a motion, u; exact up to rounding.
+/// Returns the lowest and highest position of a motion, u; exact up to rounding.
 std::array<double, 2> positions(const Profile& profile) noexcept;
 
-/// Greatest magnitudes of a motion: u/s, u/s^2, u/s^3. The jerk is 0 for a motion without a jerk
-/// limit.
+/// Returns the greatest magnitudes of a motion: u/s, u/s^2, u/s^3. The jerk is 0 for a motion
+/// without a jerk limit.
 Peaks peaks(const Profile& profile) noexcept;
 
 /// Returns the velocity at which a move may pass its target on the way to the target of the next

@@ -18,7 +18,7 @@ struct TimedState {
 };
 
 /// Plays a move that the axis plans itself. Its goal and its plan always match: if a move cannot be
-/// planned, both stay unchanged.
+/// planned, the goal and the plan stay unchanged.
 ///
 ///     MovePlayer player(config.period);
 ///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move
@@ -47,14 +47,15 @@ class MovePlayer {
   /// True if the move passes its target at a velocity.
   [[nodiscard]] bool passes() const noexcept { return goal_.through != 0; }
 
-  /// State in this tick: u, u/s, u/s^2, u/s^3.
+  /// Returns the state in this tick: u, u/s, u/s^2, u/s^3.
   [[nodiscard]] Jet at(std::int64_t tick) const noexcept;
-  /// Time since the end of the move, s; negative before the end.
+  /// Returns the time since the end of the move, s; negative before the end.
   [[nodiscard]] double beyond(std::int64_t tick) const noexcept;
   /// True if the move has ended.
   [[nodiscard]] bool is_over(std::int64_t tick) const noexcept { return beyond(tick) >= 0; }
 
-  /// Greatest magnitudes of the move and of every replanned one with a factor up to max(factor, 1).
+  /// Returns the greatest magnitudes of the move and of every replanned one with a factor up to
+  /// max(factor, 1).
   [[nodiscard]] Peaks peaks_up_to(double factor) const noexcept;
 
  private:

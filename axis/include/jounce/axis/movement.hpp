@@ -21,7 +21,7 @@ struct Setpoint {
   Jet slave{};  ///< position and its derivatives with respect to time: u, u/s, u/s^2, u/s^3
 };
 
-/// Position, velocity and acceleration of the slave.
+/// Returns the position, velocity and acceleration of the slave.
 inline MotionState state_of(const Setpoint& setpoint) noexcept {
   return {setpoint.slave[0], setpoint.slave[1], setpoint.slave[2]};
 }
@@ -36,8 +36,9 @@ struct Moment {
 /// Independent variable of a movement. It determines how the axis holds, slows and stops the
 /// movement.
 enum class Course : std::uint8_t {
-  /// Its own time. The axis slows that time, down to standstill, and the setpoint never leaves the
-  /// path. `t` is path time; at full speed it is exactly ticks * period.
+  /// The movement's own time: the movement is a path. The axis slows that time, down to standstill,
+  /// and the setpoint never leaves the path. `t` is path time; at full speed it is exactly ticks *
+  /// period.
   path,
   /// A master that moves freely. To stop, the axis leaves the movement by a move of its own from
   /// its present state. `t` is the time since the movement began.
@@ -132,17 +133,18 @@ class Movement {
   /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
   /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
-  /// For a live movement: true if it has passes.
+  /// For a live movement: true if it plays tables in passes (a pass is one run of a table).
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
   /// For a live movement: the instant, after its previous moment and up to `now`, at which a pass
   /// ends; nullopt if none ends.
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// For a path: the length of a pass, s of path time; 0 if it has no passes.
+  /// For a path: the length of one run of its table (a pass), s of path time; 0 for a stream of
+  /// rows.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
-  /// For a path: the state at the end of a pass, where another path can take over; nullopt if it
-  /// has no passes.
+  /// For a path: the state at the end of a pass, where another path can take over; nullopt if no
+  /// other path can take over there.
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 
  private:

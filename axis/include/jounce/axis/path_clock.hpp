@@ -38,25 +38,25 @@ class PathClock {
 
   /// Sets path time to `s` (s) and the rate in that tick.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// Changes the rate from that tick on, or from the tick of the previous change if that is later.
-  /// `slope`: greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
+  /// Changes the rate from that tick on, but not before the tick of the previous change. `slope`:
+  /// greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
   /// Shifts the zero of path time: s becomes s - by.
   void shift(double by) noexcept { base_ -= by; }
 
-  /// Path time and its derivatives in that tick.
+  /// Returns the path time and its derivatives in that tick.
   [[nodiscard]] PathTime at(std::int64_t tick) const noexcept;
   /// The rate after the change.
   [[nodiscard]] double target() const noexcept { return change_.end().velocity; }
-  /// Upper bound of the rate from that tick until the rate is constant.
+  /// Returns an upper bound of the rate from that tick until the rate is constant.
   [[nodiscard]] double highest(std::int64_t tick) const noexcept;
   /// True if the rate is constant from that tick on.
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
-  /// Path time that passes until rest, s: by the change in progress if it goes to rest, otherwise
-  /// by a change to 0 that begins in that tick with this slope.
+  /// Returns the path time that passes until rest, s: by the change in progress if it goes to rest,
+  /// otherwise by a change to 0 that begins in that tick with this slope.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
-  /// Path time that passes, s, in a change to `rate`, then to full speed, then to rest, each one
-  /// directly after the previous one. Infinite unless slope > 0.
+  /// Returns the path time that passes, s, in a change to `rate`, then to full speed, then to rest,
+  /// each one directly after the previous one. Infinite unless slope > 0.
   [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 
  private:
@@ -83,8 +83,8 @@ double highest_rate(const Peaks& peaks, const AxisConfig& config) noexcept;
 double rate_slope(const Peaks& peaks, const AxisConfig& config, double highest,
                   const Peaks& added = {}) noexcept;
 
-/// Duration of a stop from full speed on an admitted path, s: an upper bound everywhere on the
-/// path.
+/// Returns the duration of a stop from full speed on an admitted path, s: an upper bound everywhere
+/// on the path.
 double stop_duration(const Peaks& peaks, const AxisConfig& config);
 
 }  // namespace jounce

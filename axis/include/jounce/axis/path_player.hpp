@@ -20,8 +20,10 @@ struct PathRequest {
   const Movement* next = nullptr;
 };
 
-/// Plays a path: its clock, the present place on the path, and the boundary. The boundary is the
-/// path time at which the path ends early, or another path takes over.
+/// Plays a path: a movement of one axis that has its own time, such as a table or a stream of rows
+/// (Course::path). The player keeps the clock of the path, the present place on the path, and the
+/// boundary. The boundary is the path time at which the path ends early, or at which another path
+/// takes over.
 ///
 ///     PathPlayer player(config);
 ///     player.begin(path, tick, 1, 0);
@@ -42,8 +44,8 @@ class PathPlayer {
  public:
   explicit PathPlayer(const AxisConfig& config) : config_(config), clock_(config.period) {}
 
-  /// Plays the path from now on: it began `ahead` s before that tick. Its rate is `rate`, or the
-  /// highest permitted one if that is lower.
+  /// Plays the path from now on: it began `ahead` s before that tick. Its rate is the lower of
+  /// `rate` and the highest permitted rate.
   void begin(Movement& path, std::int64_t tick, double rate, double ahead) noexcept;
   /// Continues with another path from its beginning, at the instant at which the present path
   /// reaches the path time `boundary`, s.
@@ -64,8 +66,10 @@ class PathPlayer {
   bool follow(const PathRequest& request) noexcept;
   /// Stops within the available part of the path. Returns false if that is not possible.
   bool stop(const PathRequest& request) noexcept;
-  /// Sets a rate above 1, once a tick: the highest one with which a growing path can still stop
-  /// within its available part.
+  /// To be called once a tick; does nothing if the requested or the permitted rate is at most 1. On
+  /// a growing path, raises the rate toward the requested one as far as the available part permits,
+  /// with a margin, and returns to rate 1 when this part becomes too short. Any other path gets the
+  /// requested rate, as by follow().
   void govern(const PathRequest& request) noexcept;
   /// True if the available part is shorter than a stop that begins in the next tick.
   [[nodiscard]] bool starves(const PathRequest& request) const noexcept;
@@ -78,7 +82,7 @@ class PathPlayer {
 
   // ---- the place
 
-  /// Path time and rate in that tick.
+  /// Returns the path time and rate in that tick.
   [[nodiscard]] PathTime time(std::int64_t tick) const noexcept { return clock_.at(tick); }
   /// Returns the setpoint at this path time and rate. `now`: the present moment of the axis.
   Setpoint play(const PathTime& time, const Moment& now) noexcept;
@@ -105,20 +109,21 @@ class PathPlayer {
   [[nodiscard]] bool swaps() const noexcept { return boundary_ == Boundary::swap; }
   /// True if the path ends at the boundary.
   [[nodiscard]] bool finishes() const noexcept { return boundary_ == Boundary::finish; }
-  /// Path time of the boundary, s; infinite if it is not available yet.
+  /// Path time of the boundary, s; infinite if the boundary is the end of a growing path, whose
+  /// last row has not arrived yet.
   [[nodiscard]] double boundary() const noexcept;
   /// True if path time has reached the boundary in that tick.
   [[nodiscard]] bool reaches_boundary(std::int64_t tick) const noexcept;
-  /// True if the path has no passes: it ends at rest with its last row, which may not have arrived
-  /// yet.
+  /// True if the length of the path is not given in advance, as in a stream of rows: the path ends
+  /// at rest with its last row, which may not have arrived yet.
   [[nodiscard]] bool open_ended() const noexcept { return path_ && path_->pass() <= 0; }
 
   // ---- its greatest magnitudes
 
   /// The greatest magnitudes of the path at rate 1.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
-  /// The greatest magnitudes at the rate after the present change, or at rate 1 if that is lower. A
-  /// velocity step counts as an acceleration.
+  /// The greatest magnitudes of the path at the rate after the present change, but at least at rate
+  /// 1. A velocity step counts as an acceleration.
   [[nodiscard]] Peaks peaks_at_rate() const noexcept;
 
  private:

@@ -31,8 +31,8 @@ class SuperimposedMove {
   explicit SuperimposedMove(const AxisConfig& config) : config_(config) {}
 
   /// Begins the move in this tick. Returns nullopt, or the reason to reject it. `distance`: u.
-  /// `below`: greatest magnitudes of the motion below. `end`: end position of both motions so far,
-  /// u; nullopt: unknown.
+  /// `below`: greatest magnitudes of the motion below. `end`: end position of the motion below with
+  /// the superimposed moves so far, u; nullopt: unknown.
   std::optional<Refusal> begin(std::int64_t tick, double distance, MoveDynamics dynamics,
                                const Peaks& below, std::optional<double> end) noexcept;
   /// Adds the state of the move in this tick to the setpoint of the motion below. Finishes the move
@@ -62,7 +62,7 @@ class SuperimposedMove {
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }
-  /// Distance from that tick to the end of the move, u; 0 if none is in progress.
+  /// Returns the distance from that tick to the end of the move, u; 0 if none is in progress.
   [[nodiscard]] double remaining(std::int64_t tick) const noexcept;
   /// Dynamics of the move, with their defaults filled in.
   [[nodiscard]] const MoveDynamics& dynamics() const noexcept { return goal_.dynamics; }

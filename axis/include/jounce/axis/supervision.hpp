@@ -23,7 +23,7 @@ class Supervision {
   /// True if the axis is at rest and |error| has been within AxisConfig::in_position for
   /// in_position_time. One tick outside the window, or in motion, starts the time again.
   bool settled(double error, bool at_rest, double dt, const AxisConfig& config) noexcept;
-  /// Starts both times again.
+  /// Restarts the times of the two windows.
   void reset() noexcept { *this = {}; }
 
  private:
@@ -31,8 +31,8 @@ class Supervision {
   double inside_ = 0;   // s
 };
 
-/// The greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity limit.
-/// Beyond it, rounding could lose the travel of one tick.
+/// Returns the greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity
+/// limit. Beyond it, rounding could lose the travel of one tick.
 double furthest(const AxisConfig& config) noexcept;
 
 /// Returns the inputs with impossible numbers replaced by NaN. The master is then lost, or the

@@ -13,7 +13,7 @@ namespace jounce {
 using BufferedMove =
     std::variant<command::MoveAbsolute, command::MoveRelative, command::MoveVelocity>;
 
-/// Buffer mode of the move.
+/// Returns the buffer mode of the move.
 inline BufferMode buffer_of(const BufferedMove& move) {
   return std::visit([](const auto& each) { return each.buffer; }, move);
 }

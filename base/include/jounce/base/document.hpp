@@ -26,7 +26,8 @@ struct Document {
   std::map<std::string, std::string> units = {};
   std::map<std::string, std::string> given = {};  ///< unit of every number whose text names one
 
-  /// The unit in which the text gives the number under `key`; `otherwise` for a plain number, and for a missing one.
+  /// Returns the unit in which the text gives the number under `key`; `otherwise` for a plain
+  /// number, and for a missing one.
   [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;
 
   /// Returns the error with file, line and column of its key. If the key has no place, the place of

@@ -43,7 +43,7 @@ struct Output {
 /// std::system_error if the system reports an error (no folder, no space), and InputError like
 /// require_not_read().
 void write_files(const std::vector<Output>& files);
-/// The same for one file.
+/// Like write_files(), for one file.
 void write_file(const std::string& path, const std::string& bytes);
 
 }  // namespace jounce

@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// Prints a line to standard error. A terminal that takes no text, and one that is closed, do not hold up the
-/// program or end it: then the line is dropped.
+/// Prints a line to standard error. If the terminal takes no text, or is closed, the line is
+/// dropped; the program neither waits nor ends.
 void print_notice(const std::string& notice);
 
 }  // namespace jounce

@@ -19,7 +19,7 @@ bool is_printable(std::string_view text);
 /// unchanged.
 std::string printable(std::string_view text);
 
-/// The same, but line feeds and tabs remain: for a message of several lines.
+/// Like printable(), but keeps line feeds and tabs: for a message of several lines.
 std::string printable_lines(std::string_view text);
 
 }  // namespace jounce

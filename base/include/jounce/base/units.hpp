@@ -17,7 +17,7 @@ namespace jounce {
 /// True if the text is a unit. The empty text is not a unit.
 bool is_unit(std::string_view text);
 
-/// True if both are units of one quantity: "mm/s" and "m/min".
+/// True if the two texts are units of one quantity: "mm/s" and "m/min".
 bool is_convertible(std::string_view unit, std::string_view other);
 
 /// True for a unit of a position: of length or of angle, or pulses.
@@ -32,7 +32,8 @@ double conversion(std::string_view from, std::string_view to);
 /// key; its rule names the error and the expected unit.
 double quantity(std::string_view text, std::string_view unit);
 
-/// The unit that the text of such a number names: "mm/s". Empty if it names none, or begins with no number.
+/// Returns the unit that the text of such a number names: "mm/s". Empty if it names none, or begins
+/// with no number.
 std::string_view quantity_unit(std::string_view text);
 /// Returns the unit position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". With an
 /// empty `position`, the numerator is a pure number: "1/s". With an empty `x`, returns `position`.

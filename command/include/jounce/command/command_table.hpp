@@ -16,7 +16,7 @@ namespace jounce {
 /// Permitted sender of a command.
 enum class CommandSender : std::uint8_t {
   executor,  ///< only the executor, when it carries out a message of another type
-  owner,     ///< the session that owns the axis, such as a streamer
+  owner,     ///< the client that owns the axis in its session, such as a streamer
   anyone,  ///< even an operator without a session: the command only changes the timing of a motion
 };
 
@@ -30,7 +30,7 @@ struct CommandInfo {
   const char* word = "";     ///< word of `jounce order`; "": none
   const char* plcopen = "";  ///< function block of PLCopen; "": none
   CommandSender sender = CommandSender::executor;  ///< permitted sender
-  bool moves = false;  ///< true if it sets the axis in motion for the session that sends it
+  bool moves = false;  ///< true if it sets the axis in motion for the client that sends it
   /// For each State, the reason to reject it; none: accepted.
   std::array<Cause, states> by_state{};
   Fields fields = {};  ///< fields, in the order of the wire

@@ -26,8 +26,10 @@ inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN()
 struct MoveDynamics {
   double velocity = as_configured;      ///< velocity, u/s
   double acceleration = as_configured;  ///< acceleration while the axis speeds up, u/s^2
-  double deceleration = as_configured;  ///< deceleration while the axis slows down, u/s^2
-  double jerk = as_configured;          ///< jerk, u/s^3
+  /// Deceleration while the axis slows down, u/s^2; an axis that must reverse brakes with
+  /// `acceleration`.
+  double deceleration = as_configured;
+  double jerk = as_configured;  ///< jerk, u/s^3
 };
 
 /// Start condition of an armed motion. The numbers are part of the wire format.
@@ -90,7 +92,8 @@ namespace jounce::command {
 template <class C, class T>
 concept Of = std::same_as<std::remove_const_t<C>, T>;
 
-/// The dynamics of a stop, of a change of velocity, and of a move.
+/// Calls f(field, member) for each of the dynamics that a stop, a change of velocity (ramp), or a
+/// move uses.
 template <Of<MoveDynamics> C, class F>
 constexpr void each_field_of_stop(C& c, F f) {
   f(deceleration, c.deceleration);
@@ -107,7 +110,7 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c, f);
 }
 
-/// The same for a command without fields: does nothing.
+/// A command without fields: does not call f.
 template <class C, class F>
 requires std::is_empty_v<C>
 constexpr void each_field(C& /*c*/, F /*f*/) {}
@@ -143,7 +146,7 @@ constexpr void each_field(C& c, F f) {
 /// HomingSpec.
 struct Home {
   static constexpr auto kind = CommandKind::home;
-  double offset = as_configured;           ///< position that homing assigns to the home position, u
+  double offset = as_configured;           ///< position value of the axis at the home position, u
   int method = 0;                          ///< homing method of CiA 402 (object 6098h)
   double search_velocity = as_configured;  ///< velocity of the search for a switch, u/s, > 0
   double index_velocity = as_configured;   ///< velocity for the edge and the index, u/s, > 0
@@ -198,7 +201,7 @@ struct MoveAbsolute {
   double position = 0;                        ///< target, u
   MoveDynamics dynamics = {};                 ///< limits of the move
   Direction direction = Direction::shortest;  ///< direction on a modulo axis
-  /// Begin of the move, relative to the previous motion.
+  /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
 };
 template <Of<MoveAbsolute> C, class F>
@@ -265,7 +268,7 @@ struct MoveVelocity {
   double velocity = 0;         ///< u/s, signed; 0: to rest
   MoveDynamics dynamics = {};  ///< without velocity
   BufferMode buffer = BufferMode::aborting;
-  bool hold_to_run = false;  ///< true: the axis stops if its session sends no heartbeat (0.2 s)
+  bool hold_to_run = false;  ///< true: the axis stops if the sender sends no heartbeat for 0.2 s
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -288,7 +291,7 @@ constexpr void each_field(C& c, F f) {
   each_field_of_stop(c.dynamics, f);
 }
 
-/// Couples the axis to its live master at a ratio, at once, in any motion.
+/// Couples the axis to its live master at a ratio, at once, even while the axis moves.
 struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
@@ -302,13 +305,14 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c.dynamics, f);
 }
 
-/// Couples the axis to its live master at a ratio, in step from a given pair of positions on.
+/// Couples the axis to its live master at a ratio. The axis is in step from a given pair of
+/// positions on: one of the master, and one of the axis.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  double master_sync_position = 0;  ///< position of the master from which both are in step, m
-  double slave_sync_position = 0;   ///< position of the axis at that moment, u
+  double master_sync_position = 0;  ///< master position from which the axis is in step, m
+  double slave_sync_position = 0;   ///< position of the axis at this master position, u
   /// Travel of the master before the sync position, in which the axis engages, m.
   double master_start_distance = 0;
   bool avoid_reversal = false;  ///< true: reject a motion against the direction of the gear
@@ -413,7 +417,7 @@ using ClientCommand =
              command::QueueClear, command::QueueEnd, command::StartTable>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
-/// Kind of a command in any variant of commands.
+/// Returns the kind of a command in any variant of commands.
 template <class... Commands>
 CommandKind kind_of(const std::variant<Commands...>& command) {
   return std::visit([](const auto& each) { return each.kind; }, command);
@@ -434,7 +438,7 @@ std::optional<Commands> made(CommandKind kind) {
   return command;
 }
 
-/// True if the command is a hold-to-run jog: its motion ends if its session sends no heartbeats.
+/// True if the command is a hold-to-run jog: its motion ends if the sender sends no heartbeats.
 inline bool holds_to_run(const ClientCommand& command) {
   const auto* const jog = std::get_if<command::MoveVelocity>(&command);
   return jog != nullptr && jog->hold_to_run;

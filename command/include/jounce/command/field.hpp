@@ -29,7 +29,7 @@ enum class FieldRange : std::uint8_t {
   factor,         ///< 0 to 2
   buffer_mode,    ///< 0 to 5
   whole,          ///< a whole number from -2147483647 to 2147483647
-  whole_nonzero,  ///< the same, but not 0
+  whole_nonzero,  ///< like whole, but not 0
   count,          ///< a whole number from 0 to 2147483647
 };
 

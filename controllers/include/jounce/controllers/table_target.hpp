@@ -23,12 +23,12 @@ struct ControllerTable {
   Domain axis;         ///< variable of the table: time or master position
   Interpolation rule;  ///< interpolation between the knots
   std::size_t most;    ///< greatest number of knots, including the first one
-  const char* step;    ///< unit of which the first column has whole numbers: "ms"; "": any numbers
+  const char* step;  ///< unit that the first column counts in whole numbers: "ms"; "": any numbers
   bool quadratic = false;  ///< true if the velocity is linear between knots (Target::quadratic)
 };
 
-/// Returns all of them: googol_pt, googol_pt_1024, googol_follow, googol_follow_512 (segments of
-/// the type NORMAL), hmpl_pvt, sew.
+/// Returns all of them: hmpl_pvt, sew, and googol_pt, googol_pt_1024, googol_follow,
+/// googol_follow_512 (all four with segments of the type NORMAL).
 std::span<const ControllerTable> controller_tables();
 
 /// Returns the table with this name; null if there is none.
@@ -36,8 +36,8 @@ const ControllerTable* controller_table(const std::string& name);
 
 /// Returns the target for reduced() in these units. `x_step`: size of one unit of the controller in
 /// units.x, such as 0.01 deg for a pulse. Throws InputError "controller" if x_step is missing and
-/// the controller's unit does not convert into units.x; the rule of the error asks for x_step by
-/// the name `key`.
+/// the controller's unit does not convert into units.x; the message refers to x_step by `key`, the
+/// name that the user sees.
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step = {}, const std::string& key = "x_step");
 
@@ -45,7 +45,8 @@ Target target_of(const ControllerTable& controller, const Units& units,
 /// x_step is "time_resolution" or "master_resolution".
 std::string spec_key(Domain axis, const std::string& member);
 
-/// A Target in texts, with or without units; empty: not given.
+/// A Target as texts: each quantity with or without its unit. An empty text is a quantity that is
+/// not given.
 struct TargetTexts {
   std::string controller = {};  ///< name of a ControllerTable
   std::string tolerance = {};
@@ -62,9 +63,10 @@ struct TargetTexts {
 /// The name of a member in a message; the member's own by default.
 using MemberName = std::function<std::string(const std::string& member)>;
 
-/// The target of the texts in these units, within the limits of the controller. Throws InputError,
-/// with the name of the member as key: not a positive quantity of this unit, an unknown controller,
-/// or one that needs another axis or rule.
+/// Returns the target of the texts in these units, within the limits of the controller; ignores a
+/// name that is not in controller_tables(). Throws InputError, with the name of the member as key,
+/// for a text that is not a positive quantity in the unit of the member, and for a controller whose
+/// table needs another variable (time or master position) or another interpolation.
 Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, const Units& units,
                  const MemberName& name_of = {});
 

@@ -5,9 +5,10 @@
 
 namespace jounce {
 
-/// Adds the findings of a cam that do not depend on its limits: warnings, certificates of its
-/// rises, and the fastest master that keeps [limits.slave]. Steps of derivatives up to the order
-/// `continuity` are omitted, because check_all() finds them. Adds nothing for a motion over time.
+/// Adds the findings of a cam that do not depend on its limits: warnings, the characteristic values
+/// of its rises with their lower bounds (certificates()), and the fastest master that keeps
+/// [limits.slave]. Steps of derivatives up to the order `continuity` are omitted, because
+/// check_all() finds them. Adds nothing for a motion over time.
 void add_cam_findings(Report& report, const Input& input, int continuity);
 
 /// Returns all findings of `jounce check`, sorted: those of check_all() and of add_cam_findings().

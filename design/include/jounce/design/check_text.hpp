@@ -7,12 +7,12 @@
 
 namespace jounce {
 
-/// The output of `jounce check` for one axis: the verdict, the exact extrema of each segment, the
-/// findings, the rises of a cam with their characteristic values, the fastest master, and the cam
-/// switches.
+/// Returns the output of `jounce check` for one axis: the verdict, the exact extrema of each
+/// segment, the findings, the rises of a cam with their characteristic values, the fastest master,
+/// and the cam switches.
 std::string check_text(const Report& report, const Input& input);
 
-/// The same as a JSON object; numbers have all their digits.
+/// Returns the contents of check_text() as a JSON object; numbers have all their digits.
 std::string check_json(const Report& report, const Input& input);
 
 }  // namespace jounce

@@ -39,11 +39,11 @@ struct Converted {
 /// unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 
-/// The parts of the input that a file in this format does not contain, one phrase for each.
+/// Returns the parts of the input that a file in this format does not contain, one phrase for each.
 std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
-/// The certified error of a conversion as a sentence. Without an error, it states that the numbers
-/// are unchanged, or only converted to other units.
+/// Returns the certified error of a conversion as a sentence. Without an error, it states that the
+/// numbers are unchanged, or only converted to other units.
 std::string error_text(const Converted& made, const Labels& labels);
 
 /// The form of a file.
@@ -53,27 +53,29 @@ struct TableForm {
   const CamFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };
 
-/// The form with this name; if the name is empty, the form for the extension of `path`, by default
-/// CSV.
+/// Returns the form with this name; if the name is empty, the form for the extension of `path`, by
+/// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
-/// The text of a file in this form. Throws InputError like exchange_text() and points_text().
+/// Returns the text of a file in this form. Throws InputError like exchange_text() and
+/// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
-/// Everything of an input that a file in this form does not contain: unread parts of its own file, and
-/// losses() of the format. `sampled`: the file has samples of the table.
+/// Returns everything of an input that a file in this form does not contain: unread parts of its
+/// own file, and losses() of the format. `sampled`: the file has samples of the table.
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
 /// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
 std::string known_endings();
-/// True if a path has one of them, or is "-".
+/// True if a path has one of these endings, or is "-".
 bool has_known_ending(const std::string& path);
-/// The output of `jounce convert`: input, form, knots, error, and one line for each loss.
+/// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
-/// The same as a JSON object; `path` is the name of the output file.
+/// Returns the contents of conversion_text() as a JSON object; `path` is the name of the output
+/// file.
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
                             const std::vector<std::string>& losses);
 

@@ -18,8 +18,8 @@ namespace jounce {
 /// The cam of a rotary knife does not depend on the line speed. The run-up and the return of a
 /// shear do, so its cam is made again for each speed.
 struct CutLengths {
-  /// Returns the fastest line for a length. If such a cut is impossible, the speed is 0 and the
-  /// limit "length" or "reversal".
+  /// Returns the fastest line for a length. If such a cut is impossible, the speed is 0, and the
+  /// limit is "length" or "reversal".
   std::function<CutSpeed(double length, const CutLimits&)> fastest;
   /// Returns the shortest cut that is possible at a speed, if there is one. For a knife, only cuts
   /// up to the synchronous length count.

@@ -28,23 +28,23 @@ struct CutMap {
   [[nodiscard]] std::string speed_unit() const;
 };
 
-/// The limits of the cuts: [limits.slave], and the greatest speed of the line. The latter is
-/// `line_speed`, otherwise the speed of [master], otherwise infinite. Throws InputError, with the
-/// place in the document, if nothing would limit the speed.
+/// Returns the limits of the cuts: [limits.slave], and the greatest speed of the line. The latter
+/// is `line_speed`, otherwise the speed of [master], otherwise infinite. Throws InputError, with
+/// the place in the document, if nothing would limit the speed.
 CutLimits cut_limits(const Spec& spec, const std::optional<double>& line_speed);
 
-/// The map at `steps` >= 2 lengths from `from` to `to` (master unit), both included.
+/// Returns the map at `steps` >= 2 lengths from `from` to `to` (master unit), both included.
 CutMap cut_map(Spec spec, CutLengths cuts, const CutLimits& limits, double from, double to,
                std::size_t steps);
 
-/// Name of a limit in tables and legends; "none" for "".
+/// Returns the name of a limit in tables and legends; "none" for "".
 std::string limit_word(const std::string& limit);
 
 /// Name of the range in which cuts need a dwell that the spec does not permit.
 inline constexpr const char* needs_dwell = "reverses: needs dwell";
 
-/// The map as CSV: comments with the special lengths and the changes of the limit, then one line
-/// for each length.
+/// Returns the map as CSV: comments with the special lengths and the changes of the limit, then one
+/// line for each length.
 std::string to_csv(const CutMap& map);
 
 }  // namespace jounce

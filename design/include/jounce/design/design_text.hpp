@@ -7,12 +7,13 @@
 
 namespace jounce {
 
-/// The output of `jounce design` for one axis: number of knots, error against the exact curve,
-/// residual vibration, the worst finding of `report` (which check_all() and add_not_limited()
-/// make), and the hash of the table.
+/// Returns the output of `jounce design` for one axis: number of knots, error against the exact
+/// curve, residual vibration, the worst finding of `report` (which check_all() and
+/// add_not_limited() make), and the hash of the table.
 std::string design_text(const Input& input, const Report& report);
 
-/// The same as a JSON object; numbers have all their digits. `file` is the name of the table.
+/// Returns the contents of design_text() as a JSON object; numbers have all their digits. `file` is
+/// the name of the table.
 std::string design_json(const Input& input, const Report& report, const std::string& file);
 
 }  // namespace jounce

@@ -20,8 +20,8 @@ Report check_disc(const Spec& spec, const Cam& cam);
 /// itself, or the cutter does not reach a part of it.
 bool cannot_be_cut(const Report& report);
 
-/// Lines with the extremes of the pressure angle (deg) and the least radii of the profile, each
-/// with its place.
+/// Returns lines with the extremes of the pressure angle (deg) and the least radii of the profile,
+/// each with its place.
 std::string extremes_text(const Spec& spec, const Disc& disc);
 
 /// Drawing of a disc in mm, for a cam at master 0.
@@ -37,23 +37,23 @@ struct DiscDrawing {
   Place roller;                      ///< center of the roller at the cam's start
   std::optional<Place> pivot;        ///< pivot of the arm, for an oscillating follower
 };
-/// The drawing of a disc.
+/// Returns the drawing of a disc.
 DiscDrawing drawing_of(const Spec& spec, const Disc& disc);
 
-/// The drawing as DXF R12 (ASCII), in mm: closed polylines with arcs on the layers CAM, PITCH and
-/// CUTTER, circles on BASE, HUB and ROLLER. Coordinates are rounded to 1e-9 mm.
+/// Returns the drawing as DXF R12 (ASCII), in mm: closed polylines with arcs on the layers CAM,
+/// PITCH and CUTTER, circles on BASE, HUB and ROLLER. Coordinates are rounded to 1e-9 mm.
 std::string contour_dxf(const DiscDrawing& drawing);
 
-/// The drawing as an SVG document that prints at scale 1:1.
+/// Returns the drawing as an SVG document that prints at scale 1:1.
 std::string contour_svg(const DiscDrawing& drawing);
 
-/// The profile as points, for a controller without arcs: CSV with the master position (spec's
-/// unit), x and y (mm). The last point equals the first. Straight lines between the points keep the
-/// spec's tolerance.
+/// Returns the profile as points, for a controller without arcs: CSV with the master position
+/// (spec's unit), x and y (mm). The last point equals the first. Straight lines between the points
+/// keep the spec's tolerance.
 std::string contour_csv(const Spec& spec, const Disc& disc);
 
-/// The drawing in the format of the ending of a path: .dxf, .svg or .csv. Throws InputError (key
-/// "output") for any other.
+/// Returns the drawing in the format of the ending of a path: .dxf, .svg or .csv. Throws InputError
+/// (key "output") for any other.
 std::string contour_file(const std::string& path, const Spec& spec, const Disc& disc);
 
 }  // namespace jounce

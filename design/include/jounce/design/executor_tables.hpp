@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The tables with which an executor plays an input. Their axis is the time in s; the axis of a
-/// cam's slave is its master.
+/// The tables with which an executor plays an input. They are over time in s; the table of a cam's
+/// slave is over the master's position.
 struct ExecutorTables {
   TableFile slave;                  ///< position over time; of a cam: slave over master
   std::optional<TableFile> master;  ///< for a cam: position of the master over time, in its unit

@@ -67,12 +67,12 @@ void add_not_limited(Report& report, const Input& input);
 /// machine.
 void add_no_limits(Report& report);
 
-/// Greatest permitted error of the table, in the unit of the position: the requested tolerance; for
-/// a requested number of intervals, a millionth of the stroke; for a requested number of knots, the
-/// actual error. nullopt if the curve is that of the table.
+/// Returns the greatest permitted error of the table, in the unit of the position: the requested
+/// tolerance; for a requested number of intervals, a millionth of the stroke; for a requested
+/// number of knots, the actual error. nullopt if the curve is that of the table.
 std::optional<double> table_tolerance(const Input& input);
 
-/// The content of a table file as an input.
+/// Returns the content of a table file as an input.
 Input input_of(TableFile file, const std::string& path);
 /// Makes the motion of a spec: one input for each axis. `path` names it if the spec has no name.
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);

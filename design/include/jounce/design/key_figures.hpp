@@ -55,7 +55,7 @@ struct Assessment {
   /// followed by the axis. Limits of a cam's slave over time have the rule "limit/master_velocity".
   std::vector<LimitMargin> rooms = {};
 
-  /// The value of a figure; nullopt if it is not in `figures`.
+  /// Returns the value of a figure; nullopt if it is not in `figures`.
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
 
@@ -72,7 +72,7 @@ Assessment assess(const Spec& spec, const std::vector<std::string>& names = {});
 /// assess() with the margins of each segment (`rooms`).
 Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& names);
 
-/// The rule of a finding, followed by its axis if it has one.
+/// Returns the rule of a finding, followed by its axis if it has one.
 std::string rule_of(const Finding& finding);
 
 }  // namespace jounce

@@ -7,33 +7,35 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/laws/law.hpp"
 
-/// The guide to motion laws. It is generated from the data of design(), so both agree.
+/// The guide to motion laws. It is generated from the data of design(), so the guide and design()
+/// agree.
 
 namespace jounce {
 
-/// The form of a law that the guide shows: its default form; for `scca`, one in the middle of the
-/// family.
+/// Returns the form of a law that the guide shows: its default form; for `scca`, one in the middle
+/// of the family.
 LawForm shown_form(Law law);
 
-/// The law of this name. Throws InputError (key "law"), with the nearest name, if there is none.
+/// Returns the law of this name. Throws InputError (key "law"), with the nearest name, if there is
+/// none.
 Law law_of(const std::string& name);
 /// The laws that have characteristic values, because they have a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
-/// The characteristic values of such a law.
+/// Returns the characteristic values of such a law.
 Characteristics characteristics(Law law);
 
-/// The permitted ends of a law, as text.
+/// Returns the permitted ends of a law, as text.
 const char* ends_in_words(Ends ends);
 
 /// A table with one line for each law: name, permitted ends, characteristic values.
 std::string law_table();
 
-/// The full description of one law.
+/// Returns the full description of one law.
 std::string law_text(Law law);
 
-/// The description as a JSON object with the characteristic values (null if infinite).
+/// Returns the description as a JSON object with the characteristic values (null if infinite).
 std::string law_json(Law law);
-/// The same of all laws, a list.
+/// Returns a JSON list of these objects, one for each law.
 std::string laws_json();
 
 /// The text of docs/laws.md.

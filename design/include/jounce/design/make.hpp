@@ -42,30 +42,31 @@ struct Made {
 /// axis, all over the same time. Throws InputError, with the place in the document.
 std::vector<Made> make_axes(const Spec& spec);
 
-/// The same for a spec of one axis. Throws InputError if there are several.
+/// Makes the motion of a spec of one axis. Throws InputError if the spec has several axes.
 Made make(const Spec& spec);
 
-/// Warnings for a valid time table (kinds "pt" and "pvt", without operators): steps, oscillation
-/// and overshoot. For a polydyne cam: steps of its acceleration. Empty for all other specs.
+/// Returns warnings for a valid time table (kinds "pt" and "pvt", without operators): steps,
+/// oscillation and overshoot. For a polydyne cam: steps of its acceleration. Empty for all other
+/// specs.
 Report table_warnings(const Spec& spec);
 
-/// The motion of a cam's master over time in *seconds*. Throws InputError, which names the section
-/// to add, if there is no [master].
+/// Returns the motion of a cam's master over time in *seconds*. Throws InputError, which names the
+/// section to add, if there is no [master].
 Trajectory make_master(const Spec& spec);
 
-/// Length of the spec's unit of time, s.
+/// Returns the length of the spec's unit of time, s.
 double seconds_per_unit(const Spec& spec);
 
 /// [limits.slave] converted to limits per master unit, for a master at full speed. Throws
 /// InputError (`limits.slave.velocity`, ...) if there is such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
-/// The optimization problem of a cam spec, with [limits], and with [limits.slave] at full speed.
-/// Throws InputError, with the place in the document, unless it is well posed.
+/// Returns the optimization problem of a cam spec, with [limits], and with [limits.slave] at full
+/// speed. Throws InputError, with the place in the document, unless it is well posed.
 CamProblem make_problem(const Spec& spec);
 
-/// The same for a spec with free shapes (spec.optimize.shape). A figure of a drive has no function
-/// until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
+/// Makes the problem of a spec with free shapes (spec.optimize.shape). A figure of a drive has no
+/// function until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
 /// `against_a_drive`.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 

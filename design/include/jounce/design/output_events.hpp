@@ -32,7 +32,7 @@ struct OutputEvents {
 /// InputError for a table, and for a spec without any of these.
 OutputEvents output_events(const std::vector<Input>& axes);
 
-/// The edges as CSV, one line for each, and as JSON.
+/// Returns the edges as CSV, one line for each, and as JSON.
 std::string to_csv(const OutputEvents& events);
 std::string to_json(const OutputEvents& events);
 

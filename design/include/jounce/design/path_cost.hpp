@@ -45,7 +45,7 @@ struct PathCost {
   double at_full_speed = 0;       ///< s, duration at full speed
   std::vector<SpeedLoss> losses;  ///< in the order of the path
 
-  /// Sum of the losses with this cause, s.
+  /// Returns the sum of the losses with this cause, s.
   [[nodiscard]] double of(LossCause cause) const;
 };
 

@@ -40,33 +40,34 @@ struct PathSummary {
 /// limits of the commands; see check_along().
 Report path_report(const Spec& spec, const Plan& played);
 
-/// The places of events, which are in the order of the program. The place of an event is the start
-/// of the first command in or after its line. Its time includes the dwells before this line.
+/// Returns the places of events, which are in the order of the program. The place of an event is
+/// the start of the first command in or after its line. Its time includes the dwells before this
+/// line.
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
-/// The same for each line of the program with a command: the place where the axes begin the
+/// Returns, for each line of the program with a command, the place where the axes begin the
 /// command.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
-/// The results for a plan of a spec of kind "path". All numbers, and the places of events, are
-/// those of `plan`, without the override.
+/// Returns the results for a plan of a spec of kind "path". All numbers, and the places of events,
+/// are those of `plan`, without the override.
 PathSummary summary_of(const Spec& spec, const Plan& plan);
 
-/// The results as text: durations, lost time, and the ten places that lose most.
+/// Returns the results as text: durations, lost time, and the ten places that lose most.
 std::string path_text(const Spec& spec, const PathSummary& summary);
 
-/// All results as JSON: {"duration": ..., "corners": [...], ...}.
+/// Returns all results as JSON: {"duration": ..., "corners": [...], ...}.
 std::string path_json(const Spec& spec, const PathSummary& summary);
 
-/// One line with the durations and lengths of two plans, and their differences.
+/// Returns one line with the durations and lengths of two plans, and their differences.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
 
-/// The proven lower bound of the duration of a plan, and the duration as a multiple of it: a line for
-/// people.
+/// Returns the proven lower bound of the duration of a plan, and the duration as a multiple of it:
+/// a line for people.
 std::string path_bound(const Spec& spec, const Plan& plan);
-/// The result of overlapping lines as text and as JSON: the duration, and overlap and deviation of
-/// each corner.
+/// Returns the result of overlapping lines as text and as JSON: the duration, and overlap and
+/// deviation of each corner.
 std::string overlap_text(const Spec& spec, const Overlapped& motion);
 std::string overlap_json(const Spec& spec, const Overlapped& motion);
 

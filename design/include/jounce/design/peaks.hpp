@@ -18,19 +18,20 @@ struct PeakChange {
   std::optional<double> limit;  ///< limit, if the spec has one
 };
 
-/// The peaks of all derivatives of all axes of an optimized spec. They show the cost of an optimum:
-/// without them, a lower peak acceleration may hide a higher jerk that has no limit.
+/// Returns the peaks of all derivatives of all axes of an optimized spec. They show the cost of an
+/// optimum: without them, a lower peak acceleration may hide a higher jerk that has no limit.
 std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
 
-/// The other figures that differ between the two by more than 0.1 %: duration, rms values, the peaks of a cam's slave
-/// over time, the fastest master, and those of a [drive], which is simulated. Names as in key_figures.hpp, units as the
-/// optimized spec gives its limits and its master. Empty if one of the specs cannot be assessed.
+/// Returns the other figures that differ between the two specs by more than 0.1 %: duration, rms
+/// values, the peaks of a cam's slave over time, the fastest master, and those of a [drive], which
+/// is simulated. Names as in key_figures.hpp, units as the optimized spec gives its limits and its
+/// master. Empty if one of the specs cannot be assessed.
 std::vector<PeakChange> other_changes(const Spec& given, const Spec& optimized);
-/// The peaks as a text table, and as a JSON list with null for a missing number.
+/// Returns the peaks as a text table, and as a JSON list with null for a missing number.
 std::string peaks_text(const std::vector<PeakChange>& peaks);
 std::string peaks_json(const std::vector<PeakChange>& peaks);
 
-/// A table of other_changes() below that of the peaks; "" if there are none.
+/// Returns a table of other_changes() below that of the peaks; "" if there are none.
 std::string others_text(const std::vector<PeakChange>& others);
 
 }  // namespace jounce

@@ -12,20 +12,20 @@ namespace jounce {
 /// The slave's motion over time in seconds: a trajectory, or a cam behind its master.
 using Reference = std::variant<Trajectory, Followed>;
 
-/// The exact motion of an input.
+/// Returns the exact motion of an input.
 Reference exact_reference(const Input& input);
 
-/// The motion of the interpolated table, as the executor plays it.
+/// Returns the motion of the interpolated table, as the executor plays it.
 Reference table_reference(const Input& input);
 
-/// The motion of the master of a cam over seconds. Throws InputError if it is not given.
+/// Returns the motion of the master of a cam over seconds. Throws InputError if it is not given.
 Trajectory master_of(const Input& input);
 
-/// The slave's exact motion over the spec's unit of time: the trajectory, or the curve of a cam
-/// behind its master. Exact, or within 1e-9 of the stroke (see composed_within()).
+/// Returns the slave's exact motion over the spec's unit of time: the trajectory, or the curve of a
+/// cam behind its master. Exact, or within 1e-9 of the stroke (see composed_within()).
 Trajectory motion_over_time(const Input& input);
 
-/// A view, the duration (s), and the motion at t (s) of a reference.
+/// Returns a view, the duration (s), and the motion at t (s) of a reference.
 SignalView view(const Reference& reference);
 double duration(const Reference& reference);
 Motion at(const Reference& reference, double t);

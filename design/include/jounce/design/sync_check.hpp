@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The findings of the generator of a synchronous slave, with their units; they do not depend on
-/// its limits. Empty for all other kinds of spec.
+/// Returns the findings of the generator of a synchronous slave, with their units; they do not
+/// depend on its limits. Empty for all other kinds of spec.
 Report check_sync(const Spec& spec);
 
 /// A figure of a synchronous slave for a report.
@@ -20,7 +20,7 @@ struct SyncFigure {
   std::string unit;     ///< unit of the value
   std::string meaning;  ///< explanation, such as "without a stop"; may be empty
 };
-/// The figures of a synchronous slave.
+/// Returns the figures of a synchronous slave.
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
 /// True if the slave's cam is made for one speed of the master, as for a shear. Another speed needs

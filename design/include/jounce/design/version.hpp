@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// An input as a version for compare(), with the segments of its spec as knots. `path` names it,
-/// because two versions of a cam often have the same name.
+/// Returns an input as a version for compare(), with the segments of its spec as knots. `path`
+/// names it, because two versions of a cam often have the same name.
 Version version_of(const Input& input, const std::string& path);
 
 /// Pairs the axes of two files: the only axis of each, or axes of the same name. Throws InputError

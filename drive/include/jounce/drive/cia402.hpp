@@ -65,9 +65,9 @@ struct Cia402Events {
   bool stopped = false;        ///< the quick stop has come to rest (12)
 };
 
-/// The state machine on the side of the drive: returns the state after a controlword. `before`: the
-/// previous controlword. It makes the transitions 0 to 15 of the standard. It omits transition 16,
-/// from quick stop back to operation, as the standard recommends.
+/// Steps the state machine on the side of the drive: returns the state after a controlword.
+/// `before`: the previous controlword. It makes the transitions 0 to 15 of the standard. It omits
+/// transition 16, from quick stop back to operation, as the standard recommends.
 Cia402State next(Cia402State state, std::uint16_t controlword, std::uint16_t before,
                  const Cia402Events& events);
 

@@ -38,7 +38,7 @@ class EncoderReading {
 };
 
 /// Makes the actual position of a drive available to another reader, such as an axis that follows
-/// it. The cycle reads the drive once, and both get the same value.
+/// it. The cycle reads the drive once, so the axis and the other reader get the same value.
 ///
 ///     auto observed = std::make_shared<ObservedDrive>(drive);   // the drive of the axis
 ///     observed->position();                                     // after feedback() in this cycle

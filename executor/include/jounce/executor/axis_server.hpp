@@ -25,8 +25,8 @@ namespace jounce {
 /// the axis and returns the answers, keeps the movements of the axis, writes its tick log and
 /// reports its status. If the log cannot be written, the log ends and the motion continues.
 ///
-/// A latched fault is reset when a later session arms a motion. The session that owned the axis at
-/// the time of the fault must reset it by a command.
+/// A latched fault is reset when a streamer arms a motion in a later session. In the session of the
+/// fault, the streamer must reset the fault by a command.
 class AxisServer {
  public:
   /// All references must outlive the server. `axis`: index of the axis in the machine. Throws
@@ -51,7 +51,7 @@ class AxisServer {
   [[nodiscard]] bool settled() const { return !moving() && !busy(); }
   /// True if a command is in transit: its answer arrives after one of the next cycles.
   [[nodiscard]] bool busy() const { return !commands_.idle(); }
-  /// True if a session owns the axis.
+  /// True if the axis has a session: a streamer owns it.
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
   /// True if the log ended before the run, because it could not be written.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }

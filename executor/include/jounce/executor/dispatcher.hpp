@@ -45,15 +45,15 @@ class Dispatcher {
 
   /// The masters of the machine.
   [[nodiscard]] const MasterServer& masters() const { return masters_; }
-  /// The server of an axis.
+  /// Returns the server of an axis.
   [[nodiscard]] const AxisServer& server(std::size_t axis = 0) const { return servers_[axis]; }
   /// Number of axes.
   [[nodiscard]] std::size_t size() const { return servers_.size(); }
-  /// The newest tick of an axis.
+  /// Returns the newest tick of an axis.
   [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return servers_[axis].last(); }
   [[nodiscard]] bool moving() const;   ///< true if any axis moves
   [[nodiscard]] bool settled() const;  ///< true if all axes are settled, see AxisServer
-  [[nodiscard]] bool owned() const;    ///< true if a session owns any axis
+  [[nodiscard]] bool owned() const;    ///< true if any axis has a session
   /// A name of this executor that another executor also owns, so that this one must end; "" if
   /// there is none.
   [[nodiscard]] std::string lost_name() const;

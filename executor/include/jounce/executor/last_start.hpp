@@ -20,9 +20,9 @@ namespace jounce {
 ///     start.report(status, session, "mm");
 class LastStart {
  public:
-  /// A start was requested. `movement`: id of the armed movement.
+  /// Records a requested start. `movement`: id of the armed movement.
   void request(std::int64_t session, std::int32_t command, std::uint64_t movement);
-  /// The axis has answered a start. Without effect if it is not the last one.
+  /// Records the answer of the axis to a start. Has no effect if this start is not the last one.
   void answer(std::int64_t session, std::int32_t command, const std::optional<Refusal>& refused);
   /// Updates the outcome after a tick: an accepted start has begun, or its armed movement was
   /// dropped.

@@ -55,9 +55,9 @@ class MasterServer {
 
   /// Number of masters.
   [[nodiscard]] std::size_t size() const { return masters_.size(); }
-  /// The value of a master in the last cycle.
+  /// Returns the value of a master in the last cycle.
   [[nodiscard]] const MasterSight& last(std::size_t master) const { return masters_[master].last; }
-  /// The status message of a master.
+  /// Returns the status message of a master.
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 
  private:

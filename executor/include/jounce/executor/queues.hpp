@@ -88,7 +88,7 @@ class Queues {
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
   /// Selects the bank with which a queue begins. Only while the axis does not have its movement.
   void begin_with(std::uint32_t queue, int bank);
-  /// The axis no longer reads this movement: rows that were not played are dropped.
+  /// Drops the rows of this movement that were not played: the axis no longer reads the movement.
   void handed_back(std::uint64_t movement) const;
   /// Sends the progress of each queue.
   void report(const Tick& last, Receiver& receiver) const;

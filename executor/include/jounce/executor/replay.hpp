@@ -43,7 +43,8 @@ struct Replay {
 
   /// True if the whole record was computed again, with identical results.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
-  /// True if nothing differs, and all was executed that can be: a black box begins within a run.
+  /// True if nothing differs, and everything that can be computed again was computed. (A black box
+  /// cannot be computed again, because it begins in the middle of a run.)
   [[nodiscard]] bool agrees() const {
     return same() || (!difference && !axes.empty() && !axes.front().whole);
   }

@@ -25,22 +25,22 @@ namespace jounce {
 ///
 /// for either direction of the master. When the clutch is complete, the ratio is r1 permanently.
 ///
-/// **A master that reverses inside the clutch** takes the slave back along the same path. The ratio
-/// falls to r0 at the start of the clutch, and rises again on the other side of it. So position and
-/// ratio never step, and a master that trembles does not make the slave creep. A distance of 0
-/// changes the ratio at once: the velocity of the slave steps.
+/// **A master that reverses inside the clutch** makes the slave retrace its motion. The ratio falls
+/// to r0 at the start of the clutch, and rises again on the other side of it. So position and ratio
+/// never step, and a master that trembles does not make the slave creep. A distance of 0 changes
+/// the ratio at once: the velocity of the slave steps.
 ///
 /// Exact: no count is lost or gained in any number of cycles. advance() does not allocate. The
 /// comments of the constructor and of after() describe the rounding.
 class Clutch {
  public:
   /// A clutch from one ratio to another over `distance` master counts. Counts are exact if 2 d r q
-  /// stays below 2^62, where r is the greater ratio and q the common denominator of both. `to` is
-  /// never rounded. `from` may have any denominator, as it does if the clutch replaces another one.
-  /// If necessary, `from` is rounded to the nearest ratio with exact counts, within 2^-20 and
-  /// usually much closer. Nothing else is rounded. The velocity of the slave then steps by that
-  /// share of the master's velocity, its position does not step, and (2) holds with the rounded
-  /// ratio. So any number of clutches may follow one another.
+  /// stays below 2^62, where r is the greater ratio and q the common denominator of the two ratios.
+  /// `to` is never rounded. `from` may have any denominator, as it does if the clutch replaces
+  /// another one. If necessary, `from` is rounded to the nearest ratio with exact counts, within
+  /// 2^-20 and usually much closer. Nothing else is rounded. The velocity of the slave then steps
+  /// by that share of the master's velocity, its position does not step, and (2) holds with the
+  /// rounded ratio. So any number of clutches may follow one another.
   ///
   /// Throws InputError "distance" if the distance is negative, or too long even with rounding.
   Clutch(const Gear& from, const Gear& to, std::int64_t distance);
@@ -56,7 +56,7 @@ class Clutch {
   /// Returns the increment of the slave (counts) for an increment of the master (counts).
   std::int64_t advance(State& state, std::int64_t master_increment) const;
 
-  /// The present ratio by (1), exact.
+  /// Returns the present ratio by (1), exact.
   [[nodiscard]] Gear ratio(const State& state) const;
 
   /// Returns the state with which this clutch replaces another clutch in the given state. The
@@ -103,7 +103,7 @@ struct DirectionMask {
     /// For recover: counts from the master to its furthest position, >= 0.
     std::int64_t behind = 0;
   };
-  /// The part of the increment (master counts) that the slave follows.
+  /// Returns the part of the increment (master counts) that the slave follows.
   std::int64_t advance(State& state, std::int64_t master_increment) const;
 };
 

@@ -49,7 +49,7 @@ struct CutSpeed {
   std::string limit = {};
   double where = 0;  ///< m, position on the cam where the limit is reached
 };
-/// The greatest line speed for a length.
+/// Returns the greatest line speed for a length.
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
 /// Computes the speed without a cam, for a shear that is designed anew for every speed.

@@ -84,24 +84,24 @@ struct ShearBound {
   std::string quantity = {};  ///< the limit
 };
 
-/// The intervals of the cycle. Throws as described above.
+/// Returns the intervals of the cycle. Throws as described above.
 ShearPlan shear_plan(const FlyingShear& shear);
-/// The cam of one cycle. Throws as described above.
+/// Returns the cam of one cycle. Throws as described above.
 SyncCam flying_shear(const FlyingShear& shear);
 
-/// The cam for another cut length, at the fastest line speed that this length permits, but at most
-/// `line_speed`. nullopt if no speed is possible. Throws InputError if the sync follows from the
-/// stroke, because the sync would shrink to zero at the fastest line.
+/// Returns the cam for another cut length, at the fastest line speed that this length permits, but
+/// at most `line_speed`. nullopt if no speed is possible. Throws InputError if the sync follows
+/// from the stroke, because the sync would shrink to zero at the fastest line.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 
-/// The least cut length (m) that is possible at `line_speed`; shear.cut_length is not used.
+/// Returns the least cut length (m) that is possible at `line_speed`; shear.cut_length is not used.
 /// Infinite if none is possible. If the sync follows from the stroke, the sync is zero at the
 /// bound, so only longer pieces can be cut. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
-/// The greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed is not used.
-/// Infinite if nothing limits it; 0 if no speed is possible. Bisected to the last digit, because
-/// every requirement grows with the speed.
+/// Returns the greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed is not
+/// used. Infinite if nothing limits it; 0 if no speed is possible. Bisected to the last digit,
+/// because every requirement grows with the speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

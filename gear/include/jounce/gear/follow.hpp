@@ -52,7 +52,7 @@ struct FollowTable {
 /// other tables precede the endless one, the cam contains all passes that differ and one more, and
 /// refuses positions beyond. It is a finding if a table ends at a ratio: a controller stops the
 /// slave there at once, while an axis of Jounce brakes. If the master moves backwards, the slave
-/// moves back along its path.
+/// retraces its motion.
 ///
 /// Throws InputError like pt(); if there are several tables, the key begins with the table's
 /// number. Also throws if there is no table, if an endless table is not the last, or if all passes
@@ -62,11 +62,11 @@ struct FollowSpec {
   double start_ratio = 0;                ///< u/m, ratio of the slave before the first table
 };
 
-/// The cam, which begins at the origin of the first table, (0, 0). Its zones are the intervals of
-/// constant ratio.
+/// Returns the cam, which begins at the origin of the first table, (0, 0). Its zones are the
+/// intervals of constant ratio.
 SyncCam follow(const FollowSpec& spec);
 
-/// The ratio at the start and at the end of each segment of the cam of follow().
+/// Returns the ratio at the start and at the end of each segment of the cam of follow().
 std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
 /// Finds errors that a controller plays without a message. Each rule reports its worst place and
@@ -86,8 +86,8 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 /// - follow/end: the table does not end at its nominal end.
 Report check(const FollowSpec& spec);
 
-/// The travel of the master after which the motion of the slave repeats; nullopt if the motion
-/// ends, or the cam refuses positions beyond.
+/// Returns the travel of the master after which the motion of the slave repeats; nullopt if the
+/// motion ends, or the cam refuses positions beyond.
 std::optional<double> master_period(const FollowSpec& spec);
 
 }  // namespace jounce

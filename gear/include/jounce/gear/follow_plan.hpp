@@ -45,10 +45,11 @@ enum class FollowForm { smooth, table };
 ///     const Report report = check(shear);
 ///
 /// **As a table**, a zone is an even segment, so its ratio is exact in spite of rounded numbers.
-/// Between two zones, one normal segment is enough if the mean ratio there is the mean of both
-/// ratios. Otherwise there are two segments, which meet at the point that minimizes the greater of
-/// their slopes (equation (3) in follow_plan.cpp). If the slave would move backwards between the
-/// zones, it slows down, stands still and speeds up instead, as gently as possible.
+/// Between two zones, one normal segment is enough if the mean ratio there is the mean of the
+/// ratios of the two zones. Otherwise there are two segments, which meet at the point that
+/// minimizes the greater of their slopes (equation (3) in follow_plan.cpp). If the slave would move
+/// backwards between the zones, it slows down, stands still and speeds up instead, as gently as
+/// possible.
 ///
 /// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend,
 /// zones overlap, a point inside a zone contradicts it, the ratio at the end of a periodic plan
@@ -65,13 +66,13 @@ struct FollowPlan {
   bool whole_master = false;
 };
 
-/// The plan in the smooth form.
+/// Returns the plan in the smooth form.
 CamSpec cam_spec(const FollowPlan& plan);
 
-/// The plan in the table form; endless if periodic.
+/// Returns the plan in the table form; endless if periodic.
 FollowTable follow_table(const FollowPlan& plan);
 
-/// The cam in the form plan.form; its zones have the names of the plan's zones.
+/// Returns the cam in the form plan.form; its zones have the names of the plan's zones.
 SyncCam follow(const FollowPlan& plan);
 
 /// Finding "follow/backwards" for each gap in which the slave moves opposite to the ratios at both
@@ -80,7 +81,8 @@ SyncCam follow(const FollowPlan& plan);
 /// whole unit.
 Report check(const FollowPlan& plan);
 
-/// The travel of the master after which a periodic plan repeats; nullopt if it is not periodic.
+/// Returns the travel of the master after which a periodic plan repeats; nullopt if it is not
+/// periodic.
 std::optional<double> master_period(const FollowPlan& plan);
 
 }  // namespace jounce

@@ -38,14 +38,14 @@ void require_valid(const FollowStart& start);
 /// searched.
 std::optional<double> begin_of(const FollowStart& start, const Trajectory& master, double armed);
 
-/// The same cycle by cycle, without memory or allocation: returns the master at the start of
-/// following, if it lies after `before` and not after `now`; otherwise nullopt. Between the cycles
-/// the master moves as in passing.hpp.
+/// Finds the start of following in one cycle, without memory or allocation: returns the master at
+/// the start, if the start lies after `before` and not after `now`; otherwise nullopt. Between the
+/// cycles the master moves as in passing.hpp.
 std::optional<Sample> begin_of(const FollowStart& start, const Sample& before, const Sample& now);
 
-/// The motion of the slave over time from t (s) on, if it stands at `slave` (u) until then: the
-/// start of the cam is shifted to the master's position at t. Throws like Followed, and if t is not
-/// before the end of the master's motion.
+/// Returns the motion of the slave over time from t (s) on, if it stands at `slave` (u) until then:
+/// the start of the cam is shifted to the master's position at t. Throws like Followed, and if t is
+/// not before the end of the master's motion.
 Followed followed_from(const Cam& cam, const Trajectory& master, double t, double slave);
 
 }  // namespace jounce

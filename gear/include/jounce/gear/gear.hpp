@@ -18,8 +18,8 @@ namespace jounce {
 /// whose slave count fits in 64 bits. Otherwise the result is undefined (asserted in debug builds).
 class Gear {
  public:
-  /// A gear of the given ratio, reduced. Throws InputError if the denominator is 0 or less (PMC600
-  /// error 675). With a numerator of 0 the slave stands still.
+  /// Returns a gear of the given ratio, reduced. Throws InputError if the denominator is 0 or less
+  /// (PMC600 error 675). With a numerator of 0 the slave stands still.
   static Gear ratio(std::int64_t numerator, std::int64_t denominator);
 
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }

@@ -57,16 +57,17 @@ struct GearedIn {
 /// finite.
 GearedIn gear_in(const GearInSpec& spec, const MotionState& slave, const Jet& master, double t);
 
-/// The setpoint of the slave, [y, y', y'', y'''], at t (s), for a master at [x, x', x'', x'''].
+/// Returns the setpoint of the slave, [y, y', y'', y'''], at t (s), for a master at [x, x', x'',
+/// x'''].
 Jet point(const GearedIn& gear, const Jet& master, double t);
 
 /// InGear: true if the ramp is complete at t (s).
 bool in_gear(const GearedIn& gear, double t);
 
-/// The exact motion of a slave for a known motion of the master. The slave stands at `slave` (u)
-/// until the trigger at t (s). The motion ends when both the master's motion and the ramp have
-/// ended. Throws like the other gear_in(), and InputError "t" for a time outside the master's
-/// motion.
+/// Returns the exact motion of a slave for a known motion of the master. The slave stands at
+/// `slave` (u) until the trigger at t (s). The motion ends when both the master's motion and the
+/// ramp have ended. Throws like the other gear_in(), and InputError "t" for a time outside the
+/// master's motion.
 Trajectory gear_in(const GearInSpec& spec, double slave, const Trajectory& master, double t);
 
 }  // namespace jounce

@@ -70,7 +70,7 @@ enum class GearInPosStatus : std::uint16_t {
   /// A linear master has passed the start, and the slave waits; not a number of the PMC600.
   start_passed = 1000,
 };
-/// One sentence that explains a status to a user.
+/// Returns one sentence that explains a status to a user.
 const char* explain(GearInPosStatus status);
 
 /// A computed engagement.
@@ -100,12 +100,12 @@ struct EngageWindow {
   double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
   std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
 };
-/// The window for a spec, and an advice for its start distance.
+/// Returns the window for a spec, and an advice for its start distance.
 EngageWindow engage_window(const GearInPosSpec& spec);
 
-/// The slave over a master that moves from `from` to `to` (m): hold, engagement and gear, for
-/// checks, tables and plots. Throws InputError "master_start", "master_end" unless from < to and
-/// both are outside the engagement (or at its ends).
+/// Returns the slave over a master that moves from `from` to `to` (m): hold, engagement and gear,
+/// for checks, tables and plots. Throws InputError "master_start", "master_end" if from >= to, or
+/// if one of them is inside the engagement (its ends excluded).
 SyncCam sync_cam(const GearInPos& gear, double from, double to);
 
 // ---- cycle by cycle ---------------------------------------------------------------------------
@@ -150,7 +150,7 @@ class GearedInPos {
   [[nodiscard]] double start() const { return connecting_.start(); }
   [[nodiscard]] double end() const { return connecting_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// Position of the slave at t (s), and its derivatives with respect to time.
+  /// Returns the position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return point<OverTime>(jet(t, side));

@@ -42,9 +42,9 @@ class GearSum {
   std::int64_t denominator_ = 1;
 };
 
-/// The distance between two readings, both in [0, period), of a counter that wraps at `period` > 0
-/// (a modulo axis, a 32-bit encoder). It is the shorter way; exactly half a period counts forwards.
-/// Use it as the input of a gear, so that no count is lost when the counter wraps:
+/// Returns the distance between two readings, both in [0, period), of a counter that wraps at
+/// `period` > 0 (a modulo axis, a 32-bit encoder). It is the shorter way; exactly half a period
+/// counts forwards. Use it as the input of a gear, so that no count is lost when the counter wraps:
 ///
 ///     slave += gear.advance(state, counter_increment(before, now, 360000));
 ///

@@ -33,7 +33,7 @@ struct Indexer {
   LawForm form = {};
 };
 
-/// The cam of one cycle.
+/// Returns the cam of one cycle.
 SyncCam indexer(const Indexer& spec);
 
 }  // namespace jounce

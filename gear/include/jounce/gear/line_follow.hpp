@@ -7,10 +7,10 @@
 
 namespace jounce {
 
-/// The motion of a slave on one line with its master, from position `from` to `to` (u). With x the
-/// master's position and x0, x1 its positions at the start and end of its motion, slave = from +
-/// (to - from) (x - x0) / (x1 - x0). So both start and stop together. Throws InputError "master" if
-/// the master ends where it starts. u is the slave's unit.
+/// Returns the motion of a slave on one line with its master, from position `from` to `to` (u).
+/// With x the master's position and x0, x1 its positions at the start and end of its motion, slave
+/// = from + (to - from) (x - x0) / (x1 - x0). So master and slave start and stop together. Throws
+/// InputError "master" if the master ends where it starts. u is the slave's unit.
 Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {
@@ -34,7 +34,7 @@ struct LineFollow {
   std::int64_t ipo_cycle = 2000;
 };
 
-/// The motions of both axes.
+/// The motions of the two axes.
 struct LineFollowed {
   Trajectory master, slave;
 };

@@ -55,21 +55,21 @@ struct Registered {
 Registered corrected(const Registration& registration, const RegistrationState& state,
                      double error);
 
-/// The correction over one product of length `period` (m), as segments: constant `from`, the law,
-/// constant. A step of 0 gives a single segment.
+/// Returns the correction over one product of length `period` (m), as segments: constant `from`,
+/// the law, constant. A step of 0 gives a single segment.
 std::vector<Segment> correction(const Registration& registration, double period, double from,
                                 double step);
 
-/// The slave over one product for each error: cam(x) + c(x), exact, beginning in `state`. While all
-/// errors are 0, the segments of the cam stay unchanged to the bit. For slaves that rotate (a
-/// sealing roll, a knife, an indexer). The result refuses positions outside.
+/// Returns the slave over one product for each error: cam(x) + c(x), exact, beginning in `state`.
+/// While all errors are 0, the segments of the cam stay unchanged to the bit. For slaves that
+/// rotate (a sealing roll, a knife, an indexer). The result refuses positions outside.
 Cam registered(const Cam& cam, const Registration& registration, std::span<const double> errors,
                RegistrationState state = {});
 
-/// The same with the correction added to the master: cam(x + c(x)). For slaves that return, such as
-/// a flying shear: it begins its next run earlier (c > 0) or later, and its ratio in the sync zone
-/// does not change. The window is an interval of the phase x + c(x), whose periods are the
-/// products. So it stays between the cut and the next sync zone for every correction. A product
+/// Like registered(), but adds the correction to the master: cam(x + c(x)). For slaves that return,
+/// such as a flying shear: it begins its next run earlier (c > 0) or later, and its ratio in the
+/// sync zone does not change. The window is an interval of the phase x + c(x), whose periods are
+/// the products. So it stays between the cut and the next sync zone for every correction. A product
 /// takes less of the master, by its step: the result begins at the cam's start - state.applied and
 /// covers n periods minus all steps. `most` must be less than the length of the window.
 ///
@@ -79,10 +79,10 @@ Fitted<OverMaster> registered_phase(const Cam& cam, const Registration& registra
                                     std::span<const double> errors, double tolerance,
                                     RegistrationState state = {});
 
-/// The largest `most` (at most registration.most) for which no single step, in either direction,
-/// breaks the slave's limits over time at a constant line speed (m/s). 0 if the cam alone breaks
-/// them. It applies to corrections that are added to the slave (registered()). Exact extrema;
-/// bisected to 1e-9 of `most`. For a correction of the phase, use check() on the result of
+/// Returns the largest `most` (at most registration.most) for which no single step, in either
+/// direction, breaks the slave's limits over time at a constant line speed (m/s). 0 if the cam
+/// alone breaks them. It applies to corrections that are added to the slave (registered()). Exact
+/// extrema; bisected to 1e-9 of `most`. For a correction of the phase, use check() on the result of
 /// registered_phase().
 double greatest_correction(const Cam& cam, const Registration& registration, const Limits& slave,
                            double line_speed);

@@ -87,8 +87,8 @@ struct RotaryKnifeFigures {
   double strays = 0;
 };
 
-/// The cam of one cut. Its segments are "sync", those of the recovery, and "sync"; its zones are
-/// the sync zones.
+/// Returns the cam of one cut. Its segments are "sync", those of the recovery, and "sync"; its
+/// zones are the sync zones.
 ///
 /// Surface matching is exact; at cut_length = synchronous (to 1e-12) the cam is one straight line.
 /// With horizontal matching, the sync zone is a fit within `tolerance`, with a certified error. The
@@ -96,12 +96,12 @@ struct RotaryKnifeFigures {
 /// (4567, 56789, ...) also the jerk. The knife reverses if the cut is too long and `dwell` is not
 /// set.
 ///
-/// Throws InputError for a value out of range: both sync values; none of them for a web without
+/// Throws InputError for a value out of range: two sync values; no sync value for a web without
 /// thickness; a sync zone that leaves no recovery or (horizontal) reaches 90 deg; a law that is not
 /// a symmetric rise from rest to rest.
 SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 
-/// The key figures. Throws like rotary_knife().
+/// Returns the key figures. Throws like rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
 /// Findings about the knife that do not depend on its limits. May be broken: "knife/reversal", and

@@ -60,8 +60,8 @@ bool begins_as_gcode(std::string_view text);
 /// **Words**:
 /// - G0, G1: lines. G2 (clockwise), G3 (counterclockwise): arcs and helices in the plane of G17,
 ///   G18 or G19, by I, J, K or by R (positive: up to half a turn, negative: more). G4 P: dwell, s.
-/// - G20: inch, G21: mm; before either, the unit of each axis. G90: absolute, G91: relative. G90.1
-///   and G91.1: the same for I, J and K, which are relative at first.
+/// - G20: inch, G21: mm; before either, the unit of each axis. G90: absolute, G91: relative. G90.1:
+///   absolute I, J and K, G91.1: relative ones; before either, I, J and K are relative.
 /// - G54 to G59: frames, which are offsets with or without a rotation.
 /// - G61: stop at each corner. G64 P: greatest deviation; 0: stop. It is the deviation of averaged
 ///   lines if the settings of the machine have Corner::average, otherwise that of corners.

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// A table as the segments of a controller that plays PT or follow tables, and as the CSV that the
-/// spec kinds "pt" and "follow" read (key `points`):
+/// Returns a table as the segments of a controller that plays PT or follow tables, and as the CSV
+/// that the spec kinds "pt" and "follow" read (key `points`):
 ///
 ///     Sampled table = reduced(move, target_of(*controller_table("googol_pt"), {"ms", "pulse"}));
 ///     write_file("pt.csv", points_text({table.table, {"ms", "pulse"}, {}}));
@@ -25,7 +25,7 @@ namespace jounce {
 /// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
 /// over time that begins at a nonzero velocity.
 std::vector<PtPoint> points_of(const Table& table);
-/// The same as CSV.
+/// Returns the points as CSV.
 std::string points_text(const TableFile& file);
 
 }  // namespace jounce

@@ -38,7 +38,7 @@ std::string to_json(const TableFile& file);
 /// a finite number, knots that do not ascend, an unknown unit, and a hash that does not match the
 /// content.
 TableFile parse_table(const std::string& text, const std::string& name);
-/// The same for a file.
+/// Reads a table file.
 TableFile read_table(const std::string& path);
 
 /// True if the text is a table file; false for a spec.

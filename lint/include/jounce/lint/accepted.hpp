@@ -86,8 +86,8 @@ std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
 /// text. `name`: name of the accepted versions.
 std::string to_text(const std::vector<FileChange>& changes, const std::string& name);
 
-/// Returns the same as Markdown for a pull request. The pictures are expected in the folder of the
-/// text.
+/// Returns the summary and the changes as Markdown, for a pull request. The pictures are expected
+/// in the folder of the text.
 std::string to_markdown(const std::vector<FileChange>& changes, const std::string& name);
 
 }  // namespace jounce

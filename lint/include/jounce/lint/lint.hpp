@@ -31,8 +31,8 @@ using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "");
 
-/// The same for many files, on all cores. The results have the order of the files. `progress`
-/// receives the share that is done, 0 to 1.
+/// Examines many files, on all cores. The results have the order of the files. `progress` receives
+/// the share that is done, 0 to 1.
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine = "",
                                    const std::function<void(double)>& progress = {});

@@ -45,8 +45,8 @@ BankPlan follow_bank_plan(const Input& input, bool relative);
 
 /// Returns the table of an input for a bank: unchanged over a master, in s over time.
 TableFile bank_of(const Input& input);
-/// True if both tables are over the same variable, in the same units, so that one queue can contain
-/// both.
+/// True if the two tables are over the same variable, in the same units, so that one queue can
+/// contain them.
 bool fit_in_one_queue(const TableFile& first, const TableFile& second);
 /// Returns the plan that plays the first table once, then the second one `loops` times. `relative`:
 /// positions count from the position of the axis.

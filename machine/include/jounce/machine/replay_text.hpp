@@ -20,7 +20,7 @@ RecordedAxis recorded_axis(const std::string& file, const std::string& name = ""
 /// text. `file`: name of the record.
 std::string replay_text(const Replay& replay, const std::string& file);
 
-/// Returns the same as a JSON object.
+/// Returns the contents of replay_text() as a JSON object.
 std::string replay_json(const Replay& replay);
 
 /// Collects the last ticks of one axis from a record.

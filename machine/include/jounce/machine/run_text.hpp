@@ -11,7 +11,7 @@ namespace jounce {
 /// Returns the summary of a run as text: motions and fault of each axis, lateness of the cycle.
 std::string summary_text(const ExecutorSummary& summary);
 
-/// Returns the same as a JSON object, with both histograms.
+/// Returns the contents of summary_text() as a JSON object, with the two histograms of the cycle.
 std::string summary_json(const ExecutorSummary& summary);
 
 /// Returns sentences about what is missing after a run: the name that another executor owns, ticks

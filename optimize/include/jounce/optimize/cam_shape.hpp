@@ -40,11 +40,12 @@ struct FreeShape {
 /// are optimized one after another, and a figure refers to one run.
 ///
 /// **Knots.** At both ends of a run, slave, geo_velocity and geo_acceleration stay as in the given
-/// cam. geo_jerk stays, too, if the given cam has no step of it there, unless end_jerk of the shape
-/// requires otherwise; `active` then contains "kept/geo_jerk". The values in `knots` are free
-/// within their bounds, which may be infinite. They may belong to knots inside a run, and to the
-/// start and the end of a cam that is not periodic. Master positions are never free. All other
-/// parts of the cam stay exactly as they are.
+/// cam. With EndJerk::as_given, geo_jerk stays as well, if the given cam has no step of it there,
+/// geo_acceleration is not free, and the continuity is at least 3. `active` contains
+/// "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are free within
+/// their bounds, which may be infinite. They may belong to knots inside a run, and to the start and
+/// the end of a cam that is not periodic. Master positions are never free. All other parts of the
+/// cam stay exactly as they are.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum. If there are several entries, each must
 /// consist of one figure. They are minimized one after another, and no earlier figure may get worse

@@ -100,7 +100,8 @@ struct ResponseOf {
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// Rms value of such a list: root of the mean of y^2, such as the rms torque of a drive.
+/// Rms value of a list y, as in ResponseOf: root of the mean of y^2, such as the rms torque of a
+/// drive.
 struct RmsResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.

@@ -75,10 +75,10 @@ struct CircleTurns {
   ArcRotation rotation = ArcRotation::counterclockwise;
   int extra_turns = 0;
 };
-/// The direction and the extra turns of HIMC's `turns`.
+/// Returns the direction and the extra turns of HIMC's `turns`.
 CircleTurns himc_turns(int turns);
 
-/// The point of an arc at an angle in [0, sweep], rad.
+/// Returns the point of an arc at an angle in [0, sweep], rad.
 Point point_at(const Arc& arc, double angle);
 
 }  // namespace jounce

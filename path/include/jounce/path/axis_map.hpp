@@ -73,19 +73,19 @@ class AxisMap {
   std::size_t axes_, joints_;
 };
 
-/// A linear map of the first `axes` axes. Throws InputError "joints" if there is no row or more
-/// than max_axes, and if a number is not finite.
+/// Returns a linear map of the first `axes` axes. Throws InputError "joints" if there is no row or
+/// more than max_axes, and if a number is not finite.
 std::shared_ptr<const AxisMap> linear_map(std::size_t axes, LinearMap map);
 
-/// A map in which every axis is a joint.
+/// Returns the map in which every axis is a joint.
 std::shared_ptr<const AxisMap> identity_map(std::size_t axes);
 
-/// A gantry: joint k follows the axis axis_of[k], counted from 0. Two joints may follow the same
-/// axis, as for a beam with two motors.
+/// Returns the map of a gantry: joint k follows the axis axis_of[k], counted from 0. Two joints may
+/// follow the same axis, as for a beam with two motors.
 std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std::size_t> axis_of);
 
-/// CoreXY: two fixed motors and one belt. The joints are x + y and x - y; every further axis (Z) is
-/// a joint.
+/// Returns the map of CoreXY: two fixed motors and one belt. The joints are x + y and x - y; every
+/// further axis (Z) is a joint.
 std::shared_ptr<const AxisMap> core_xy_map(std::size_t axes);
 
 /// Position of the elbow: on which side of the straight line from the base to the wrist it is, seen
@@ -108,9 +108,10 @@ struct ScaraSpec {
   bool with_z = false;               ///< true: there is a vertical axis Z
   double offset_z = 0;               ///< value of the joint Z at Z = 0
 };
-/// Points beyond the sum of both arm lengths, or within their difference, are out of reach. The map
-/// is singular if the arms are stretched or folded, and at the origin. Throws InputError "arms",
-/// "offsets".
+/// Returns the map of the robot. A point is out of reach if the end of the second arm would be
+/// farther from the origin than the sum of the lengths of the first two arms, or nearer than their
+/// difference. The map is singular if the arms are stretched or folded, and at the origin. Throws
+/// InputError "arms", "offsets".
 std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 
 /// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The
@@ -131,9 +132,9 @@ struct LinearDeltaSpec {
   double rail_angle = 0;    ///< deg, from Z to the rail, inwards; within (-90, 90) (dAxisAngle)
   double first_rail = 0;    ///< deg from X to the first rail
 };
-/// A point is out of reach if an arm is shorter than the distance of its platform joint from the
-/// rail. The map is singular if an arm is perpendicular to its rail. Throws InputError with the
-/// name of the parameter.
+/// Returns the map of the robot. A point is out of reach if an arm is shorter than the distance of
+/// its platform joint from the rail. The map is singular if an arm is perpendicular to its rail.
+/// Throws InputError with the name of the parameter.
 std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec);
 
 /// Joints of a plan.

@@ -26,18 +26,18 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-/// A frame that is rotated by an angle (deg) around the third axis, from the first axis towards the
-/// second. Exact for multiples of 90 deg.
+/// Returns a frame that is rotated by an angle (deg) around the third axis, from the first axis
+/// towards the second. Exact for multiples of 90 deg.
 Frame turned_frame(const Point& offset, double degrees);
-/// A frame that is rotated around Z, then the new Y, then the new Z (PMC600 manual 7.1); angles in
-/// deg.
+/// Returns a frame that is rotated around Z, then the new Y, then the new Z (PMC600 manual 7.1);
+/// angles in deg.
 Frame euler_frame(const Point& offset, const std::array<double, 3>& zyz);
 
-/// The machine coordinates of a point of the part.
+/// Returns the machine coordinates of a point of the part.
 Point placed(const Frame& frame, const Point& part);
-/// The part coordinates of a point of the machine.
+/// Returns the part coordinates of a point of the machine.
 Point within(const Frame& frame, const Point& machine);
-/// An arc, a curve or a program of the part in machine coordinates.
+/// Returns an arc, a curve or a program of the part in machine coordinates.
 Arc placed(const Frame& frame, const Arc& arc);
 PathCurve placed(const Frame& frame, const PathCurve& curve);
 /// Throws InputError "rotation" if the frame rotates axes that are not path axes of the program.

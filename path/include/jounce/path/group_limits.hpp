@@ -36,10 +36,10 @@ struct LimitFactors {
   double factor = 1;      ///< > 0
   Limits ancillary = {};  ///< ancillary limits of the axis
 };
-/// The effective limits of an axis.
+/// Returns the effective limits of an axis.
 Limits effective(const Limits& global, const LimitFactors& factors);
 
-/// The effective limits along a path: L = override * min(ancillary, command).
+/// Returns the effective limits along a path: L = override * min(ancillary, command).
 PathLimits effective(const PathLimits& command, const PathLimits& ancillary, double override);
 
 }  // namespace jounce

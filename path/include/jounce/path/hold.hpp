@@ -25,15 +25,15 @@ Plan halted(const Plan& plan, double t);
 /// Throws InputError "held" if `held` ends at the end of the plan.
 Plan resumed(const Plan& plan, const Plan& held);
 
-/// The same from rest at the path position q = `from`, for example after a retreat. Throws
-/// InputError "from" outside [0, length), and inside a corner.
+/// Plans the rest of a path from rest at the path position q = `from`, for example after a retreat.
+/// Throws InputError "from" outside [0, length), and inside a corner.
 Plan resumed(const Plan& plan, double from);
 
-/// A retreat: moves from the rest at the end of `held` back along the path to the path position q =
-/// `to`. The result has the same path in the opposite direction; its q counts from the end.
-/// Acceleration and deceleration are both limited to the lower of the plan's two values. It rests
-/// where the plan rests. Throws InputError "to" outside [0, q at the end of `held`), and inside a
-/// corner, which is passed at constant velocity.
+/// Plans a retreat: a motion from the rest at the end of `held` back along the path to the path
+/// position q = `to`. The result has the same path in the opposite direction; its q counts from the
+/// end. Acceleration and deceleration are both limited to the lower of the plan's two values. The
+/// retreat rests where the plan rests. Throws InputError "to" outside [0, q at the end of `held`),
+/// and inside a corner, which is passed at constant velocity.
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce

@@ -39,7 +39,7 @@ struct Overlapped {
 };
 
 /// Plans lines that overlap in time: each line begins before the previous one ends, and the axes
-/// move by the sum of both motions (PMC600 manual 7.1, TMStartVelocity). The path in a corner
+/// move by the sum of the two motions (PMC600 manual 7.1, TMStartVelocity). The path in a corner
 /// depends on the limits, as on the controller.
 ///
 ///     Program square(2);                                     // the square of program.hpp

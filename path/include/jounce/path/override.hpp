@@ -21,9 +21,9 @@ namespace jounce {
 ///
 /// **Velocity.** A factor of up to 1 multiplies the full speed of each piece: the least of its
 /// feed, the limit of the path, and the limits of its axes. A factor above 1 multiplies the feed;
-/// the limits stay. A corner keeps its own velocity if that is lower. Factor 0 holds the motion on
-/// the path until a request for another factor; if there is none, the motion ends there. Dwells
-/// keep their durations.
+/// the limits stay. A corner that the plan passes at a lower velocity keeps that velocity. Factor 0
+/// holds the motion on the path until a request for another factor; if there is none, the motion
+/// ends there. Dwells keep their durations.
 ///
 /// **Limits.** The velocity does not step at a request: a ramp within the limits of acceleration
 /// and jerk follows, in a corner after its end, because a corner is passed at constant velocity. A

@@ -53,7 +53,7 @@ class Path {
   [[nodiscard]] std::size_t bytes() const {
     return pieces_.size() * sizeof(PathPiece) + numbers_.size() * sizeof(double);
   }
-  /// The numbers of a piece. path/src/geometry/pieces.hpp defines their layout.
+  /// Returns the numbers of a piece. path/src/geometry/pieces.hpp defines their layout.
   [[nodiscard]] const double* numbers(std::size_t piece) const {
     return numbers_.data() + pieces_[piece].data;
   }
@@ -61,7 +61,7 @@ class Path {
   /// Writes the position and three derivatives with respect to q of every axis to `out`, at the
   /// position u in [0, 1] of a piece (u: share of its length).
   void jets(std::size_t piece, double u, std::span<Jet> out) const;
-  /// The point at the position u in [0, 1] of a piece.
+  /// Returns the point at the position u in [0, 1] of a piece.
   [[nodiscard]] Point point(std::size_t piece, double u) const;
 
   /// Writes the segments of one axis on one piece to `out`: one, or up to three for a turn.

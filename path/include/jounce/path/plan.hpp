@@ -67,8 +67,8 @@ struct CornerRecord {
   std::string text;
 };
 
-/// The note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty if the
-/// result is as requested.
+/// Returns the note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty
+/// if the result is as requested.
 std::string explain(const CornerRecord& corner, std::string_view length_unit = "");
 
 /// A planned program: its path and its timing law.
@@ -111,7 +111,7 @@ class Plan {
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
   /// All joints that are not tangential, and all with a note, in the order of the path.
   [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
-  /// The same joints with their full results.
+  /// Returns the joints of the path with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
@@ -167,13 +167,13 @@ struct PlanAxes {
 
 /// Returns the axes of a plan over time, from 0 s. They are exact on lines, on corners (degree 9),
 /// and on arcs at constant speed. Where the speed changes on an arc or an ellipse, they are fits of
-/// degree 11 within `tolerance` (unit of the axis), or within rounding if that is coarser. The
+/// degree 11 within `tolerance` (unit of the axis) or within rounding, whichever is greater. The
 /// errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
-/// A proven lower bound of the duration on the path plan.path(), without jerk limits, s: no motion
-/// along this path that keeps the limits of velocity and acceleration is faster. `cells`: number of
-/// parts into which each arc and corner is divided.
+/// Returns a proven lower bound of the duration on the path plan.path(), without jerk limits, s: no
+/// motion along this path that keeps the limits of velocity and acceleration is faster. `cells`:
+/// number of parts into which each arc and corner is divided.
 double lower_bound(const Plan& plan, int cells = 32);
 
 }  // namespace jounce

@@ -40,16 +40,16 @@ struct SplineDirections {
   std::optional<Point> end = {};  ///< tangent at the end
 };
 
-/// The cubic spline through `points` as a function of the length of the chords; the first point is
-/// the start. It is twice continuously differentiable, and has the given directions at its ends.
-/// Throws "points" for fewer than two points, or equal neighbors.
+/// Returns the cubic spline through `points` as a function of the length of the chords; the first
+/// point is the start. It is twice continuously differentiable, and has the given directions at its
+/// ends. Throws "points" for fewer than two points, or equal neighbors.
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
                          const SplineDirections& ends = {});
 
-/// The B-spline of control points, of degree 3 to 7, with continuous curvature; the first point is
-/// the start. `knots`: one for each point and degree + 1 more. The first and the last knot occur
-/// degree + 1 times, so the curve begins and ends at its end points. Empty: evenly spaced. Its
-/// parameter is that of its knots, which is far from arc length; see over_length(). Throws
+/// Returns the B-spline of control points, of degree 3 to 7, with continuous curvature; the first
+/// point is the start. `knots`: one for each point and degree + 1 more. The first and the last knot
+/// occur degree + 1 times, so the curve begins and ends at its end points. Empty: evenly spaced.
+/// Its parameter is that of its knots, which is far from arc length; see over_length(). Throws
 /// "degree", "point", "knots".
 PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t degree = 3,
                    std::span<const double> knots = {});
@@ -61,11 +61,11 @@ PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t 
 /// "tolerance", and "point" at a cusp.
 PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes = 0);
 
-/// A part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses). `degrees`: angle of the major axis
-/// in the plane; `ratio`: minor axis divided by major axis, in (0, 1]; the size follows from the
-/// start. If both ends are equal, it is a full turn; `extra_turns` turns are added. All other axes
-/// move in proportion to the length. A fit in arc length, with 32 pieces for each turn. Throws "to"
-/// if the end is farther from the ellipse than `tolerance` times the major half axis.
+/// Returns a part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses). `degrees`: angle of the
+/// major axis in the plane; `ratio`: minor axis divided by major axis, in (0, 1]; the size follows
+/// from the start. If both ends are equal, it is a full turn; `extra_turns` turns are added. All
+/// other axes move in proportion to the length. A fit in arc length, with 32 pieces for each turn.
+/// Throws "to" if the end is farther from the ellipse than `tolerance` times the major half axis.
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
                   double degrees, double ratio, ArcRotation rotation, std::size_t axes,
                   int extra_turns = 0, double tolerance = 1e-6);

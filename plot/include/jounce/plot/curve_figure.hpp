@@ -18,7 +18,7 @@ struct CurveLook {
   std::string axis{};   ///< name of the x axis; "": "time" or "master"
   /// Unit of the x axis: "s", "deg", ...; "deg" and "°" give angular ticks.
   std::string axis_unit{};
-  /// Unit of the position, "mm"; the units of its derivatives follow from both units.
+  /// Unit of the position, "mm"; the units of its derivatives follow from it and `axis_unit`.
   std::string unit{};
   std::array<std::string, 3>
       rate_units{};  ///< other units for velocity, acceleration, jerk; "" keeps the above
@@ -42,7 +42,8 @@ struct CurveLook {
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const CurveLook& look);
 
-/// The same over a pale curve `before`: the motion before an optimization, or another version.
+/// Draws the curve over a pale curve `before`: the motion before an optimization, or another
+/// version.
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const Curve<Over>& before, const CurveLook& look);
 

@@ -15,12 +15,12 @@ namespace jounce {
 /// them is over time and the other over a master.
 Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
 
-/// Returns all axes in one figure, in different colors. A limit is drawn if all axes have the same.
-/// Throws InputError (key "axis") if their units differ.
+/// Returns all axes in one figure, in different colors. A limit is drawn if it is equal for all
+/// axes. Throws InputError (key "axis") if their units differ.
 Figure figure_of(const std::vector<Input>& axes);
 
-/// The rise of a law from 0 to 1 with its derivatives. Throws InputError (key "law") for a law whose
-/// points define its shape.
+/// Returns the rise of a law from 0 to 1 with its derivatives. Throws InputError (key "law") for a
+/// law whose points define its shape.
 Figure law_figure(Law law);
 
 }  // namespace jounce

@@ -65,10 +65,10 @@ struct Page {
 };
 
 /// Returns the page as one HTML file that needs no other file. It has no script and loads nothing,
-/// and its Content-Security-Policy makes the browser reject both. All text is escaped, so a name in
-/// a spec cannot become markup. Colors are light or dark as the reader prefers, and a print is
-/// white. Figures are included a second time for narrow windows, such as a phone. Equal pages give
-/// equal bytes.
+/// and its Content-Security-Policy makes the browser reject scripts and further files. All text is
+/// escaped, so a name in a spec cannot become markup. Colors are light or dark as the reader
+/// prefers, and a print is white. Figures are included a second time for narrow windows, such as a
+/// phone. Equal pages give equal bytes.
 std::string html(const Page& page);
 
 /// Returns the CSS of that page, for other pages with the same appearance: colors as variables

@@ -16,7 +16,7 @@ void require_picture_name(const std::string& key, const std::string& path);
 /// std::system_error if rsvg-convert is missing or fails.
 void write_svg_file(const std::string& path, const std::string& svg);
 
-/// The same for a figure.
+/// Writes a figure to a file.
 void write_figure(const std::string& path, const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce

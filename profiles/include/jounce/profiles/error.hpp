@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// The shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
+/// Returns the shortest decimal text that reads back as the same double: 0.1, 1e-09, 232.361666.
 std::string number(double value);
 
 /// An error in the input, in one sentence: its place, its value, and the rule that it breaks.
@@ -23,7 +23,8 @@ class InputError : public std::exception {
   InputError(std::string key, std::string value, std::string rule);
   InputError(std::string key, double value, std::string rule);
 
-  /// The same error with its place in a document. Line and column count from 1; 0 means unknown.
+  /// Returns this error with its place in a document. Line and column count from 1; 0 means
+  /// unknown.
   [[nodiscard]] InputError at(std::string document, int line = 0, int column = 0) const;
 
   /// The whole sentence.

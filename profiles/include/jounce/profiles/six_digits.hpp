@@ -5,10 +5,11 @@
 
 namespace jounce {
 
-/// A number for a message, with six significant digits; a whole number below 1e9 has all its
-/// digits. Examples: 90000, 26.1799, 4e-5. For a file, number() in error.hpp gives all digits.
+/// Returns a number for a message, with six significant digits; a whole number below 1e9 has all
+/// its digits. Examples: 90000, 26.1799, 4e-5. For a file, number() in error.hpp gives all digits.
 std::string six_digits(double value);
-/// The same, rounded up or down: a user who copies the bound from a message keeps the rule.
+/// Like six_digits(), but rounded up or down, so that a limit that a user copies from a message is
+/// still satisfied.
 std::string six_digits_up(double value);
 std::string six_digits_down(double value);
 

@@ -25,7 +25,7 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
 /// "spectrum". Throws InputError for an input without a [drive].
 Figure drive_figure(const Input& input, const std::string& which);
 
-/// The look of the figure with this name, of drive_figure() or loop_figure().
+/// Returns the look of the figure with this name, of drive_figure() or loop_figure().
 SvgOptions drive_look(const std::string& which);
 
 }  // namespace jounce

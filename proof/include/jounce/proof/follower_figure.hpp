@@ -18,7 +18,7 @@ FollowerResult followed(const Input& input, std::size_t samples = 0);
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
                        const std::string& unit);
 
-/// The same of an input, with its name. Throws InputError like followed().
+/// Draws the follower of an input, with the input's name. Throws InputError like followed().
 Figure follower_figure(const Input& input);
 
 }  // namespace jounce

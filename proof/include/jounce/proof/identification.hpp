@@ -14,7 +14,7 @@ namespace jounce {
 /// quantity, as text.
 std::string identification_text(const Identification& found, const std::string& unit);
 
-/// Returns the same as a JSON object, with all digits of each number.
+/// Returns the contents of identification_text() as a JSON object, with all digits of each number.
 std::string identification_json(const Identification& found);
 
 /// Returns a figure: each recorded quantity over that of the fitted model, with the residual below.

@@ -17,9 +17,9 @@ Figure nyquist_figure(const Drive& drive);
 /// Height of the plot at which nyquist_figure() has the same scale on both axes, px.
 inline constexpr double nyquist_height = 560;
 
-/// The figure with this name, "bode" or "nyquist", of the drive in a spec or in one of its axes. It
-/// needs no motion. Throws InputError for a file without a [drive], and for a spec of several axes
-/// without the name of one (key "axis").
+/// Returns the figure with this name, "bode" or "nyquist", of the drive in a spec or in one of its
+/// axes. It needs no motion. Throws InputError for a file without a [drive], and for a spec of
+/// several axes without the name of one (key "axis").
 Figure loop_figure(const std::string& path, const std::string& axis, const std::string& which);
 
 }  // namespace jounce

@@ -45,15 +45,15 @@ struct ProofOptions {
 };
 
 /// Proves an input: integrates its curve and its table, runs the [drive] and the [follower] with
-/// the table, and compares the tick log with both. Throws InputError for a cam that has a [drive]
-/// or a [follower] but no [master], and for a file that is not a tick log.
+/// the table, and compares the tick log with the curve and the table. Throws InputError for a cam
+/// that has a [drive] or a [follower] but no [master], and for a file that is not a tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
 /// Returns the text of `jounce validate` for one input, without the findings.
 std::string proof_text(const Proof& proof, const Input& input);
 
-/// The answer of `jounce validate` for one input: the verdict, proof_text(), and the findings if it is
-/// not proven.
+/// Returns the answer of `jounce validate` for one input: the verdict, proof_text(), and the
+/// findings if it is not proven.
 std::string proof_answer(const Proof& proof, const Input& input);
 /// Returns the result with all findings as a JSON object, with all digits of each number.
 std::string proof_json(const Proof& proof, const Input& input);

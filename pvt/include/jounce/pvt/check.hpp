@@ -18,10 +18,10 @@ namespace jounce {
 // All functions throw InputError if a derivative is too large for a double, like Table::curve().
 // check() also throws for invalid limits, like check() of a curve.
 
-/// The exact range of the position and its three derivatives.
+/// Returns the exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
-/// The same for the intervals first, ..., last - 1, counted from 0.
+/// Returns the exact ranges for the intervals first, ..., last - 1, counted from 0.
 Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last);
 
 /// Compares the exact extrema with the limits, like check(table.curve<...>(), limits).

@@ -73,7 +73,8 @@ class Compensation {
   /// The greatest |value| of the grid, in the unit of the corrected position.
   [[nodiscard]] double peak() const;
 
-  /// The correction at the positions of the references; `references` has references() entries.
+  /// Returns the correction at the positions of the references; `references` has references()
+  /// entries.
   [[nodiscard]] double at(std::span<const double> references) const;
 
   /// One cell of the grid. With s = (x - start) / interval in [0, 1] for each reference, its
@@ -86,7 +87,7 @@ class Compensation {
     std::array<double, most_references> per_interval{};  ///< 1 / interval; 0 outside the grid
     std::array<double, most_terms> k{};                  ///< coefficients k
   };
-  /// The cell that contains the positions of the references.
+  /// Returns the cell that contains the positions of the references.
   [[nodiscard]] Cell cell(std::span<const double> references) const;
 
  private:

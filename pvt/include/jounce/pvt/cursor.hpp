@@ -24,8 +24,8 @@ class Cursor {
  public:
   explicit Cursor(const Table& table);
 
-  /// The value and three derivatives at x, right-continuous. Outside, the policy of the table
-  /// applies.
+  /// Returns the value and three derivatives at x, right-continuous. Outside, the policy of the
+  /// table applies.
   [[nodiscard]] Jet jet(double x);
 
  private:

@@ -28,9 +28,9 @@ enum class Filling {
   within_limits,  ///< each piece keeps the limits; otherwise as near to `clamped` as possible
 };
 
-/// The word of the spec: "natural", ...
+/// Returns the word of the spec: "natural", ...
 const char* name(Filling filling);
-/// The rule of a word; nullopt if unknown.
+/// Returns the rule of a word; nullopt if unknown.
 std::optional<Filling> filling_named(std::string_view name);
 
 /// Input of filled(): a table with some or no velocities (and accelerations).
@@ -60,7 +60,7 @@ struct FillSpec {
   std::vector<double> x;                      ///< strictly ascending
   std::vector<double> p;                      ///< one for each knot
   std::vector<std::optional<double>> v = {};  ///< one for each knot, or empty: no velocity is given
-  /// The same for accelerations; only with Interpolation::quintic_hermite.
+  /// Accelerations, like `v`; only with Interpolation::quintic_hermite.
   std::vector<std::optional<double>> a = {};
   Interpolation rule = Interpolation::cubic_hermite;  ///< cubic_hermite or quintic_hermite
   Filling filling = Filling::natural;                 ///< rule for omitted velocities
@@ -85,8 +85,9 @@ struct Filled {
 ///   knots with the given velocities, `natural` has the least integral of acceleration^2.
 /// - monotone: every piece without a "fill/monotone" finding rises, falls or rests like its chord
 ///   (Fritsch and Butland 1984).
-/// - shape_preserving: the same. In addition, a piece bends in one direction if the data around it
-///   do, unless there is a "fill/convex" finding (C1 cubics cannot always do this). Second order.
+/// - shape_preserving: like monotone. In addition, a piece bends in one direction if the data
+///   around it do, unless there is a "fill/convex" finding (C1 cubics cannot always do this).
+///   Second order.
 /// - minimum_jerk: the least integral of jerk^2 of all curves through the given values (Schoenberg
 ///   1964). A cubic table has the same velocities. The stiffness of a piece is its length^-5, so
 ///   two neighboring intervals of ratio 1 : 65000 cost half of the digits.

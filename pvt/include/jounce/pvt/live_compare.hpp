@@ -49,7 +49,7 @@ class LiveCompare {
   explicit LiveCompare(const PositionCompare& compare);
 
   void arm();  ///< restarts the list; see above
-  /// The next step moves the axis to its position without motion: it passes no point.
+  /// Makes the next step move the axis to its position without motion: the axis passes no point.
   void place() { placed_ = false; }
 
   /// Computes the output. Arguments: the present position (u) and velocity (u/s) of the axis, and

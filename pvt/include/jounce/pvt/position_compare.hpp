@@ -17,7 +17,7 @@ enum class CompareMode : std::uint8_t {
   less = 2,        ///< at or below the position; the output then stays on
   greater = 3,     ///< at or above the position; the output then stays on
   fifo_time = 4,   ///< at each position of a list, for the time `pulse`
-  linear = 5,      ///< the same, for positions of equal spacing: see evenly()
+  linear = 5,      ///< like fifo_time, for positions of equal spacing: see evenly()
   fifo_level = 6,  ///< at each position of a list, the output takes the level of the point
 };
 
@@ -123,14 +123,15 @@ Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory&
 /// The position trigger of HIWIN HIMC, with the names of the HMPL manual (12.1).
 namespace himc {
 
-/// Positions of equal spacing: SetPT_StartPos, EndPos, Interval, PulseWidth. If start is above end,
-/// positions descend. Both ends fire if their distance is a whole number of intervals (to 1e-9 of
-/// one). pulse_width in ns, 20 to 80000 in steps of 20. Throws InputError with these names as keys.
+/// Returns the position compare for positions of equal spacing: SetPT_StartPos, EndPos, Interval,
+/// PulseWidth. If start is above end, positions descend. Both ends fire if their distance is a
+/// whole number of intervals (to 1e-9 of one). pulse_width in ns, 20 to 80000 in steps of 20.
+/// Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
-/// Given positions: SetPT_PosArray, StateArray (one bit for each position), StartIndex, EndIndex
-/// (from 0). If start_index is above end_index, the axis travels backwards. At most 256 positions.
-/// Throws InputError with these names as keys.
+/// Returns the position compare for given positions: SetPT_PosArray, StateArray (one bit for each
+/// position), StartIndex, EndIndex (from 0). If start_index is above end_index, the axis travels
+/// backwards. At most 256 positions. Throws InputError with these names as keys.
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,
                                std::size_t start_index, std::size_t end_index);
 

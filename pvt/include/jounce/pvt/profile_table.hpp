@@ -72,7 +72,8 @@ enum class PositionRule {
   linear,
 };
 
-/// The motion of MC_PositionProfile, MC_VelocityProfile and MC_AccelerationProfile, from 0 s.
+/// Returns the motion of MC_PositionProfile, MC_VelocityProfile and MC_AccelerationProfile, from 0
+/// s.
 Trajectory position_profile(const ProfileTable& table, PositionRule rule = PositionRule::cubic);
 Trajectory velocity_profile(const ProfileTable& table);
 Trajectory acceleration_profile(const ProfileTable& table);

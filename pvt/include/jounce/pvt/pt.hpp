@@ -66,7 +66,7 @@ template <class Over>
 Curve<Over> pt(std::span<const PtPoint> points, double start_rate = 0,
                Extrapolation outside = Extrapolation::refuse);
 
-/// The start and end rate of every segment.
+/// Returns the start and end rate of every segment.
 template <class Over>
 std::vector<PtRate> pt_rates(std::span<const PtPoint> points, double start_rate = 0);
 

@@ -37,10 +37,10 @@ namespace jounce {
 /// removed: two intervals in one would break the tolerance.
 ///
 /// **Dwells and straight lines** of the curve (a slave in step) are exact intervals of the table
-/// for every tolerance. Both ends are knots; on a grid, they are the next grid places inwards.
-/// Between straight lines, as in a table that was recorded in counts, this applies only to dwells
-/// of at least 1/64 of the curve. A line is not kept if its rounded ends break the tolerance, and
-/// no dwell or line is kept if `spacing` leaves no place.
+/// for every tolerance. The two ends of such an interval are knots; on a grid, the knots are the
+/// nearest grid places inside the interval. Between straight lines, as in a table that was recorded
+/// in counts, this applies only to dwells of at least 1/64 of the curve. A line is not kept if its
+/// rounded ends break the tolerance, and no dwell or line is kept if `spacing` leaves no place.
 ///
 /// **Quadratic pieces.** There is an additional knot in the middle of each interval between two
 /// knots of the curve. So the velocity does not step. Every other knot is on the curve, so errors
@@ -88,8 +88,9 @@ struct Target {
 template <class Over>
 Sampled reduced(const Curve<Over>& f, const Target& target);
 
-/// The same for a fitted curve. The error of the fit is subtracted from the tolerances and added to
-/// the error of the table. Throws InputError if the error of the fit exceeds a tolerance.
+/// Like reduced() above, for a fitted curve. The error of the fit is subtracted from the tolerances
+/// and added to the error of the table. Throws InputError if the error of the fit exceeds a
+/// tolerance.
 template <class Over>
 Sampled reduced(const Fitted<Over>& f, const Target& target);
 

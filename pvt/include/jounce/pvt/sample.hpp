@@ -13,7 +13,7 @@ namespace jounce {
 struct SampleError {
   /// Max |table - curve| over the whole interval, in the unit of the position, exact to rounding.
   double position = 0;
-  double where = 0;     ///< place of the greatest position error, on the curve's axis
+  double where = 0;     ///< time or master position of the greatest position error
   double velocity = 0;  ///< max |table' - curve'|, in the unit of the first derivative
 };
 
@@ -47,21 +47,21 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<doubl
 template <class Over>
 Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 
-/// The same with `intervals` >= 1 equal intervals.
+/// Returns the table with `intervals` >= 1 equal intervals.
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
-/// The same with as few equal intervals in each segment of the curve as keep the position error
-/// within `tolerance` > 0 (unit of the position). A segment that the rule represents exactly gets
-/// one interval. All breaks of the curve are knots. Throws InputError if more than `most` knots
-/// would be necessary.
+/// Returns the table with equal intervals in each segment of the curve: as few as keep the position
+/// error within `tolerance` > 0 (unit of the position). A segment that the rule represents exactly
+/// gets one interval. All breaks of the curve are knots. Throws InputError if more than `most`
+/// knots would be necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       const Limits& limits = {}, std::size_t most = 1'000'000);
 
 /// Throws InputError with this key if the tolerance is too small to be certified with doubles:
-/// below 1e-14 of the curve's greatest position, or below 1e-15 of the sum of a segment's terms if
-/// that is more.
+/// below the greater of 1e-14 of the curve's greatest position and 1e-15 of the sum of a segment's
+/// terms.
 template <class Over>
 void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
 

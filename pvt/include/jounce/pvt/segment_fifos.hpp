@@ -39,11 +39,11 @@ namespace jounce {
 /// that it can be started again. A queued switch takes place at the end of the pass: the other FIFO
 /// is played, and the old one is emptied.
 ///
-/// **Stream** (Googol: dynamic). Both FIFOs together are one path. When one is exhausted, it is
-/// emptied, and the other continues at the last rate; so space becomes free in blocks of one FIFO.
-/// Functions ignore their argument `fifo`. Clear a stream that has ended before pushing the next
-/// one. An *open* stream ends only with its row marked `last`. If the rows run out before, the
-/// state stays `moving`: at() returns the values at the end of the last row, and plays new rows
+/// **Stream** (Googol: dynamic). The two FIFOs together are one motion. When one FIFO is exhausted,
+/// it is emptied, and the other one continues at the last rate; so space becomes free in blocks of
+/// one FIFO. Functions ignore their argument `fifo`. Clear a stream that has ended before pushing
+/// the next one. An *open* stream ends only with its row marked `last`. If the rows run out before,
+/// the state stays `moving`: at() returns the values at the end of the last row, and plays new rows
 /// when they are pushed.
 ///
 /// **Numbers.** The producer can give ascending numbers to its actions with stamp(). see() makes
@@ -90,9 +90,9 @@ class SegmentFifos {
   [[nodiscard]] bool stream() const { return layout_.stream; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
-  /// Number of rows in a FIFO.
+  /// Returns the number of rows in a FIFO.
   [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
-  /// Number of rows that can be pushed now into this FIFO, or into the stream.
+  /// Returns the number of rows that can be pushed now into this FIFO, or into the stream.
   [[nodiscard]] std::size_t space(int fifo) const;
   /// True if the FIFO is played or selected, is the target of a queued switch, or is part of a
   /// stream that is played.
@@ -146,10 +146,10 @@ class SegmentFifos {
 
   /// Makes the actions up to this number visible to the player; later actions stay invisible.
   void see(std::uint64_t number) { sight_ = number; }
-  /// Number of visible rows of a FIFO.
+  /// Returns the number of visible rows of a FIFO.
   [[nodiscard]] std::size_t visible(int fifo) const;
-  /// Direction in which a FIFO begins: the sign of the first displacement in its first 64 rows; 0:
-  /// none.
+  /// Returns the direction in which a FIFO begins: the sign of the first displacement in its first
+  /// 64 rows; 0: none.
   [[nodiscard]] int direction(int fifo) const;
   /// Selects the FIFO to start. Returns false if it is empty, in use, being cleared, or a stream
   /// that has ended. give_back() cancels the selection, or a start after which nothing was played.

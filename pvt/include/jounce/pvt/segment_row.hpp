@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// A row: one segment of a path that is sent row by row (a rolling stream, the FIFO of a
+/// A row: one segment of a motion that is sent row by row (a rolling stream, the FIFO of a
 /// controller). It gives the end of the segment and the data of its polynomial. x is the time or
 /// the position of the master. u is the axis' unit.
 ///
@@ -27,7 +27,7 @@ namespace jounce {
 /// - 3: p and both rates, as in a cubic Hermite table (PVT).
 /// - 5: p, both rates and both second derivatives, as in a quintic Hermite table (PVA).
 ///
-/// Numbers count from the start of the path. Rows of degree 3 and 5 agree bit for bit with the
+/// Numbers count from the start of the motion. Rows of degree 3 and 5 agree bit for bit with the
 /// table that they come from. Rows of degree 1 and 2 agree bit for bit with pt() of the same
 /// points, if the sums of x are exact (otherwise to rounding). Rows of a linear Table agree to one
 /// rounding of the position (Table multiplies by 1/length, pt() divides).
@@ -69,7 +69,7 @@ enum class RowRule : std::uint8_t {
   position = 12,      ///< the row leaves the range of positions
 };
 const char* name(RowRule rule);  ///< the rule as a word
-/// One sentence that explains a rule to a user.
+/// Returns one sentence that explains a rule to a user.
 const char* explain(RowRule rule);
 
 /// Limits of rows, with respect to x; infinite: no limit.
@@ -90,14 +90,15 @@ struct RowPeaks {
   double position_min = 0, position_max = 0;
 };
 
-/// The rates at both ends of a row. `from`: its start; `rate`: end rate of the previous row.
+/// Returns the rates at both ends of a row. `from`: its start; `rate`: end rate of the previous
+/// row.
 PtRate rates(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Position and derivatives of a row at x; outside the row, those at its nearer end. Does not
-/// allocate.
+/// Returns the position and derivatives of a row at x; outside the row, those at its nearer end.
+/// Does not allocate.
 Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 
-/// The exact extrema of the row's polynomial.
+/// Returns the exact extrema of the row's polynomial.
 RowPeaks peaks(const SegmentRow& row, const RowStart& from, double rate);
 
 /// Checks the numbers of a row that begins at `from`; returns the first broken rule.
@@ -105,18 +106,19 @@ RowRule check(const SegmentRow& row, const RowStart& from);
 /// Checks the limits, with a tolerance of 1e-9 for rounding; returns the first broken rule.
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
 
-/// The row as eight numbers, in the order of the members; `degree` and `last` are numbers. For
-/// messages and files. row_of() makes a row from such numbers; a degree that is not a whole number
-/// becomes 0, which check() rejects.
+/// Returns the row as eight numbers, in the order of the members; `degree` and `last` are numbers.
+/// For messages and files. row_of() makes a row from such numbers; a degree that is not a whole
+/// number becomes 0, which check() rejects.
 std::array<double, 8> columns_of(const SegmentRow& row);
 SegmentRow row_of(const std::array<double, 8>& columns);
 
-/// The rows of a PT table with Googol's types, played from rest at (0, 0).
+/// Returns the rows of a PT table with Googol's types, played from rest at (0, 0).
 std::vector<SegmentRow> rows_of(std::span<const PtPoint> points);
-/// The row of one point; `first`: it is the first row of its pass.
+/// Returns the row of one point; `first`: it is the first row of its pass.
 SegmentRow row_of(const PtPoint& point, bool first);
 
-/// The rows of a table with its numbers unchanged. They are played from its first knot, start_of().
+/// Returns the rows of a table with its numbers unchanged. They are played from its first knot,
+/// start_of().
 std::vector<SegmentRow> rows_of(const Table& table);
 RowStart start_of(const Table& table);
 

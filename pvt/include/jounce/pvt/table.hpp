@@ -21,8 +21,8 @@ enum class Interpolation {
 /// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Instants at equal distances on a table's axis: instant k is start + k * step, each operation
-/// rounded. m is the master's unit.
+/// Instants of a table at equal distances, in time or master position: instant k is start + k *
+/// step, each operation rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m
@@ -70,7 +70,7 @@ class Table {
   [[nodiscard]] double end() const { return columns().x.back(); }
   [[nodiscard]] double length() const { return end() - start(); }
   [[nodiscard]] std::span<const double> breaks() const { return columns().x; }
-  /// The position and three derivatives at x.
+  /// Returns the position and three derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
   /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results are bit
@@ -78,16 +78,16 @@ class Table {
   /// equal size (asserted). Does not allocate or throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
-  /// The same at the instants of a grid; the number of instants is the size of p, v and a.
+  /// Evaluates at the instants of a grid; the number of instants is the size of p, v and a.
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
-  /// Index of the interval that contains x, for x in [start, end).
+  /// Returns the index of the interval that contains x, for x in [start, end).
   [[nodiscard]] std::size_t interval(double x) const {
     return knots_->index.find(columns().x, x, Side::right);
   }
 
-  /// The interval from knot i to knot i + 1 as a segment.
+  /// Returns the interval from knot i to knot i + 1 as a segment.
   [[nodiscard]] Segment segment(std::size_t i) const;
 
   /// The table as a curve. Throws InputError if Over does not agree with axis(), or if a
@@ -114,12 +114,12 @@ class Table {
 /// Throws like table.curve(), but does not make the curve.
 void require_curve(const Table& table);
 
-/// The same table in another unit of its first column: x times `factor` > 0, with derivatives
+/// Returns the table in another unit of its first column: x times `factor` > 0, with derivatives
 /// adapted. For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 
-/// The words used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time", "master";
-/// "refuse", "hold", "wrap", "advance".
+/// Returns the word used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time",
+/// "master"; "refuse", "hold", "wrap", "advance".
 const char* name(Interpolation rule);
 const char* name(Domain axis);
 const char* name(Extrapolation outside);

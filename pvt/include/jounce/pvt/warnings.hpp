@@ -14,9 +14,9 @@ namespace jounce {
 ///     Report beyond = overshoot(f);       // HMPL's example: segment 1 down to -188.7 mm
 ///     Report steps = velocity_steps(f);   // places where the velocity steps
 ///
-/// The overloads for a table return the same as for its curve, without making it. Over a master,
-/// "velocity" means geo_velocity. A value below `tolerance` (of the travel, or of the greatest
-/// velocity) counts as rounding.
+/// The overloads for a table return the findings of its curve, without making the curve. Over a
+/// master, "velocity" means geo_velocity. A value below `tolerance` (of the travel, or of the
+/// greatest velocity) counts as rounding.
 
 /// "warning/overshoot" for each segment that leaves the range between its two knots. value: the
 /// extreme position; limit: the position of the knot that is passed; margin: the negative excess as

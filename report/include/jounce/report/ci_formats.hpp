@@ -56,7 +56,7 @@ struct RunLook {
   bool quiet = false;   ///< errors and broken limits alone
 };
 
-/// The run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".
+/// Returns the run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".
 std::string to_format(const RunResult& run, const std::string& format, const RunLook& look = {});
 
 }  // namespace jounce

@@ -83,8 +83,8 @@ std::string to_text(const Comparison& comparison, std::size_t most = 10);
 /// each number.
 std::string to_json(const Comparison& comparison);
 
-/// The tolerance of some texts, each a share of every range ("1e-6") or KEY=VALUE for one quantity
-/// ("position=0.01", "position=10 um"). Throws InputError (key "tolerance").
+/// Returns the tolerance of some texts, each a share of every range ("1e-6") or KEY=VALUE for one
+/// quantity ("position=0.01", "position=10 um"). Throws InputError (key "tolerance").
 Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labels);
 
 }  // namespace jounce

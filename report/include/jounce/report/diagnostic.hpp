@@ -57,7 +57,7 @@ struct FileResult {
   std::string kind = {};  ///< "cam", "table", "machine", ...; empty if the file could not be read
   std::vector<Diagnostic> diagnostics = {};  ///< the statements
 
-  /// Number of statements of this level.
+  /// Returns the number of statements of this level.
   [[nodiscard]] std::size_t count(Level level) const;
   /// The worst level; Level::good if there are no statements.
   [[nodiscard]] Level worst() const;
@@ -68,10 +68,10 @@ struct RunResult {
   std::string verb;               ///< "check"
   std::vector<FileResult> files;  ///< result of each file
 
-  /// Number of statements of this level, in all files.
+  /// Returns the number of statements of this level, in all files.
   [[nodiscard]] std::size_t count(Level level) const;
-  /// Exit status: 2 if a file is invalid, 1 if a limit is broken, otherwise 0. `strict`: counts a
-  /// warning as a broken limit.
+  /// Returns the exit status: 2 if a file is invalid, 1 if a limit is broken, otherwise 0.
+  /// `strict`: counts a warning as a broken limit.
   [[nodiscard]] int status(bool strict = false) const;
 };
 
@@ -80,7 +80,7 @@ struct RunResult {
 /// document.
 std::vector<Diagnostic> diagnostics_of(const InputError& error, const std::string& file);
 
-/// Sorts statements: the worst first, otherwise in the same order.
+/// Sorts statements: the worst first; statements of one level keep their order.
 void sort(std::vector<Diagnostic>& diagnostics);
 
 }  // namespace jounce

@@ -17,8 +17,8 @@ namespace jounce {
 
 /// Units and names for the numbers of a report.
 struct Labels {
-  Units units;                        ///< units of the axis of the curve (x) and of the position
-  bool over_master = false;           ///< true: over a master; false: over time
+  Units units;               ///< units of the time or master position (x) and of the position
+  bool over_master = false;  ///< true: over a master; false: over time
   std::vector<std::string> segments;  ///< one for each piece of the curve: "2 sync"; may be empty
 
   /// Returns the unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown
@@ -83,13 +83,13 @@ std::string extrema_text(const Curve<Over>& curve, const Labels& labels);
 /// Returns the exact extrema of each segment as a JSON list.
 template <class Over>
 std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
-/// The same for a table.
+/// Like the functions above, for a table.
 std::string extrema_text(const Table& table, const Labels& labels);
 std::string extrema_json(const Table& table, const Labels& labels);
 
-/// The JSON objects of the axes of a file, by name, as one: that of one axis unchanged; of several
-/// {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok` is true if it is true for all axes, and is left
-/// out if they have none.
+/// Returns the JSON objects of the axes of a file, by name, as one: that of one axis unchanged; of
+/// several {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok` is true if it is true for all axes, and
+/// is left out if they have none.
 std::string axes_json(const std::vector<std::pair<std::string, std::string>>& axes);
 
 }  // namespace jounce

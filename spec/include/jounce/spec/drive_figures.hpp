@@ -27,14 +27,14 @@ inline constexpr std::array all_drive_figures{DriveFigure::torque, DriveFigure::
 
 std::string name(DriveFigure figure);  ///< the name in the spec
 
-/// The figure of a name; nullopt for any other name.
+/// Returns the figure of a name; nullopt for any other name.
 std::optional<DriveFigure> drive_figure(const std::string& name);
 
-/// The figure as read_spec() stores it: a response without a function, which is known only when the
-/// drive is known.
+/// Returns the figure as read_spec() stores it: a response without a function, which is known only
+/// when the drive is known.
 ShapeFigure asked(DriveFigure figure);
 
-/// The drive's figure for a figure of a shape, by its name; nullopt if it is none.
+/// Returns the drive's figure for a figure of a shape, by its name; nullopt if it is none.
 std::optional<DriveFigure> drive_figure(const ShapeFigure& figure);
 
 }  // namespace jounce

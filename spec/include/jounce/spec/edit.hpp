@@ -13,9 +13,9 @@ namespace jounce {
 /// is added only if it is free there. `cam` has as many segments as the spec.
 std::string with_knots(const Spec& spec, const CamSpec& cam);
 
-/// The same, and the laws of free shapes are replaced by those of `cam`. The points of a hermite
-/// law replace `points`, or follow the law. The keys of the old law (inflection, straight, shares)
-/// are removed. Of the knots, only numbers that are in the text change.
+/// Like with_knots(), but also replaces the laws of free shapes by those of `cam`. The points of a
+/// hermite law replace `points`, or follow the law. The keys of the old law (inflection, straight,
+/// shares) are removed. Of the knots, only numbers that are in the text change.
 std::string with_shapes(const Spec& spec, const CamSpec& cam);
 
 }  // namespace jounce

@@ -43,7 +43,7 @@ struct MachineSpec {
 /// InputError, with the place, like read_spec(); also for an unknown key, an axis without a spec,
 /// and an axis that occurs twice.
 std::optional<MachineSpec> read_machine(const std::string& path);
-/// The same from text; messages use `name` as the file name.
+/// Reads a machine spec from text; messages use `name` as the file name.
 std::optional<MachineSpec> parse_machine(std::string text, std::string name);
 
 }  // namespace jounce

@@ -15,7 +15,7 @@ namespace jounce {
 /// A number of the spec that may change.
 struct SpecParameter {
   std::string key;   ///< full key, as in error messages: "segment[2].end.master"
-  std::string unit;  ///< unit of both bounds, that of the number in the spec; "1" for a pure number
+  std::string unit;  ///< unit of the bounds: that of the number in the spec; "1" for a pure number
   double lower = 0;  ///< least permitted value
   double upper = 0;  ///< greatest permitted value
 };

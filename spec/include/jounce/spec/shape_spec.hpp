@@ -48,17 +48,17 @@ struct LoadSpec {
 /// True if (1) is linear in f, f', f'': neither dry friction nor a lever.
 bool is_linear(const LoadSpec& load);
 
-/// The linear part of the torque of (1), as a quantity of a shape over the master, which runs at
-/// `speed` (master units in 1 s). `unit` is the slave's unit.
+/// Returns the linear part of the torque of (1), as a quantity of a shape over the master, which
+/// runs at `speed` (master units in 1 s). `unit` is the slave's unit.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
-/// The speed of the motor, likewise.
+/// Returns the speed of the motor, likewise.
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
-/// The whole torque of (1), positive in the direction in which the slave's position grows. Its
-/// peak, its rms, and its sign relative to the velocity are those of the motor.
+/// Returns the whole torque of (1), positive in the direction in which the slave's position grows.
+/// Its peak, its rms, and its sign relative to the velocity are those of the motor.
 LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
 
-/// The energy (4) of a shape over the master, in J.
+/// Returns the energy (4) of a shape over the master, in J.
 EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// A figure of [optimize], and how it is printed.

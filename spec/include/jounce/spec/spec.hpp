@@ -80,7 +80,7 @@ struct DriveSpec {
   std::vector<Interval> sync = {};               ///< [[drive.sync]]: s, intervals of the motion
   std::optional<ToleranceSpec> tolerances = {};  ///< [drive.tolerances]
 
-  /// Options of the simulation.
+  /// Returns the options of the simulation.
   [[nodiscard]] DriveOptions options(std::size_t samples = 0) const {
     return {
         .settle = settle, .samples = samples, .limits = limits, .sync = sync, .periodic = periodic};
@@ -112,7 +112,7 @@ struct AxisSpec {
     double search_velocity = 0;  ///< velocity of the search for the switch
     double index_velocity = 0;   ///< velocity of the search for edge and index
     double acceleration = 0;
-    double offset = 0;    ///< new position of the home position
+    double offset = 0;    ///< position value of the axis at the home position
     double timeout = 60;  ///< s, greatest duration
     std::optional<double> distance = {};
   };
@@ -131,7 +131,7 @@ struct AxisSpec {
   double in_position = 0;         ///< u, window for "in position"
   double in_position_time = 0;    ///< s, time in this window
   double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
-  /// s; without a message for this time, the owner of the session loses the axis.
+  /// s; without a message for this time, the session ends and the streamer loses the axis.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
   std::optional<Homing> homing = {};
@@ -225,8 +225,8 @@ Spec read_spec(const std::string& path);
 /// Reads a spec from text; messages use `name` as the file name.
 Spec parse_spec(std::string text, std::string name);
 
-/// The kind of a spec: "cam", "machine", "sweep", ...; empty if the text is not TOML or has no
-/// kind.
+/// Returns the kind of a spec: "cam", "machine", "sweep", ...; empty if the text is not TOML or has
+/// no kind.
 std::string spec_kind(const std::string& text);
 
 }  // namespace jounce

@@ -35,15 +35,15 @@ struct ProfileTableSpec {
 
 using TimeTableSpec = std::variant<PtSpec, ProfileTableSpec>;
 
-/// The motion of the table. Throws InputError with the keys of the document.
+/// Returns the motion of the table. Throws InputError with the keys of the document.
 Trajectory motion_of(const TimeTableSpec& spec);
 
-/// A name for each segment of the motion: "2 even", "pass 3: 2 even"; empty for a table of the
-/// PMC600.
+/// Returns a name for each segment of the motion: "2 even", "pass 3: 2 even"; empty for a table of
+/// the PMC600.
 std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
-/// The findings of the table: those of check_pt() or velocity_steps(), and of overshoot(). They
-/// cover a table in several passes as a whole.
+/// Returns the findings of the table: those of check_pt() or velocity_steps(), and of overshoot().
+/// They cover a table in several passes as a whole.
 Report warnings_of(const TimeTableSpec& spec);
 
 }  // namespace jounce

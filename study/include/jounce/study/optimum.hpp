@@ -12,7 +12,7 @@ namespace jounce {
 /// The optimum of a spec, as text and as a new spec.
 struct SpecOptimum {
   std::string text;  ///< text for people: status, figures with their bounds, active limits
-  std::string json;  ///< the same as a JSON object, with all digits of each number
+  std::string json;  ///< the contents of `text` as a JSON object, with all digits of each number
   /// The text of the spec with the best values, otherwise unchanged; nullopt: the best result
   /// breaks a limit.
   std::optional<std::string> spec = {};
@@ -33,20 +33,19 @@ using OptimumProgress = std::function<bool(double done, const std::string& step)
 /// consistent.
 SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {});
 
-/// The same for segments of free shape, through a drive that follows the cam: see
-/// optimize_against(). `drive`: a spec of kind "drive"; its unit of position must convert to that
-/// of the cam.
+/// Optimizes segments of free shape, through a drive that follows the cam: see optimize_against().
+/// `drive`: a spec of kind "drive"; its unit of position must convert to that of the cam.
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 
-/// The optimized spec beside the given one: the peaks of both, and for a path its duration and the
-/// proven bound of the duration.
+/// Returns the optimized spec beside the given one: the peaks of the two specs, and for a path its
+/// duration and the proven bound of the duration.
 std::string improvement_text(const Spec& given, const Spec& optimized);
-/// SpecOptimum::json with the peaks of both specs.
+/// Returns SpecOptimum::json with the peaks of the two specs.
 std::string improvement_json(const SpecOptimum& best, const Spec& given, const Spec& optimized);
 
-/// The findings of `jounce check` that an optimized spec breaks, as text for people; "" if it breaks
-/// none.
+/// Returns the findings of `jounce check` that an optimized spec breaks, as text for people; "" if
+/// it breaks none.
 std::string broken_checks(const Spec& optimized);
 
 }  // namespace jounce

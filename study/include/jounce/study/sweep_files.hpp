@@ -13,10 +13,10 @@ namespace jounce {
 /// Text in the last column is quoted if necessary.
 std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 
-/// Returns the same as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a field for
-/// each column, whose name has no unit: numpy.load(file)["peak torque"]. The fields "case" and
-/// "verdict" are little-endian int64 (0: within the limits, 1: broken, 2: impossible); all others
-/// are float64, NaN if the case is impossible.
+/// Returns a finished sweep as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a
+/// field for each column, whose name has no unit: numpy.load(file)["peak torque"]. The fields
+/// "case" and "verdict" are little-endian int64 (0: within the limits, 1: broken, 2: impossible);
+/// all others are float64, NaN if the case is impossible.
 std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 
 }  // namespace jounce

@@ -106,12 +106,13 @@ struct SweepSpec {
   [[nodiscard]] std::size_t cases() const;
   /// Returns the numbers of a case, in the order of the parameters.
   [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
-  /// Returns the SHA-256 of everything on which the results depend: both texts, the result of the
-  /// given spec (and thereby the files that it names), and this program.
+  /// Returns the SHA-256 of everything on which the results depend: the texts of the sweep file and
+  /// of the spec, the result of the given spec (and thereby the files that the spec names), and
+  /// this program.
   [[nodiscard]] Sha256 identity() const;
 
  private:
-  /// Value of the random parameter number `which` in a sample.
+  /// Returns the value of the random parameter number `which` in a sample.
   [[nodiscard]] double drawn(const SweepParameter& p, std::size_t which, std::size_t sample) const;
 };
 

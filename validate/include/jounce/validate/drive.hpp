@@ -171,7 +171,8 @@ struct DriveOptions {
   bool periodic = false;
 };
 
-/// The same for options of a run with a valid drive. Keys: "settle", "limits.torque", ...
+/// Checks the options of a run; `drive` must be valid. Throws InputError for an option out of
+/// range. Keys: "settle", "limits.torque", ...
 void require_valid(const DriveOptions& options, const Drive& drive);
 
 /// A signed value where its magnitude is greatest, and the time.

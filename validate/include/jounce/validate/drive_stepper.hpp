@@ -19,8 +19,8 @@ namespace jounce {
 ///     now.motor;                                           // u, at the end of that period
 ///
 /// **Reference.** Between two setpoints it is the quintic through position, velocity and
-/// acceleration of both. If these do not fit together, as at a corner, it is a straight line. After
-/// step(r(t_k)), the sample is the state of the drive at t_k.
+/// acceleration of the two. If these numbers do not fit together, as at a corner, it is a straight
+/// line. After step(r(t_k)), the sample is the state of the drive at t_k.
 ///
 /// **Accuracy.** The drive is solved by matrix exponentials, which the constructor computes, exact
 /// up to rounding. The instant at which the torque reaches the limit of the motor is found to 1/256

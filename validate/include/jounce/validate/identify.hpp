@@ -54,7 +54,7 @@ struct FittedNumber {
 struct Entangled {
   std::string first;       ///< key of the first number
   std::string second;      ///< key of the second number
-  double correlation = 0;  ///< correlation between the logarithms of both estimates, -1 to 1
+  double correlation = 0;  ///< correlation between the logarithms of the two estimates, -1 to 1
 };
 
 /// A statistic and its limit. If the model is right, the statistic exceeds the limit in one of a

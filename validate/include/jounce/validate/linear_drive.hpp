@@ -62,8 +62,8 @@ struct ExactRun {
 ExactRun exact_run(const Trajectory& reference, const Drive& drive, std::span<const double> times);
 ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const double> times);
 
-/// The same for a reference without end, such as a cam on a rotating master: one period of the
-/// steady state, in which all periods are equal.
+/// Solves a linear drive for a reference without end, such as a cam on a rotating master. Returns
+/// one period of the steady state, in which all periods are equal.
 ///
 ///     const ExactRun turn = exact_period(period, drive, times);    // times within the period
 ///

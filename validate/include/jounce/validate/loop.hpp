@@ -39,9 +39,9 @@ struct LoopStability {
   std::optional<double> velocity_gain;
 };
 
-/// Computes the poles and margins of both loops together, opened where the torque enters the motor.
-/// The open loop L is the velocity gain times everything else, so the gain margin is that of
-/// `velocity_gain`.
+/// Computes the poles and margins of the position loop and the velocity loop together, opened where
+/// the torque enters the motor. The open loop L is the velocity gain times everything else, so the
+/// gain margin is that of `velocity_gain`.
 ///
 ///     const LoopStability loop = loop_stability(drive);
 ///     if (!loop.stable) ...  loop.poles.front().frequency      // Hz at which it starts to swing

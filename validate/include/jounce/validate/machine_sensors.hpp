@@ -33,11 +33,11 @@ struct MachineSensorsSpec {
   std::optional<MachineIndex> index = {};      ///< index of the encoder
 };
 
-/// A negative limit switch: on at positions below this one, u. `bounce`: see MachineSwitch.
+/// Returns a negative limit switch: on at positions below this one, u. `bounce`: see MachineSwitch.
 constexpr MachineSwitch negative_switch(double position, double bounce = 0) {
   return {.position = position, .inverted = true, .bounce = bounce};
 }
-/// A positive limit switch: on from this position on, u.
+/// Returns a positive limit switch: on from this position on, u.
 constexpr MachineSwitch positive_switch(double position, double bounce = 0) {
   return {.position = position, .bounce = bounce};
 }

@@ -15,8 +15,8 @@ namespace jounce {
 
 namespace validate_detail {
 
-/// The motion over time of a slave whose master runs at constant velocities; nullopt for another
-/// master.
+/// Returns the motion over time of a slave whose master runs at constant velocities; nullopt for
+/// another master.
 std::optional<Trajectory> steady(const Followed& slave);
 
 }  // namespace validate_detail
@@ -44,7 +44,7 @@ class SignalView {
   [[nodiscard]] double end() const { return end_; }
   /// Breaks of the signal, ascending.
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// Value and derivatives at x.
+  /// Returns the value and derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const { return jet_(signal_, x, side); }
 
   /// Returns the signal as segments, exactly, for a Trajectory, a Table over time, and a Followed

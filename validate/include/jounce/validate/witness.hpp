@@ -25,7 +25,7 @@ struct Disagreement {
   double integrated = 0;  ///< value of the integral there
   double signal = 0;      ///< value of the signal there
   double scale = 0;  ///< over the whole signal: range of the position, or peak of the derivative
-  /// Limit of `relative` there: that of the options, or rounding if this is larger.
+  /// Limit of `relative` at this place: the greater of the limit of the options and rounding.
   double limit = 0;
 };
 

@@ -8,7 +8,7 @@
 /// Access control of a server on the loopback address. Other computers cannot reach this address.
 /// But pages of other sites, in a browser on this computer, can send requests to it (cross-site
 /// request forgery), or make their own name point to it (DNS rebinding). These functions detect
-/// both.
+/// requests of these two kinds.
 ///
 ///     const std::string token = new_token();             // shown to the operator, never served
 ///     const std::string no = objection({.host = "evil.example:8080"}, 8080);  // empty: none

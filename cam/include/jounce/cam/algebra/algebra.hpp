@@ -23,16 +23,16 @@ namespace jounce {
 /// hold, or refuse.
 ///
 /// **Values** do not change: a jump at a joint remains, and check_continuity() finds it. A **cut**
-/// nearer to a break than 1e-13 of the axis is made at the break. Segments that are not cut stay
-/// the same to the last digit. The lengths of the two parts of a cut segment have exactly its
-/// length as their sum.
+/// nearer to a break than 1e-13 of the master positions is made at the break. Segments that are not
+/// cut stay the same to the last digit. The lengths of the two parts of a cut segment have exactly
+/// its length as their sum.
 ///
 /// **Throws** InputError, as documented for each function.
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
-/// Throws InputError unless from < to are finite, if the interval exceeds that of a cam that
-/// refuses, and if the result would have more than 1e6 segments.
+/// Throws InputError if from >= to, if one of them is not finite, if the interval exceeds that of a
+/// cam that refuses, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 
 /// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval, for any
@@ -41,10 +41,11 @@ Cam part(const Cam& f, double from, double to);
 /// advances.
 Cam phased(const Cam& f, double phase);
 
-/// The cam for a master that moves in the opposite direction: g(master + x) = f(master - x).
+/// Returns the cam for a master that moves in the opposite direction: g(master + x) = f(master -
+/// x).
 Cam mirrored_about_master(const Cam& f, double master);
 
-/// The cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
+/// Returns the cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
 Cam mirrored_about_slave(const Cam& f, double slave);
 
 /// Returns f, replaced by g on the interval of g. Throws InputError unless f contains this
@@ -70,9 +71,9 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 /// "sum" if a segment needs more than three sines; the next overload accepts this.
 Cam superimposed(const Cam& f, const Cam& g);
 
-/// The same for any number of sines. If the exact sum does not fit, polynomials replace the sines
-/// of `g`, within `tolerance` > 0 (unit of the slave). The error is certified (fitted.hpp); it is
-/// zero if nothing is replaced.
+/// Returns f + g for any number of sines. If the exact sum does not fit, polynomials replace the
+/// sines of `g`, within `tolerance` > 0 (unit of the slave). The error is certified (fitted.hpp);
+/// it is zero if nothing is replaced.
 Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance);
 
 }  // namespace jounce

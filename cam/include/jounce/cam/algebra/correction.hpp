@@ -16,16 +16,17 @@ class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere
 
-  /// A correction that follows a profile from time `start`, s. The profile ends at rest at zero.
+  /// Returns a correction that follows a profile from time `start`, s. The profile ends at rest at
+  /// zero.
   static Correction over_time(const Profile& profile, double start);
 
-  /// A correction that ends after `distance` > 0 (m) of master travel from the position `origin`
-  /// (m), in either direction. `difference` is the difference at the origin with its derivatives
-  /// with respect to the master: u, u/m, u/m^2.
+  /// Returns a correction that ends after `distance` > 0 (m) of master travel from the position
+  /// `origin` (m), in either direction. `difference` is the difference at the origin with its
+  /// derivatives with respect to the master: u, u/m, u/m^2.
   static Correction over_master(const Jet& difference, double origin, double distance);
 
-  /// Value and derivatives with respect to time at t (s). `master`: position of the master at t and
-  /// its derivatives with respect to time.
+  /// Returns the value and derivatives with respect to time at t (s). `master`: position of the
+  /// master at t and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, const Jet& master) const;
 
   /// True if the correction is complete at t (s). Over the master: true while the master, at

@@ -23,10 +23,10 @@ namespace jounce {
 ///     double master = rise.at(25).position;             // master at slave position 25
 ///     double ratio = rise.at(25).geo_velocity;          // m/u: master speed over slave speed
 ///
-/// **Vocabulary.** A *branch* is a longest interval of the master on which the slave does not
-/// reverse: a rise or a fall, or several of one kind with dwells between them. start() and end()
-/// are slave positions, ascending even for a fall. The *breaks* are the slave positions at the
-/// cam's breaks, at points of rest and at dwells.
+/// **Vocabulary.** A *branch* is a maximal interval of the master that begins and ends with motion
+/// and on which the slave does not reverse: a rise or a fall, or several of one kind with dwells
+/// between them. start() and end() are slave positions, ascending even for a fall. The *breaks* are
+/// the slave positions at the cam's breaks, at points of rest and at dwells.
 ///
 /// **Derivatives** with respect to the slave: `Transfer` in m/u, m/u^2, m/u^3. If the slave is at
 /// rest (at the end of a dwell, at a turning point, or at an inflection with velocity zero), the
@@ -37,9 +37,9 @@ namespace jounce {
 /// one end of the dwell, Side::right (the default) that at the other. **Outside** [start(), end()]
 /// a query is an error of the caller: it asserts in a debug build, and holds in a release build.
 ///
-/// **Accuracy.** cam(inverse(u)) equals u within 1e-12 of the stroke, or within 1e-14 of the
-/// position if that is more (beyond 100 strokes from zero). This holds for a master up to 100
-/// lengths from zero. Evaluation never allocates.
+/// **Accuracy.** cam(inverse(u)) equals u within 1e-12 of the stroke or 1e-14 of the position,
+/// whichever is greater (the second one is greater beyond 100 strokes from zero). This holds for a
+/// master up to 100 lengths from zero. Evaluation never allocates.
 class Inverse {
  public:
   using Point = Transfer;
@@ -51,7 +51,7 @@ class Inverse {
   [[nodiscard]] double start() const { return breaks_.front(); }
   [[nodiscard]] double end() const { return breaks_.back(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// The master position and its derivatives at a slave position.
+  /// Returns the master position and its derivatives at a slave position.
   [[nodiscard]] Jet jet(double slave, Side side = Side::right) const;
   [[nodiscard]] Transfer at(double slave, Side side = Side::right) const {
     return point<OverMaster>(jet(slave, side));
@@ -80,11 +80,11 @@ class Inverse {
   bool rises_ = true;
   double master_from_ = 0;
   double master_to_ = 0;
-  std::vector<Piece> pieces_;  // by ascending slave position: one between each two breaks
+  std::vector<Piece> pieces_;  // by ascending slave position: one between adjacent breaks
   std::vector<double> breaks_;
 };
 
-/// All branches of a cam's inverse, and a report on why there is more or less than one.
+/// All branches of a cam's inverse, and a report on why there is not exactly one.
 struct Inversion {
   std::vector<CamRun> runs;       ///< rises, dwells and falls of the cam (runs.hpp)
   std::vector<Inverse> branches;  ///< in the order of the master; none if the slave never moves
@@ -92,25 +92,26 @@ struct Inversion {
   /// report has findings in the order of the master: one for each interval on which the slave is at
   /// rest (`inverse/dwell`), moves against its first direction (`inverse/reversal`), or jumps
   /// (`inverse/jump`). In these findings, `where` is the master position at the start of the
-  /// interval, `limit` the slave position at its start, `value` the slave position at its end;
-  /// `advice` names both master positions.
+  /// interval, `limit` the slave position at its start, `value` the slave position at its end; for
+  /// a dwell or a reversal, `advice` names the master positions at the start and at the end of the
+  /// interval.
   Report report;
 
-  /// Returns the branch that contains this master position (dwells included); null if there is
-  /// none.
+  /// Returns the branch that contains this master position (also in a dwell inside the branch);
+  /// null if no branch contains it.
   [[nodiscard]] const Inverse* branch_at(double master) const;
 };
 
 /// Inverts a cam over its interval [start, end]. A periodic cam gives the branches of one period; a
-/// rise or fall across the end of the period gives two branches (avoid this with `phased`). Does
-/// not throw, for any motion of the slave.
+/// rise or fall across the end of the period gives two branches (avoid this with phased() in
+/// algebra.hpp). Does not throw, for any motion of the slave.
 Inversion inverted(const Cam& cam);
 
 /// Returns the inverse between two slave positions as a curve (a Cam over the slave's position), so
 /// that tables, checks and all functions of curves apply. The error is at most `tolerance` (unit of
-/// the master) and certified; see jounce/profiles/curve/fitted.hpp. Throws InputError "slave"
-/// unless from < to lie in the branch, or if the slave is at rest anywhere in [from, to]. Throws
-/// "tolerance" like polynomial_within().
+/// the master) and certified; see jounce/profiles/curve/fitted.hpp. Throws InputError "slave" if
+/// from >= to, if [from, to] is not inside the branch, or if the slave is at rest anywhere in
+/// [from, to]. Throws "tolerance" like polynomial_within().
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);
 
 static_assert(Signal<Inverse>);

@@ -10,8 +10,8 @@
 namespace jounce {
 
 /// The motion of a slave over time for a given motion of the master, as a Signal. The coupling
-/// engages at the start of the master's motion, with its correction. (Followed is the same for a
-/// cam without coupling.)
+/// engages at the start of the master's motion, with its correction. (For a cam without coupling,
+/// see Followed.)
 ///
 ///     const Engagement in = engage(coupling, slave, master.jet(master.start()), master.start());
 ///     const Coupled motion(coupling, in.engaged, master);
@@ -19,8 +19,8 @@ namespace jounce {
 ///
 /// Exact: the breaks are those of the master, the instants at which the master passes a break of
 /// the cam, and those of the correction. The motion ends when the master's motion and a correction
-/// over time have both ended; the master rests at its end meanwhile. A cam that runs once holds its
-/// end value, at rest.
+/// over time have both ended. If the correction ends later, the master rests at its end position
+/// until then. A cam that runs once holds its end value, at rest.
 class Coupled {
  public:
   /// `engaged`: the result of engage() for this coupling and the start of `master`.
@@ -29,7 +29,7 @@ class Coupled {
   [[nodiscard]] double start() const { return cam_.start(); }
   [[nodiscard]] double end() const { return cam_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// Position of the slave at t (s), and its derivatives with respect to time.
+  /// Returns the position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return jounce::point<OverTime>(jet(t, side));

@@ -25,7 +25,7 @@ enum class StartMode : std::uint8_t {
 };
 inline constexpr std::size_t start_mode_count = 6;  ///< number of start modes
 
-/// The word of a spec: "absolute", "ramp_in_pos", ...
+/// Returns the word of a spec: "absolute", "ramp_in_pos", ...
 const char* name(StartMode mode);
 
 /// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the unit
@@ -74,10 +74,10 @@ enum class CouplingStatus : std::uint8_t {
   no_ramp,        ///< no correction exists within the limits: numbers beyond 1e50
   window_missed,  ///< no cycle was in the window around an engage position that the master passed
 };
-/// The status as a word: "would_reverse", ...
+/// Returns the status as a word: "would_reverse", ...
 const char* name(CouplingStatus status);
 
-/// One sentence that explains a status to a user.
+/// Returns one sentence that explains a status to a user.
 const char* explain(CouplingStatus status);
 
 /// A cam with its coupling, checked. Immutable.
@@ -149,9 +149,9 @@ struct Engagement {
 /// respect to time, at time t (s). Sends no setpoint; does not allocate.
 Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t);
 
-/// The setpoint of the slave and its derivatives with respect to time. A pure function of its
-/// arguments. `cam`: the cam, or a Table of it. `side`: as in placed(); at the joint of two periods
-/// it selects the limit from before or from after. Does not allocate.
+/// Returns the setpoint of the slave and its derivatives with respect to time. A pure function of
+/// its arguments. `cam`: the cam, or a Table of it. `side`: as in placed(); at the joint of two
+/// periods it selects the limit from before or from after. Does not allocate.
 template <class C>
 Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
           Side side = Side::right) {
@@ -160,7 +160,7 @@ Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += c[k];
   return y;
 }
-/// The same with the cam of the coupling.
+/// Like point() above, with the cam of the coupling.
 inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& master, double t,
                  Side side = Side::right) {
   return point(coupling.cam(), engaged, master, t, side);

@@ -22,7 +22,7 @@ struct Released {
 /// returns to its velocity at the release. Without one, the acceleration is zero at once.
 Released cam_out(const Jet& slave, double t, std::optional<double> jerk = {});
 
-/// The setpoint of a released slave at t (s), and its derivatives with respect to time.
+/// Returns the setpoint of a released slave at t (s), and its derivatives with respect to time.
 Jet point(const Released& released, double t);
 
 /// Result of one cycle.

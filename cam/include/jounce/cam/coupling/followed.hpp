@@ -56,7 +56,7 @@ class Followed {
   [[nodiscard]] double start() const { return master_.start(); }
   [[nodiscard]] double end() const { return master_.end(); }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
-  /// Position of the slave at t (s), and its derivatives with respect to time.
+  /// Returns the position of the slave at t (s), and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, Side side = Side::right) const;
   [[nodiscard]] Motion at(double t, Side side = Side::right) const {
     return point<OverTime>(jet(t, side));

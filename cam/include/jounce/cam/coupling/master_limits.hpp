@@ -51,9 +51,9 @@ struct MasterLimit {
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 
-/// The greatest acceleration or deceleration (magnitude, m/s^2) of a master that runs at `velocity`
-/// (m/s, >= 0, in either direction), at any position on the cam, while its jerk is at most `jerk`
-/// (m/s^3).
+/// Returns the greatest acceleration or deceleration (magnitude, m/s^2) of a master that runs at
+/// `velocity` (m/s, >= 0, in either direction), at any position on the cam, while its jerk is at
+/// most `jerk` (m/s^3).
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
                                          double jerk = 0);
 

@@ -20,7 +20,7 @@ struct Sample {
 /// passes it several times within the cycle, the result is one of these instants.
 std::optional<Sample> passing(const Sample& before, const Sample& now, double level);
 
-/// The master at time t (s) between two cycles, by the same cubic.
+/// Returns the master at time t (s) between two cycles, by the same cubic.
 Sample between(const Sample& before, const Sample& now, double t);
 
 }  // namespace jounce

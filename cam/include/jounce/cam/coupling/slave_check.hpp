@@ -5,8 +5,9 @@
 
 namespace jounce {
 
-/// The slave of a cam over time against its limits, while the master runs at `velocity` (m/s, > 0) and accelerates or
-/// brakes with at most `rates`, anywhere on the cam: velocity, acceleration and jerk by (1) of master_limits.hpp.
+/// Checks the slave of a cam over time against its limits, while the master runs at `velocity`
+/// (m/s, > 0) and accelerates or brakes with at most `rates`, anywhere on the cam: velocity,
+/// acceleration and jerk by (1) of master_limits.hpp.
 ///
 ///     Report report = check_slave(cam, {.acceleration = 15000}, 720);  // mm/s^2, deg/s
 ///

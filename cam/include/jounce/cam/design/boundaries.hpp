@@ -22,7 +22,7 @@ enum class Fill {
   minimum_jerk,  ///< the values with the least integral of geo_jerk^2 over the whole cam
 };
 
-/// The word of the spec: "rest" or "minimum_jerk". For the third word of the spec,
+/// Returns the word of the spec: "rest" or "minimum_jerk". For the third word of the spec,
 /// "minimum_peak_acceleration", see filled_for_least_peak() in jounce/optimize/least_peak.hpp.
 const char* name(Fill fill);
 

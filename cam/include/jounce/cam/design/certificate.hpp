@@ -6,16 +6,19 @@
 
 namespace jounce {
 
-/// Lower bounds of the characteristic values over all motion laws, as notes. They show how much a
-/// cam could be improved.
+/// Compares the characteristic values of a rise with their lower bounds: values that no motion law
+/// can improve on, with proof. (Elsewhere, a certificate is a proven upper bound of an error.)
+/// Returns findings of Severity::note. They show how much a cam could be improved.
 ///
 ///     Report best = certificates(cam);
 ///     for (const Finding& f : best.findings)
-///       std::printf("%s is %.1f %% above the least\n", f.quantity.c_str(), 100 * f.margin);
+///       std::printf("%s: %g, bound %g\n", f.quantity.c_str(), f.value, f.limit);
 ///
-/// There is one finding of each rule for each rise, of stroke h over length b. The quantities are
-/// normalized to h = b = 1, as in Characteristics. A bound applies if the rise is smooth enough: n
-/// means that the derivatives f' to f^(n-1) are zero at both ends and do not step between them.
+/// Each rise (stroke h, length b) has one finding for each rule that applies. The quantities are
+/// normalized to h = b = 1. Cv and Cm are those of Characteristics; Cj is its cj_inside; Ca is max
+/// |f''|, the greater of its ca and ca_star. A bound applies if the rise is smooth enough. In the
+/// column "needs n", n means that the derivatives f' to f^(n-1) are zero at both ends and do not
+/// step between them (Rise::smooth >= n - 1).
 ///
 /// | rule | quantity | bound | needs n | attained by |
 /// |---|---|---|---|---|
@@ -29,13 +32,16 @@ namespace jounce {
 /// | bound/square_jounce | mean square f'''' | 100800 | 4 | 4-5-6-7 |
 /// | bound/power | Cm | 9/4 | 2 | constant power |
 /// | bound/acceleration_for_jerk | Ca | (Cj/4)(1 - sqrt(1 - 32/Cj)) | 3 | trapezoidal f'' |
-/// | bound/duration | 1/Cv + Cv/Ca + Ca/Cj | at most 1 | 2, for Cj 3 | seven segments (S-curve) |
+/// | bound/duration | 1/Cv + Cv/Ca + Ca/Cj | at most 1 | 2 without Ca/Cj, 3 with it | seven segments (S-curve) |
 ///
-/// In a finding, `value` is the quantity, `limit` its bound, and `margin` the relative excess over
-/// the bound (for bound/duration: the shortfall). `where` is the position of the peak, or the start
-/// of the rise. `segment` is the first segment of the rise.
+/// In bound/duration, Cv is max f' in the direction of the stroke. With n = 3 and Ca^2 > Cv Cj, the
+/// quantity is 1/Cv + 2 sqrt(Cv/Cj), since the fastest ramp then has no constant acceleration. In a
+/// finding of a bound, `value` is the quantity, `limit` its bound, and `margin` the relative excess
+/// over the bound (for bound/duration: the shortfall). `where` is the position of the peak, or the
+/// start of the rise. `segment` is the first segment of the rise.
 ///
-/// Two more findings state identities that hold for every motion:
+/// Two more findings state identities that hold for every motion. Their `margin` is the unused
+/// share of the tolerance:
 /// - "identity/acceleration": the integral of f'' is the gain of the velocity;
 /// - "identity/moment": the integral of (1/2 - z) f'' is 1 - (f'(0) + f'(1)) / 2, where z is the
 ///   normalized master position.
@@ -47,7 +53,7 @@ namespace jounce {
 /// The derivations are in the source; the symbols are those of VDI 2143.
 Report certificates(const Rise& rise);
 
-/// The certificates of all rises of a cam.
+/// Returns the findings of all rises of a cam.
 Report certificates(const Cam& cam);
 
 }  // namespace jounce

@@ -41,11 +41,11 @@ struct Characteristics {
   }
 };
 
-/// The characteristic values of a rise.
+/// Returns the characteristic values of a rise.
 Characteristics characteristics(const Rise& rise);
 
-/// The characteristic values of a whole cam, taken as one rise (for a law, or a part of a cam).
-/// Throws InputError("stroke", ...) if it ends at its start position.
+/// Returns the characteristic values of a whole cam, taken as one rise (for a law, or a part of a
+/// cam). Throws InputError("stroke", ...) if the cam ends at its start position.
 Characteristics characteristics(const Cam& law);
 
 }  // namespace jounce

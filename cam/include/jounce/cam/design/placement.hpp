@@ -18,7 +18,7 @@ namespace jounce {
 /// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master. u is the
 /// slave's unit, m the master's.
 
-/// Scale and offset of a cam on both axes.
+/// Scale and offset of a cam, for the master and for the slave.
 struct Placement {
   double master_scaling = 1;  ///< > 0
   double master_offset = 0;   ///< m, added after scaling
@@ -27,7 +27,7 @@ struct Placement {
   double advance = 0;         ///< u, change of the slave in each period
   bool periodic = false;      ///< true: the cam repeats
 
-  /// The position X on the cam for a master at x: equation (1).
+  /// Returns the position X on the cam for a master at x: equation (1).
   [[nodiscard]] double at(double x) const { return master_scaling * x + master_offset; }
 };
 
@@ -60,9 +60,9 @@ inline Spot spot_on(Side side, double X, double start, double end, double near) 
   return side == Side::left ? Spot{end, next - 1, true} : Spot{start, next, true};
 }
 
-/// The motion of the slave, [y, y', y'', y'''] with respect to time, for a master at [x, x', x'',
-/// x''']. `side` selects the limit after (right) or before (left) an instant. While the master
-/// moves backwards, right and left limits of the cam are exchanged, as in Followed.
+/// Returns the motion of the slave, [y, y', y'', y'''] with respect to time, for a master at [x,
+/// x', x'', x''']. `side` selects the limit after (right) or before (left) an instant. While the
+/// master moves backwards, right and left limits of the cam are exchanged, as in Followed.
 template <class C>
 Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;

@@ -11,7 +11,8 @@
 namespace jounce {
 
 /// A part of a cam that leads from one slave position to another, with its properties.
-/// Characteristic values and certificates are computed from it.
+/// characteristics.hpp computes the characteristic values of a rise, and certificate.hpp compares
+/// them with their lower bounds.
 ///
 ///     for (const Rise& rise : rises(cam)) {
 ///       Characteristics c = characteristics(rise);   // Cv, Ca, Cj, Cm
@@ -46,8 +47,8 @@ struct Rise {
 /// steps there.
 std::vector<Rise> rises(const Cam& cam);
 
-/// The whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...) if it
-/// ends at its start position.
+/// Returns the whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...)
+/// if it ends at its start position.
 Rise as_rise(const Cam& law);
 
 }  // namespace jounce

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-/// A run: a longest interval of the master on which the slave moves in one direction, or rests. u
+/// A run: a maximal interval of the master on which the slave moves in one direction, or rests. u
 /// is the slave's unit, m the master's.
 ///
 ///     for (const CamRun& run : runs(cam))               // rise 0..120, dwell 120..200, fall ..360

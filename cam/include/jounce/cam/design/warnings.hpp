@@ -19,15 +19,16 @@ namespace jounce {
 ///
 /// - "warning/overshoot": the slave moves beyond both end positions. value: the extreme position;
 ///   limit: the end position that is passed. Only a note if the end velocities make it inevitable.
-/// - "warning/reversal": the velocity changes sign although both ends move in the same direction,
-///   or one or both rest. value: the greatest velocity backwards; limit: 0. Only a note if the
-///   segment ends behind its start, so that it must reverse.
+/// - "warning/reversal": the velocity changes sign although the slave moves in the same direction
+///   at both ends, or rests at one or both of them. value: the greatest velocity backwards; limit:
+///   0. Only a note if the segment ends behind its start, so that it must reverse.
 /// - "warning/velocity_overshoot": between rest and a constant velocity (VDI 2143: R-G, G-R) the
 ///   velocity exceeds the constant velocity. value: the peak velocity; limit: the constant
 ///   velocity.
 /// - "warning/ripple": the acceleration changes sign, by more than 1e-3 of the cam's peak, although
-///   both ends accelerate in the same direction. In a table, the cause is that the columns are not
-///   derivatives of one another. value: the peak acceleration of the opposite sign; limit: 0.
+///   the slave accelerates in the same direction at both ends. In a table, the cause is that the
+///   columns are not derivatives of one another. value: the peak acceleration of the opposite sign;
+///   limit: 0.
 ///
 /// The advice for an R-G or G-R quintic uses rho = slope * length / stroke: no reversal for rho <=
 /// 5/2, no velocity overshoot for rho >= 5/3.

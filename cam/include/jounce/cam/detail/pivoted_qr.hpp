@@ -23,12 +23,12 @@ class PivotedQr {
   PivotedQr& operator=(const PivotedQr&) = delete;
 
   [[nodiscard]] Eigen::Index rank() const;
-  /// The first `columns` columns of Q.
+  /// Returns the first `columns` columns of Q.
   [[nodiscard]] Eigen::MatrixXd q(Eigen::Index columns) const;
   /// The upper triangle of R, first rank() rows and columns.
   [[nodiscard]] Eigen::MatrixXd r() const;
   [[nodiscard]] const Permutation& permutation() const;
-  /// The x with the least |A x - b|; entries beyond the rank are 0.
+  /// Returns the x with the least |A x - b|; entries beyond the rank are 0.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

@@ -94,7 +94,8 @@ class Disc {
   /// u. For an oscillating one: angle between the arm and the line of centers, rad.
   [[nodiscard]] double start() const { return start_; }
 
-  /// The geometry at any master position. Where the velocity steps, each side gives its own point.
+  /// Returns the geometry at any master position. Where the velocity steps, each side gives its own
+  /// point.
   [[nodiscard]] DiscPoint at(double master, Side side = Side::right) const;
 
  private:
@@ -113,7 +114,7 @@ struct DiscExtremes {
   /// degenerate.
   double error = 0;
 };
-/// The extremes of pressure angle and curvature over one turn.
+/// Returns the extremes of pressure angle and curvature over one turn.
 DiscExtremes extremes(const Disc& disc);
 
 /// An overlap of the profile with itself: a circle that touches the profile at one place covers the

@@ -17,8 +17,8 @@ enum class Law {
   line,            ///< straight line, constant velocity
   dwell,           ///< the slave stands still
   quintic,         ///< polynomial of degree 5 from position, velocity and acceleration at both ends
-  septic,          ///< degree 7: the same, with jerk 0 at both ends
-  nonic,           ///< degree 9: the same, with jerk and jounce 0 at both ends
+  septic,          ///< degree 7: like quintic, with jerk 0 at both ends
+  nonic,           ///< degree 9: like quintic, with jerk and jounce 0 at both ends
   polynomial,      ///< through points and derivatives inside the segment; up to degree 11
   cubic_spline,    ///< cubic pieces through points
   quintic_spline,  ///< quintic pieces through points, with the least rms jerk
@@ -128,11 +128,11 @@ bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 /// (0,0,1). Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
-/// The lambda with which an R-U law ends with the normalized acceleration f''(1) = -`deceleration`
-/// (stroke 1, length 1). The deceleration must exceed least_deceleration(law), which belongs to
-/// lambda = 0. For the R-U laws that take an inflection.
+/// Returns the lambda with which an R-U law ends with the normalized acceleration f''(1) =
+/// -`deceleration` (stroke 1, length 1). The deceleration must exceed least_deceleration(law),
+/// which belongs to lambda = 0. For the R-U laws that take an inflection.
 double inflection_for(Law law, double deceleration);
-/// The deceleration -f''(1) of an R-U law for lambda = 0.
+/// Returns the deceleration -f''(1) of an R-U law for lambda = 0.
 double least_deceleration(Law law);
 
 }  // namespace jounce

@@ -19,8 +19,9 @@ struct LawAlias {
 /// All of them, in the order of the laws.
 std::span<const LawAlias> law_aliases();
 
-/// The law that another tool calls `name`, in any case and with any spaces and signs: "Mod. Sine", "poly-5". A law of
-/// Jounce in another spelling is found as well, but not its name itself. Null if there is none.
+/// Returns the law that another tool calls `name`, in any case and with any spaces and signs: "Mod.
+/// Sine", "poly-5". A law of Jounce in another spelling is found as well, but not its name itself.
+/// Null if there is none.
 const LawAlias* law_alias(std::string_view name);
 
 /// `is called "inclined_sine" here`, with the note.

@@ -23,7 +23,7 @@ struct SmoothingSpline {
   std::vector<Segment> segments;     ///< from the master of the first point to that of the last
   std::vector<std::size_t> touched;  ///< indices of the points at which there is a joint
   double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
-  double gap = 0;  ///< certificate: no curve within the tolerances has less than square_jerk - gap
+  double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap
   int solutions = 0;  ///< number of linear systems that were solved
 };
 

@@ -97,7 +97,7 @@ struct CamSwitchSpec {
   std::vector<SwitchTrack> tracks = {};  ///< options of tracks
   std::optional<double> period = {};  ///< u, > 0: period of a rotary axis; omitted: a linear axis
 
-  /// The options of a track: its entry, or the defaults.
+  /// Returns the options of a track: its entry, or the defaults.
   [[nodiscard]] SwitchTrack options(int track) const;
 };
 
@@ -139,7 +139,7 @@ struct SwitchTimes {
 /// Throws InputError like require_valid().
 SwitchTimes switch_times(const CamSwitchSpec& spec, const Trajectory& position);
 
-/// The word of the spec: "both", "positive", "negative"; "position", "time".
+/// Returns the word of the spec: "both", "positive", "negative"; "position", "time".
 const char* name(AxisDirection direction);
 const char* name(CamSwitchMode mode);
 

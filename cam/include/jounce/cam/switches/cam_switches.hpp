@@ -63,8 +63,8 @@ class CamSwitches {
   /// the time since the previous step (s, > 0).
   const SwitchStep& step(double position, double velocity, double dt);
 
-  /// The next step moves the axis to its position without motion, as after a new reference or a new
-  /// master. The axis passes no switch; outputs may change, at time 0 of that step. Durations
+  /// Makes the next step move the axis to its position without motion, as after a new reference or
+  /// a new master. The axis passes no switch; outputs may change, at time 0 of that step. Durations
   /// continue.
   void place() { placed_ = false; }
 

@@ -29,7 +29,7 @@ enum class VelocityMode {
   /// Each ramp of the trapezoid becomes a sin^2 of the velocity in the same time. The peak
   /// acceleration is therefore pi/2 times the given one.
   sigmoid = 1,
-  /// The same law, but the given acceleration is the peak: ramps take pi/2 times as long.
+  /// Like sigmoid, but the given acceleration is the peak: ramps take pi/2 times as long.
   sigmoid_limit = 2,
   /// Acceleration as a trapezoid, with the given jerk: the velocity consists of parabolas and
   /// lines.
@@ -80,10 +80,10 @@ struct PositionToVelocity {
   VelocityMode mode = VelocityMode::sigmoid;
 };
 
-/// Returns both moves. The axis passes end_pos[0] without acceleration, at the lower of the two
-/// velocities. It passes more slowly if the first move is too short to reach this velocity, or the
-/// second one too short to stop from it. If the direction reverses, the axis comes to rest at
-/// end_pos[0].
+/// Returns the two moves as one motion. The axis passes end_pos[0] without acceleration, at the
+/// lower of the two velocities. It passes more slowly if the first move is too short to reach this
+/// velocity, or the second one too short to stop from it. If the direction reverses, the axis comes
+/// to rest at end_pos[0].
 Trajectory position_to_velocity(const PositionToVelocity& move);
 
 // Functions for any running motion; t: time of the change, s. LS_MoveAbsChangePosVel is

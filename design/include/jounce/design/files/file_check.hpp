@@ -21,12 +21,12 @@ struct EngageTexts {
   std::string master = {};
   std::string master_velocity = {};
 };
-/// Throws InputError, with the name of the member as key, for a text that is no quantity of this
-/// unit, and for an input without a spec with [coupling].
+/// Throws InputError, with the name of the member as key, for a text that is not a quantity in the
+/// unit of the member, and for an input without a spec with [coupling].
 EngageState engage_state(const Input& input, const EngageTexts& texts);
 
-/// The report of `jounce check` for one axis: checked(), the peaks without a limit, and a warning if
-/// there are no limits at all.
+/// Returns the report of `jounce check` for one axis: checked(), the peaks without a limit, and a
+/// warning if there are no limits at all.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// The check of all axes of a file, and of the path that they follow.
@@ -40,10 +40,11 @@ struct FileCheck {
 /// `reports` of the axes, such as axis_report().
 FileCheck file_check(const std::vector<Input>& axes, std::vector<Report> reports);
 
-/// The answer of `jounce check`: path_text() or overlap_text() if the axes follow a path, then
-/// check_text() of each axis.
+/// Returns the answer of `jounce check`: path_text() or overlap_text() if the axes follow a path,
+/// then check_text() of each axis.
 std::string file_check_text(const FileCheck& check, const std::vector<Input>& axes);
-/// The same as a JSON object: check_json() of the axes (axes_json()), with "path" or "overlap".
+/// Returns the answer as a JSON object: check_json() of the axes (axes_json()), with "path" or
+/// "overlap".
 std::string file_check_json(const FileCheck& check, const std::vector<Input>& axes);
 
 }  // namespace jounce

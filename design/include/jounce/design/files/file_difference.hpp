@@ -25,7 +25,8 @@ FileDifference file_difference(std::vector<Input> before, std::vector<Input> aft
                                const std::string& before_path, const std::string& after_path,
                                const std::function<Tolerance(const Labels&)>& tolerance);
 
-/// The answer of `jounce diff`: for two paths their durations and lengths, then each comparison.
+/// Returns the answer of `jounce diff`: for two paths their durations and lengths, then each
+/// comparison.
 std::string to_text(const FileDifference& difference);
 /// {"equal": ..., ...} of one axis, or {"axes": {...}, "equal": ...}; "path" for two paths.
 std::string to_json(const FileDifference& difference);

@@ -38,13 +38,13 @@ class BreakIndex {
   /// `breaks`: at least two, ascending. Pass the same breaks to find().
   explicit BreakIndex(std::span<const double> breaks);
 
-  /// Index of the interval that contains x. NaN: the last interval.
+  /// Returns the index of the interval that contains x. NaN: the last interval.
   [[nodiscard]] std::size_t find(std::span<const double> breaks, double x, Side side) const {
     return side == Side::right ? find<Side::right>(breaks, x) : find<Side::left>(breaks, x);
   }
 
-  /// Index of the first interval that overlaps the cell of x: never above that of find(x), and
-  /// rarely far below. It reads no break, so a caller can use it to prefetch.
+  /// Returns the index of the first interval that overlaps the cell of x: never above that of
+  /// find(x), and rarely far below. It reads no break, so a caller can use it to prefetch.
   [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// Returns outer(inner(x)), exactly, as a curve over the axis of the inner curve.
+/// Returns outer(inner(x)), exactly, as a curve over the variable of the inner curve.
 ///
 ///     Trajectory move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100})
 ///                           .curve();
@@ -14,8 +14,9 @@ namespace jounce {
 ///     Trajectory slow = composed(move, clock);
 ///     Trajectory slave = composed(cam, master);               // cam: a Cam, master: a Trajectory
 ///
-/// **Vocabulary.** The *inner* curve gives the position on the axis of the outer curve. It is a
-/// clock (path time over time) or a master. The *outer* curve is a motion over path time, or a cam.
+/// **Vocabulary.** The value of the *inner* curve is the variable of the outer curve. The inner
+/// curve is a clock (path time over time) or a master. The *outer* curve is a motion over path
+/// time, or a cam.
 ///
 /// **Breaks** of the result are those of the inner curve, and every place where the inner curve
 /// passes a break of the outer curve (isolated as in roots.hpp). **Outside** its interval the
@@ -40,10 +41,10 @@ namespace jounce {
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 
-/// Returns the same for any degrees and sines: exact on every piece that fits, otherwise a fit
-/// within `tolerance` (in the unit of the value) whose error is certified, see fitted.hpp. Throws
-/// InputError("tolerance", ...) unless the tolerance is positive and above rounding (1e-14 of the
-/// magnitude of the outer curve), and InputError("inner", ...) like composed().
+/// Returns outer(inner(x)) for any degrees and sines: exact on every piece that fits, otherwise a
+/// fit within `tolerance` (in the unit of the value) whose error is certified, see fitted.hpp.
+/// Throws InputError("tolerance", ...) unless the tolerance is positive and above rounding (1e-14
+/// of the magnitude of the outer curve), and InputError("inner", ...) like composed().
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

@@ -21,9 +21,9 @@ namespace jounce {
 ///     Report report = check(both, {.velocity = 10});
 ///
 /// **Vocabulary.** The curve runs over time (a Trajectory) or over the master's position (a Cam):
-/// its *axis*. A *segment* is one formula. The *breaks* are the start, the points where segments
-/// meet, and the end, so there is one more break than segments. Segments store lengths; breaks are
-/// start plus their running sum.
+/// its *variable*. A *segment* is one formula. The *breaks* are the start, the points where
+/// segments meet, and the end, so there is one more break than segments. Segments store lengths;
+/// breaks are start plus their running sum.
 ///
 /// **Intervals.** Segments are half-open, the last one closed: at a break the curve has the value
 /// of the segment that begins there (right-continuous). Side::left selects the limit from the left.
@@ -38,7 +38,7 @@ class Curve {
  public:
   using Point = typename Over::Point;  ///< Motion for a Trajectory, Transfer for a Cam
 
-  /// `start`: the first break, in the unit of the axis.
+  /// `start`: the first break, in the unit of the variable.
   explicit Curve(std::vector<Segment> segments, double start = 0,
                  Extrapolation outside = Extrapolation::refuse);
 
@@ -51,9 +51,9 @@ class Curve {
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
   [[nodiscard]] std::span<const double> breaks() const { return breaks_; }
 
-  /// Value and three derivatives at x, as an array.
+  /// Returns the value and three derivatives at x, as an array.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
-  /// Value and three derivatives at x, as named members.
+  /// Returns the value and three derivatives at x, as named members.
   [[nodiscard]] Point at(double x, Side side = Side::right) const {
     return point<Over>(jet(x, side));
   }
@@ -75,20 +75,20 @@ using Cam = Curve<OverMaster>;
 
 // ---- algebra: each returns a new curve over the same axis -------------------------------------
 
-/// The first derivative, as a curve over the same axis.
+/// Returns the first derivative, as a curve over the same variable.
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
-/// The integral of f: start_value at start(), continuous at every break. Throws InputError if a
-/// segment already has degree 11.
+/// Returns the integral of f: start_value at start(), continuous at every break. Throws InputError
+/// if a segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 
-/// f moved by dx along the axis and by dy in value.
+/// f moved by dx in its variable and by dy in value.
 template <class Over>
 Curve<Over> shifted(const Curve<Over>& f, double dx, double dy = 0);
 
-/// f with its value multiplied by `factor`, and its axis (start included) by `stretch` > 0.
+/// f with its value multiplied by `factor`, and its variable (start included) by `stretch` > 0.
 template <class Over>
 Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch = 1);
 
@@ -105,8 +105,8 @@ Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 template <class Over>
 Curve<Over> repeated(const Curve<Over>& f, int times);
 
-/// f + g over the same interval, with the breaks of both. Throws InputError if a piece needs more
-/// than three sines, or if the intervals differ by more than rounding.
+/// f + g over the same interval, with the breaks of f and g. Throws InputError if a piece needs
+/// more than three sines, or if the intervals differ by more than rounding.
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g);
 

@@ -22,9 +22,9 @@ namespace jounce {
 ///     for (const KnotChange& knot : knot_changes(before, after)) ...
 ///
 /// **Vocabulary.** The *difference* is after - before, over the interval that both curves share.
-/// Each change is in the unit of its quantity; its place is a position on the axis of the curves.
-/// *Rounding* is an upper bound of the effect of rounding in the numbers of both curves at that
-/// place. A difference of at most this size counts as none.
+/// Each change is in the unit of its quantity; its place is a time or a master position. *Rounding*
+/// is an upper bound of the effect of rounding in the numbers of both curves at that place. A
+/// difference of at most this size counts as none.
 ///
 /// **Exact.** The difference of two segments is a segment, and its extrema are isolated, not
 /// sampled. If both segments together have more than three sines of different frequency, the piece
@@ -66,21 +66,22 @@ using Changes = std::array<Change, 4>;
 template <class Over>
 Changes compare(const Curve<Over>& before, const Curve<Over>& after);
 
-/// A knot that was added or removed, that moved along the axis, or whose values changed.
+/// A knot that was added or removed, whose time or master position changed, or whose values
+/// changed.
 struct KnotChange {
   struct Knot {
     std::size_t index = 0;  ///< index in its curve, from 0
-    double where = 0;       ///< position on the axis
+    double where = 0;       ///< time or master position
     Jet jet{};  ///< value and derivatives from the right; at the end of the curve from the left
   };
 
   std::optional<Knot> before = {};  ///< none: the knot was added
   std::optional<Knot> after = {};   ///< none: the knot was removed
 
-  /// True if the knot's place on the axis changed by more than rounding. False if only one curve
-  /// has it.
+  /// True if the knot's time or master position changed by more than rounding. False if only one
+  /// curve has the knot.
   bool moved = false;
-  std::array<bool, 3> changed{};  ///< the same for its value, first and second derivative
+  std::array<bool, 3> changed{};  ///< true if changed: value, first, second derivative
 };
 
 /// Returns all changed knots in ascending order. The knots of a curve are given as ascending

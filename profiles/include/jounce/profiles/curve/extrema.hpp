@@ -12,7 +12,7 @@ namespace jounce {
 /// the side.
 struct Extremum {
   double value = 0;         ///< in the unit of the value or its derivative
-  double where = 0;         ///< position on the curve's axis
+  double where = 0;         ///< time or master position
   Side side = Side::right;  ///< side from which the value is approached
 };
 
@@ -28,25 +28,25 @@ struct Range {
 /// The ranges of the value and of its first, second and third derivative.
 using Ranges = std::array<Range, 4>;
 
-/// The exact range of the derivative of this order (0: the value, at most 3) over the whole curve.
-/// At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
+/// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
+/// curve. At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
 /// roots.hpp). Of equal extrema, the first is returned. Accurate to rounding: about 1e-15 of the
 /// curve's magnitude.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 
-/// The same for the orders 0 to 3.
+/// Returns the exact ranges of the orders 0 to 3.
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// The range of one derivative on the segment of this index.
+/// Returns the range of one derivative on the segment of this index.
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
-/// The same for a segment whose ends are at `start` and `end` on its axis.
+/// Returns the range of one order on a segment that extends from `start` to `end`.
 Range segment_range(const Segment& f, double start, double end, int order);
 
-/// The ranges of all four orders on one segment, or on the segments first, ..., last - 1.
+/// Returns the ranges of all four orders on one segment, or on the segments first, ..., last - 1.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
@@ -55,10 +55,10 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last
 /// A step of a derivative at a break.
 struct Jump {
   double step = 0;   ///< right limit minus left limit
-  double where = 0;  ///< position on the curve's axis
+  double where = 0;  ///< time or master position
 };
 
-/// The largest step (in magnitude) of the derivative of this order; 0 if there is none. It
+/// Returns the largest step (in magnitude) of the derivative of this order; 0 if there is none. It
 /// considers
 /// - all interior breaks;
 /// - for a curve that wraps, the step from its end to its start (for one that advances, from order

@@ -18,10 +18,10 @@ namespace jounce {
 /// function. Pieces are halved until the error bound is within the tolerance. A piece that
 /// fits a Segment stays exact.
 ///
-/// **Certified.** `error` bounds |curve - function| and the same for the first three derivatives.
-/// The bound comes from a bound of the twelfth derivative over the whole piece, not from samples.
-/// Rounding is not included: about 1e-14 of the magnitude, times 10^order for the derivatives on a
-/// piece of length 1.
+/// **Certified.** `error` bounds |curve - function| and the difference of each of the first three
+/// derivatives. The bound comes from a bound of the twelfth derivative over the whole piece, not
+/// from samples. Rounding is not included: about 1e-14 of the magnitude, times 10^order for the
+/// derivatives on a piece of length 1.
 template <class Over>
 struct Fitted {
   Curve<Over> curve;

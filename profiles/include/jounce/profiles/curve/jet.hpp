@@ -92,7 +92,7 @@ inline InPeriod in_period(double x, Side side, double start, double end) {
   return {at, std::round((x - at) / length)};
 }
 
-/// The jet as a point with named members.
+/// Returns the jet as a point with named members.
 template <class Over>
 constexpr typename Over::Point point(const Jet& f) {
   return {f[0], f[1], f[2], f[3]};

@@ -18,8 +18,9 @@ struct Turned {
 ///     double far = rolled(1e15 + 90, 360).position; // exact for any number of turns
 ///
 /// The remainder is exact. For x below zero, position = remainder + period is rounded once; if it
-/// rounds to a whole period, the result is position 0 of the next turn. Throws InputError unless
-/// the period is positive and x is finite, or if the number of turns exceeds the range of a double.
+/// rounds to a whole period, the result is position 0 of the next turn. Throws InputError if the
+/// period is not positive, if x is not finite, or if the number of turns exceeds the range of a
+/// double.
 Turned rolled(double x, double period);
 
 /// Returns turns * period + position, rounded once.

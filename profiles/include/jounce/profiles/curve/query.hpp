@@ -43,9 +43,9 @@ struct Extent {
   double distance = 0;  ///< u, signed
 };
 
-/// The ramp from velocity v0 to v1 (u/s, any sign). With dv = v1 - v0, its duration is T = |dv|/a +
-/// a/j if it reaches the acceleration limit a, otherwise 2 sqrt(|dv|/j). Its distance is (v0 +
-/// v1)/2 T.
+/// Returns the ramp from velocity v0 to v1 (u/s, any sign). With dv = v1 - v0, its duration is T =
+/// |dv|/a + a/j if it reaches the acceleration limit a, otherwise 2 sqrt(|dv|/j). Its distance is
+/// (v0 + v1)/2 T.
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept;
 
 /// Velocity (u/s) and acceleration (u/s^2) of an axis at the beginning of a stop; any sign.
@@ -58,9 +58,9 @@ struct Moving {
 /// is first reduced as fast as the jerk permits. With infinite jerk it counts as 0.
 std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept;
 
-/// The highest velocity from which one ramp leads to exit_velocity within the distance. Both
-/// arguments and the result are >= 0; the result is at least exit_velocity. Read backwards in time,
-/// it is the highest velocity that a ramp can reach from exit_velocity over this distance.
+/// Returns the highest velocity from which one ramp leads to exit_velocity within the distance.
+/// Both arguments and the result are >= 0; the result is at least exit_velocity. Read backwards in
+/// time, it is the highest velocity that a ramp can reach from exit_velocity over this distance.
 std::optional<double> entry_velocity(double distance, double exit_velocity,
                                      const Ramp& ramp) noexcept;
 
@@ -72,14 +72,15 @@ struct SpanEnds {
   double velocity = std::numeric_limits<double>::infinity();  ///< limit, > 0; default: none
 };
 
-/// The peak velocity of the fastest motion over distance > 0 between the given velocities, with
-/// zero acceleration at both ends. Nothing if the distance is too short for the ramp between them.
+/// Returns the peak velocity of the fastest motion over distance > 0 between the given velocities,
+/// with zero acceleration at both ends. Nothing if the distance is too short for the ramp between
+/// them.
 std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
                                     const Ramp& ramp) noexcept;
 
-/// Duration of the fastest motion over distance > 0 between the given velocities: the ramp to the
-/// peak velocity, the cruise and the ramp to the exit. Equal to that of move_to() between the same
-/// states.
+/// Returns the duration of the fastest motion over distance > 0 between the given velocities: the
+/// ramp to the peak velocity, the cruise and the ramp to the exit. Equal to that of move_to()
+/// between the same states.
 std::optional<double> minimum_duration(double distance, const SpanEnds& ends,
                                        const Ramp& ramp) noexcept;
 

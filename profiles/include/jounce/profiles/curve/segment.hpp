@@ -19,11 +19,11 @@ struct SineTerm {
 ///
 ///     f(s) = c[0] + c[1] s + ... + c[degree] s^degree + sum of sine terms,   s = u / length
 ///
-/// u is the distance from the start of the segment, in the unit of the axis (s, deg, pulse, ...).
-/// Every coefficient is in the unit of the value, so a stretched segment differs only in `length`.
-/// The capacity (degree 11, three sines) makes every profile and every classical cam law exact;
-/// only the degree in use is evaluated. Derivatives, shifted, scaled and reversed segments and
-/// parts are again segments; `sum` returns nothing if the result does not fit.
+/// u is the distance from the start of the segment, in the unit of the curve's variable (s, deg,
+/// pulse, ...). Every coefficient is in the unit of the value, so a stretched segment differs only
+/// in `length`. The capacity (degree 11, three sines) makes every profile and every classical cam
+/// law exact; only the degree in use is evaluated. Derivatives, shifted, scaled and reversed
+/// segments and parts are again segments; `sum` returns nothing if the result does not fit.
 struct Segment {
   static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
   static constexpr int max_sines = 3;    ///< greatest number of sine terms
@@ -35,22 +35,23 @@ struct Segment {
   std::array<SineTerm, max_sines> sine{};  ///< the first `sines` are used
 };
 
-/// Value and three derivatives with respect to u, at s in [0, 1].
+/// Returns the value and three derivatives with respect to u, at s in [0, 1].
 Jet evaluate(const Segment& f, double s);
 
-/// The value at s.
+/// Returns the value at s.
 double value(const Segment& f, double s);
 
-/// The derivative with respect to u. Exact: the degree falls by one, sines stay sines.
+/// Returns the derivative with respect to u. Exact: the degree falls by one, sines stay sines.
 Segment derivative(const Segment& f);
 
-/// The integral over u that begins at `start_value`. Nothing if the degree would exceed max_degree.
+/// Returns the integral over u that begins at `start_value`. Nothing if the degree would exceed
+/// max_degree.
 std::optional<Segment> integral(const Segment& f, double start_value);
 
-/// The segment backwards: g(u) = f(length - u).
+/// Returns the segment backwards: g(u) = f(length - u).
 Segment reversed(const Segment& f);
 
-/// The part from s0 to s1, s0 < s1, as a segment. Outside [0, 1] the formula is continued.
+/// Returns the part from s0 to s1, s0 < s1, as a segment. Outside [0, 1] the formula is continued.
 Segment part(const Segment& f, double s0, double s1);
 
 /// g = factor * f + offset.
@@ -60,8 +61,8 @@ Segment scaled(const Segment& f, double factor, double offset = 0);
 /// max_sines remain.
 std::optional<Segment> sum(const Segment& f, const Segment& g);
 
-/// Upper bound of |f| over the segment: the sum of the magnitudes of all terms. Rounding errors are
-/// relative to it.
+/// Returns an upper bound of |f| over the segment: the sum of the magnitudes of all terms. Rounding
+/// errors are relative to it.
 double magnitude(const Segment& f);
 
 /// Hermite interpolation: the segment of degree 3 (cubic) or 5 (quintic) with the given values at
@@ -69,7 +70,7 @@ double magnitude(const Segment& f);
 Segment cubic(double length, double p0, double v0, double p1, double v1);
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1);
 
-/// The straight line from p0 to p1 over the given length.
+/// Returns the straight line from p0 to p1 over the given length.
 Segment line(double length, double p0, double p1);
 
 }  // namespace jounce

@@ -15,7 +15,7 @@ namespace jounce::profiles_detail {
 template <std::size_t n>
 using Bernstein = std::array<double, n + 1>;
 
-/// The coefficients of the polynomial of f over the whole segment; f.degree <= n:
+/// Returns the coefficients of the polynomial of f over the whole segment; f.degree <= n:
 ///
 ///     beta_i = sum over k <= i of C(i, k) / C(n, k) c_k
 ///
@@ -43,7 +43,7 @@ void halve(const Bernstein<n>& whole, Bernstein<n>& left, Bernstein<n>& right) {
   }
 }
 
-/// The least and the greatest coefficient.
+/// Returns the least and the greatest coefficient.
 template <std::size_t n>
 std::pair<double, double> hull(const Bernstein<n>& beta) {
   double lo = beta[0];

@@ -9,8 +9,7 @@
 
 namespace jounce::profiles_detail {
 
-/// True if two positions are equal except for rounding; `scale` is the magnitude of positions on
-/// the axis.
+/// True if two positions are equal except for rounding; `scale` is the magnitude of the positions.
 inline bool same_place(double a, double b, double scale) {
   return std::abs(a - b) <= rounded_sum * scale;
 }

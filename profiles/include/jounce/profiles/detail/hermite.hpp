@@ -22,14 +22,14 @@ using Series = std::array<double, n>;
 using EndSeries = Series<6>;
 using Majorant = Series<13>;
 
-/// The coefficients of f at s, for any s.
+/// Returns the coefficients of f at s, for any s.
 EndSeries taylor(const Segment& f, double s);
 
 /// Upper bounds of the magnitude of every coefficient of f over |s| <= reach.
 Majorant majorant(const Segment& f, double reach);
 
-/// The series of F(r0 + d(s)). F: its coefficients at r0; d: a series whose first coefficient is 0.
-/// If both are majorants (upper bounds of the coefficients), so is the result.
+/// Returns the series of F(r0 + d(s)). F: its coefficients at r0; d: a series whose first
+/// coefficient is 0. If both are majorants (upper bounds of the coefficients), so is the result.
 template <std::size_t n>
 Series<n> substituted(const Series<n>& F, const Series<n>& d) {
   Series<n> g{};
@@ -43,7 +43,7 @@ Series<n> substituted(const Series<n>& F, const Series<n>& d) {
   return g;
 }
 
-/// The segment of degree 11 with these coefficients at its start and end.
+/// Returns the segment of degree 11 with these coefficients at its start and end.
 Segment hermite(double length, const EndSeries& at0, const EndSeries& at1);
 
 /// Bounds of the distance between a function and its `hermite`, and of their derivatives with

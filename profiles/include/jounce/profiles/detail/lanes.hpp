@@ -38,7 +38,7 @@ JOUNCE_INLINE void store(double* to, Real x) {
   __builtin_memcpy(to, &x, sizeof x);
 }
 
-/// The value x in every lane.
+/// Returns the value x in every lane.
 template <class Real>
 JOUNCE_INLINE Real every(double x) {
   return x - Real{};  // Real{} + x would change -0 to 0 and cost an addition
@@ -76,7 +76,7 @@ JOUNCE_INLINE Real root_of(Real x) {
   for (std::size_t i = 0; i < sizeof(Real) / sizeof(double); ++i) x[i] = __builtin_sqrt(x[i]);
   return x;
 }
-/// The square root; 0 for an x that rounding made negative.
+/// Returns the square root; 0 for an x that rounding made negative.
 template <class Real>
 JOUNCE_INLINE Real square_root(Real x) {
   return root_of(greatest(x, every<Real>(0)));
@@ -112,9 +112,9 @@ JOUNCE_INLINE Vector2 pair(double a, double b, bool swapped) {
   return std::bit_cast<Vector2>((other & mask) | (given & ~mask));
 }
 
-/// The cube root within 4 %, for a normal x > 0: a third of the exponent, linear in between. The
-/// division by 3 is a product of shifts, 1/3 = (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4, because
-/// vectors have no 64-bit product.
+/// Returns the cube root within 4 %, for a normal x > 0: a third of the exponent, linear in
+/// between. The division by 3 is a product of shifts, 1/3 = (1 + 1/4)(1 + 1/16)(1 + 1/256)... / 4,
+/// because vectors have no 64-bit product.
 template <class Real>
 JOUNCE_INLINE Real rough_cube_root(Real x) {
   using Bits = typename BitsOf<Real>::Type;
@@ -126,8 +126,8 @@ JOUNCE_INLINE Real rough_cube_root(Real x) {
   return std::bit_cast<Real>((third >> 2) + 0x2a9f789300000000U);
 }
 
-/// The cube root of x within two ulps. r: a rough root; per_x: 1/x. A series in e = 1 - r^3/x,
-/// accurate to 1e-8, is followed by one Newton step.
+/// Returns the cube root of x within two ulps. r: a rough root; per_x: 1/x. A series in e = 1 -
+/// r^3/x, accurate to 1e-8, is followed by one Newton step.
 template <class Real>
 JOUNCE_INLINE Real cube_root_near(Real r, Real per_x) {
   const Real e = 1 - r * r * r * per_x;
@@ -136,14 +136,14 @@ JOUNCE_INLINE Real cube_root_near(Real r, Real per_x) {
   return y + y * (1. / 3) * (1 - y * y * y * per_x);
 }
 
-/// The cube root of a normal x > 0; per_x is 1/x.
+/// Returns the cube root of a normal x > 0; per_x is 1/x.
 template <class Real>
 JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
   return cube_root_near(rough_cube_root(x), per_x);
 }
 
-/// The same for one double. The root of 8 x is exactly twice that of x, so units that differ by
-/// powers of two give the same result.
+/// Returns the cube root of one double. The root of 8 x is exactly twice that of x, so units that
+/// differ by powers of two give the same result.
 JOUNCE_INLINE double cube_root_in_units(double x, double per_x) {
   const std::uint64_t third = std::bit_cast<std::uint64_t>(x) / 3;
   return cube_root_near(std::bit_cast<double>(third + 0x2a9f789300000000U), per_x);

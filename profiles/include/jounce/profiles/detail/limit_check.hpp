@@ -45,7 +45,7 @@ class LimitCheck {
   /// ascending order of segments. A segment may be omitted if it neither breaks the bound nor comes
   /// closer to it than an earlier segment.
   void consider(std::size_t bound, const Range& range, double start, std::size_t segment);
-  /// The value closest to a bound among those that keep it; nothing if none was considered.
+  /// Returns the value closest to a bound among those that keep it; nothing if none was considered.
   [[nodiscard]] std::optional<double> closest(std::size_t bound) const;
 
   /// The report on all considered ranges.
@@ -62,14 +62,14 @@ class LimitCheck {
   Report report_;
 };
 
-/// The interval of a motion on its axis, and whether the motion repeats.
+/// The interval of a motion, and whether the motion repeats.
 struct Ends {
   double start = 0;
   double end = 0;
   bool repeats = false;
 };
 
-/// The report of `check_continuity`, from the ranges and the largest step of every order.
+/// Returns the report of `check_continuity`, from the ranges and the largest step of every order.
 Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
                          const std::array<const char*, 4>& names, const Ends& extent, int order,
                          double tolerance);

@@ -22,7 +22,7 @@ inline double cube(double x) {
   return x * x * x;
 }
 
-/// The square root; 0 if rounding made x negative.
+/// Returns the square root; 0 if rounding made x negative.
 inline double root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }

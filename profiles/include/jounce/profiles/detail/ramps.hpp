@@ -132,11 +132,12 @@ std::optional<RampedMove<Law>> ramped(const Law& up, double v0, const Law& down,
   return RampedMove<Law>{up, down, v0, v1, low - v0 + rise, low - v1 + rise, cruise};
 }
 
-/// The move as a profile of order 2 (no jerk limit, or share 0) or 3, from position `from` to `to`.
+/// Returns the move as a profile of order 2 (no jerk limit, or share 0) or 3, from position `from`
+/// to `to`.
 template <class Law>
 Profile profile(const RampedMove<Law>& move, double from, double to);
 
-/// The move as a curve from time 0, from position `from` to `to`.
+/// Returns the move as a curve from time 0, from position `from` to `to`.
 Trajectory curve(const RampedMove<SineLaw>& move, double from, double to);
 
 }  // namespace jounce::profiles_detail

@@ -17,8 +17,8 @@ struct LimitMargin {
   std::vector<double> segments;  ///< margin of each segment; defined in Finding::margin
 };
 
-/// The margins of a curve under its limits, in the order of the members of Limits. Exact, like
-/// check(). Throws InputError like require_valid().
+/// Returns the margins of a curve under its limits, in the order of the members of Limits. Exact,
+/// like check(). Throws InputError like require_valid().
 template <class Over>
 std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limits);
 

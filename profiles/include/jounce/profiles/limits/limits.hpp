@@ -37,7 +37,7 @@ struct Finding {
   Rule rule;             ///< the rule, such as "limit/velocity" or "continuity/position"
   std::string axis;      ///< name of the axis, if several are checked; may be empty
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
-  double where = 0;      ///< place on the curve's axis
+  double where = 0;      ///< time or master position of the place
   double value = 0;      ///< value of the quantity at this place
   double limit = 0;      ///< permitted value, with the sign of `value`
   /// Distance from the value to the limit, as a share of the limit; negative if the rule is broken.
@@ -48,7 +48,7 @@ struct Finding {
   std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0
   std::string advice;                  ///< change that is suggested to the user; may be empty
   std::string unit = {};               ///< unit of value and limit; empty: the quantity defines it
-  std::string where_unit = {};         ///< unit of `where`; empty: that of the curve's axis
+  std::string where_unit = {};         ///< unit of `where`; empty: that of the time or the master
   Severity severity = Severity::required;  ///< kind of the finding
   /// False for a step or a figure without a limit; `limit` and `margin` then only order the
   /// findings.

@@ -42,7 +42,7 @@ enum class RuleFamily : std::uint8_t {
   constraint,  ///< a constraint of a search
 };
 
-/// The family as a word: "limit", "continuity", ...; "" for RuleFamily::none.
+/// Returns the family as a word: "limit", "continuity", ...; "" for RuleFamily::none.
 const char* name(RuleFamily family) noexcept;
 
 /// The rule of a finding, a stable identifier for programs: "limit/position_max".

@@ -29,11 +29,12 @@ struct Dynamics {
   double deceleration_jerk = 0;  ///< u/s^3, while the axis slows down; 0: the same as jerk
 };
 
-/// A move from rest to rest: trapezoid() without a jerk limit, otherwise s_curve(). Throws
+/// Returns a move from rest to rest: trapezoid() without a jerk limit, otherwise s_curve(). Throws
 /// InputError if `to` equals `from`.
 Profile point_to_point(double from, double to, const Dynamics& dynamics);
 
-/// The same with the limits of dynamics; dynamics.velocity is not used.
+/// Returns the change of velocity from any state to `velocity` (u/s, signed), with the limits of
+/// `dynamics`; dynamics.velocity is not used.
 Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& dynamics);
 
 // ---- in flight -------------------------------------------------------------------------------

@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The sentence of explain(status), completed with the numbers of the rejected move: a value and
-/// its bound, or a duration and the possible ones.
+/// Returns the sentence of explain(status), completed with the numbers of the rejected move: a
+/// value and its bound, or a duration and the possible ones.
 ///
 ///     const MoveResult move = move_to(from, to, bounds);
 ///     if (!move) throw std::runtime_error(explain(move.status, from, to, bounds));
@@ -17,7 +17,7 @@ namespace jounce {
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds);
 
-/// The same for a move with a required duration, in s.
+/// Like explain() above, for a move with a required duration, in s.
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds, double duration);
 

@@ -26,7 +26,8 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// Bounds that are equal in both directions. The arguments are magnitudes > 0; default: no limit.
+/// Returns bounds that are equal in both directions. The arguments are magnitudes > 0; default: no
+/// limit.
 constexpr Bounds within(double velocity, double acceleration = Bounds::none,
                         double jerk = Bounds::none) {
   return {.velocity_min = -velocity,
@@ -57,7 +58,7 @@ enum class MoveStatus : std::uint8_t {
   not_straight,
 };
 
-/// One sentence that explains a status to a user.
+/// Returns one sentence that explains a status to a user.
 const char* explain(MoveStatus status) noexcept;
 
 /// A move, if one exists; otherwise an empty profile.
@@ -69,7 +70,7 @@ struct MoveResult {
   explicit operator bool() const noexcept { return status == MoveStatus::ok; }
 };
 
-/// The time-optimal move between two states that keeps the bounds.
+/// Returns the time-optimal move between two states that keeps the bounds.
 ///
 ///     const Bounds axis = within(2, 10, 100);                        // u/s, u/s^2, u/s^3
 ///     const MoveResult move = move_to({.position = 0}, {.position = 1}, axis);
@@ -98,7 +99,8 @@ struct MoveResult {
 /// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The same, with exactly this duration, >= 0 s. It prefers a low velocity, then low accelerations.
+/// Returns a move with exactly this duration, >= 0 s. Of the possible moves, it prefers one of low
+/// velocity, then of low accelerations.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept;
 
@@ -117,18 +119,18 @@ struct Durations {
 
   /// True if a move of this duration (s) exists.
   [[nodiscard]] bool allows(double duration) const noexcept;
-  /// The least possible duration that is not below the given one, s.
+  /// Returns the least possible duration that is not below the given one, s.
   [[nodiscard]] double at_least(double duration) const noexcept;
 };
-/// The possible durations of move_to(from, to, bounds).
+/// Returns the possible durations of move_to(from, to, bounds).
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// The fastest change to a velocity (u/s) with the given acceleration (u/s^2), at any position
-/// (PLCopen MC_MoveVelocity). A start outside the bounds returns inside as in move_to().
+/// Returns the fastest change to a velocity (u/s) with the given acceleration (u/s^2), at any
+/// position (PLCopen MC_MoveVelocity). A start outside the bounds returns inside as in move_to().
 MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                          double acceleration = 0) noexcept;
 
-/// The fastest stop (PLCopen MC_Stop, MC_Halt).
+/// Returns the fastest stop (PLCopen MC_Stop, MC_Halt).
 inline MoveResult stop(const MotionState& from, const Bounds& bounds) noexcept {
   return move_velocity(from, 0, bounds);
 }

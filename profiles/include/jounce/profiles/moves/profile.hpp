@@ -76,13 +76,14 @@ class Profile {
   /// predecessor extends the predecessor. A profile holds at most `capacity` phases, and four
   /// different values besides zero.
   void add(double duration, double value) noexcept { add(duration, value, 0); }
-  /// The same for a phase whose value is the sum value + more. The limit of four different values
-  /// applies to the terms, not to the sums.
+  /// Adds a phase whose value is the sum value + more. The limit of four different values applies
+  /// to the terms, not to the sums.
   void add(double duration, double value, double more) noexcept;
-  /// The same phases with their values multiplied by a factor, between two other states.
+  /// Returns this profile with the values of its phases multiplied by a factor, between two other
+  /// states.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
                                const MotionState& end) const noexcept;
-  /// The rest of the motion from time t: begins with the state at t, ends at end().
+  /// Returns the rest of the motion from time t: begins with the state at t, ends at end().
   [[nodiscard]] Profile after(double t) const noexcept;
   /// Sets the nominal state at the end of the last phase. at() and curve() return it at the end, so
   /// that rounding in the phases has no effect there.
@@ -99,11 +100,11 @@ class Profile {
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
   [[nodiscard]] double duration() const noexcept;  ///< s
 
-  /// Position and three derivatives at t (s). At a step of the highest derivative: the value after
-  /// it.
+  /// Returns the position and three derivatives at t (s). At a step of the highest derivative: the
+  /// value after it.
   [[nodiscard]] Motion at(double t) const noexcept;
 
-  /// The same motion as a curve that begins at 0 s and holds outside. Throws InputError if the
+  /// Returns this motion as a curve that begins at 0 s and holds outside. Throws InputError if the
   /// duration is 0.
   [[nodiscard]] Trajectory curve() const;
 

@@ -14,7 +14,7 @@ struct TrapezoidSpec {
   double deceleration = 0;  ///< u/s^2, > 0; 0: the same as acceleration
 };
 
-/// The time-optimal move under the limits. Throws InputError for a value out of range.
+/// Returns the time-optimal move under the limits. Throws InputError for a value out of range.
 Profile trapezoid(const TrapezoidSpec& spec);
 
 /// An S-curve of up to seven phases, from rest to rest: the acceleration changes at the given jerk.
@@ -28,8 +28,8 @@ struct SCurveSpec {
   double deceleration_jerk = 0;  ///< u/s^3, while it slows down; 0: the same as jerk
 };
 
-/// The time-optimal move under the limits. The speeding-up and the slowing-down part each have
-/// their own acceleration and jerk. Throws InputError for a value out of range.
+/// Returns the time-optimal move under the limits. The speeding-up and the slowing-down part each
+/// have their own acceleration and jerk. Throws InputError for a value out of range.
 Profile s_curve(const SCurveSpec& spec);
 
 }  // namespace jounce

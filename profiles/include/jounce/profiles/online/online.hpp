@@ -54,8 +54,8 @@ class OnlineGenerator {
   MoveStatus set_bounds(std::size_t axis, const Bounds& bounds) noexcept {
     return axes_[axis].set_bounds(bounds);
   }
-  /// A disabled axis comes to rest as fast as possible; the other axes do not wait for it. Default:
-  /// enabled.
+  /// Enables or disables an axis. A disabled axis comes to rest as fast as possible; the other axes
+  /// do not wait for it. Default: enabled.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
   /// Sets the tolerance (u and u/s) for new targets. If a new target differs from that of the
   /// present motion by no more than the tolerance, the present motion continues; the axis then ends
@@ -88,10 +88,10 @@ class OnlineGenerator {
     for (const auto& axis : axes_) t = std::max(t, axis.remaining());
     return t;
   }
-  /// The reason why an axis does not move to its goal, or ok.
+  /// Returns the reason why an axis does not move to its goal, or ok.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// The bounds of the present motion. Their limits of acceleration and jerk may be wider than
-  /// those that were set, as long as the axis would otherwise pass its target.
+  /// Returns the bounds of the present motion. Their limits of acceleration and jerk may be wider
+  /// than those that were set, as long as the axis would otherwise pass its target.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();
   }

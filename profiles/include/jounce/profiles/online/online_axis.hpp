@@ -40,8 +40,8 @@ class OnlineAxis {
   [[nodiscard]] bool takes_part() const noexcept {
     return bounded_ && status_ == MoveStatus::ok && !must_stop() && (stale_ || !ended());
   }
-  /// The axis' part of a common motion, from its present state. The bounds are those of the rule
-  /// for lowered limits; with `widened`, the wider ones of that rule, if there are any.
+  /// Returns the axis' part of a common motion, from its present state. The bounds are those of the
+  /// rule for lowered limits; with `widened`, the wider ones of that rule, if there are any.
   [[nodiscard]] AxisMove move(bool widened) const noexcept;
   [[nodiscard]] bool can_widen() const noexcept;  ///< true if the wider bounds differ
   /// Rest of the present motion.

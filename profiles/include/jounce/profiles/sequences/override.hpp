@@ -27,7 +27,7 @@ struct OverrideSpec {
 struct FactorRamp {
   double begin = 0;  ///< s, when the factor begins to change; not before the request
   double end = 0;    ///< s, when the factor is reached
-  /// The factor that is reached; below the requested one if the limits do not permit that.
+  /// The factor that is reached: the requested one, or a lower one if the limits do not permit it.
   double factor = 1;
   /// False: not executed, because the motion ends before a ramp within the limits would end.
   bool granted = true;
@@ -71,7 +71,7 @@ struct Overridden {
 /// a trapezoid) remain steps; they do not count as jerk.
 ///
 /// A request replaces a ramp in progress and continues from its present state. The curves end at
-/// the end of the path or, if that is not reached, with the last ramp. They hold there.
+/// the end of the path or, if the motion does not reach it, with the last ramp. They hold there.
 ///
 /// Throws InputError if
 /// - the number of limits differs from the number of axes, or an axis has no limit of velocity,

@@ -41,9 +41,9 @@ enum class BufferMode : std::uint8_t {
   buffered = 1,  ///< when the previous command is done: at rest, or in velocity
   /// At the end position of the previous command, with the lower of the two command velocities.
   blending_low = 2,
-  blending_previous = 3,  ///< the same, with the velocity of the previous command
-  blending_next = 4,      ///< the same, with its own velocity
-  blending_high = 5,      ///< the same, with the higher of the two velocities
+  blending_previous = 3,  ///< like blending_low, with the velocity of the previous command
+  blending_next = 4,      ///< like blending_low, with its own velocity
+  blending_high = 5,      ///< like blending_low, with the higher of the two velocities
 };
 
 /// MC_MoveAbsolute: a move to a position.

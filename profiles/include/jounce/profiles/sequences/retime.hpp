@@ -19,16 +19,17 @@ namespace jounce {
 /// acceleration by k^2, jerk by k^3. The result is a closed form from the exact extrema, so no
 /// faster motion has the same shape. It is below 1 if the motion has a margin to every limit. Steps
 /// of the acceleration (infinite jerk) remain steps and do not count. Position limits are ignored,
-/// because retiming does not change the path.
+/// because retiming does not change the positions.
 ///
 /// Throws InputError for limits out of range, and if no limit determines k: none is given, or only
 /// limits of derivatives that are zero everywhere.
 double least_stretch(const Trajectory& motion, const Limits& limits);
 
-/// The same for axes that move together: the least k for all. Both spans have the same size.
+/// Returns the least k for axes that move together: one k that is enough for all. Both spans have
+/// the same size.
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits);
 
-/// The motion with its duration multiplied by least_stretch(); its start time stays.
+/// Returns the motion with its duration multiplied by least_stretch(); its start time stays.
 Trajectory retimed(const Trajectory& motion, const Limits& limits);
 
 }  // namespace jounce

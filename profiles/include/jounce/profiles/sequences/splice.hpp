@@ -22,10 +22,11 @@ namespace jounce {
 ///
 /// **Throws** InputError if a time is not finite or precedes the start of the motion.
 
-/// Position, velocity and acceleration of f at t >= f.start(). At a break: the values after it.
+/// Returns the position, velocity and acceleration of f at t >= f.start(). At a break: the values
+/// after it.
 MotionState state_at(const Trajectory& f, double t);
 
-/// The state from which a new command with this jerk (u/s^3; 0: no limit) begins at t. Its
+/// Returns the state from which a new command with this jerk (u/s^3; 0: no limit) begins at t. Its
 /// acceleration is zero if the command has no jerk limit. It is also zero if the acceleration of
 /// `f` around t is bounded by steps, as in a trapezoid: it can then step at t as well.
 MotionState state_for(const Trajectory& f, double t, double jerk);
@@ -39,14 +40,15 @@ Trajectory until(const Trajectory& f, double t);
 /// result holds outside if it ends at rest; otherwise it refuses.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
-/// The same for a sequence of profiles; profiles without duration are omitted.
+/// Continues with a sequence of profiles; profiles without duration are omitted.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));
 }
 
-/// The sum of two motions, over an interval that contains both; outside its interval each is
-/// continued as described above. Exact; throws like sum() if more than three sines would be needed.
+/// Returns the sum of two motions, over an interval that contains both; outside its interval each
+/// is continued as described above. Exact; throws like sum() if more than three sines would be
+/// needed.
 Trajectory superimposed(const Trajectory& f, const Trajectory& g);
 
 }  // namespace jounce

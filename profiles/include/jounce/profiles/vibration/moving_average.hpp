@@ -5,7 +5,8 @@
 
 namespace jounce {
 
-/// The moving average of a curve over a window T (in the unit of the axis), exactly:
+/// Returns the moving average of a curve over a window T (in the unit of the curve's variable),
+/// exactly:
 ///
 ///     (1)  g(x) = 1/T * integral of f from x - T to x
 ///

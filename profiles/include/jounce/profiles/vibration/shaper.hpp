@@ -49,8 +49,8 @@ struct ShaperSpec {
 /// alone leaves less than the tolerance.
 std::vector<Impulse> shaper(const ShaperSpec& spec);
 
-/// The combination of two shapers: for two modes, or for one mode with a larger permitted error.
-/// Throws InputError like require_valid().
+/// Returns the combination of two shapers: for two modes, or for one mode with a larger permitted
+/// error. Throws InputError like require_valid().
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
 /// Returns the curve through a shaper: the sum of copies of f, each delayed by the time of an

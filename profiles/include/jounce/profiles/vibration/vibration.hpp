@@ -25,10 +25,10 @@ struct Impulse {
   double amplitude = 1;  ///< share of the command
 };
 
-/// Residual vibration of a mode after a shaper: the vibration after its last impulse, divided by
-/// that after a single impulse of amplitude 1 at the same instant. 0: none; 1: as without a shaper.
-/// Closed form (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError
-/// for a mode out of range, and like require_valid().
+/// Returns the residual vibration of a mode after a shaper: the vibration after its last impulse,
+/// divided by that after a single impulse of amplitude 1 at the same instant. 0: none; 1: as
+/// without a shaper. Closed form (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3).
+/// Throws InputError for a mode out of range, and like require_valid().
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode);
 
 /// The greatest residual vibration over a band of frequencies, and its frequency.
@@ -37,15 +37,16 @@ struct WorstResidual {
   double frequency = 0;  ///< Hz
 };
 
-/// The greatest residual vibration for frequencies from low to high (Hz) at the given damping. Not
-/// sampled: the slope of the residual is bounded, so no frequency of the band exceeds the result by
-/// more than 1e-6. Throws InputError unless 0 < low <= high, and like require_valid().
+/// Returns the greatest residual vibration for frequencies from low to high (Hz) at the given
+/// damping. Not sampled: the slope of the residual is bounded, so no frequency of the band exceeds
+/// the result by more than 1e-6. Throws InputError unless 0 < low <= high, and like
+/// require_valid().
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 
-/// Residual vibration after a motion, in the curve's unit u: the amplitude of the free vibration of
-/// a load that obeys (1) and is at rest before the motion, at the instant at which the motion ends.
-/// Before and after its interval, f is at rest; steps of the position are permitted.
+/// Returns the residual vibration after a motion, in the curve's unit u: the amplitude of the free
+/// vibration of a load that obeys (1) and is at rest before the motion, at the instant at which the
+/// motion ends. Before and after its interval, f is at rest; steps of the position are permitted.
 ///
 /// Exact: a closed form for polynomials and sines. The error is rounding, about 1e-15 of the travel
 /// for each segment. Throws InputError for a mode out of range.

@@ -7,14 +7,14 @@ namespace jounce::pvt_detail {
 
 /// The pieces between knots; piece i begins at knot i.
 struct Chords {
-  std::span<const double> length;  ///< length of each piece on the axis
+  std::span<const double> length;  ///< length of each piece in time or master position
   /// Slope of the chord of each piece (the straight line between its knots).
   std::span<const double> chord;
 };
 
-/// The velocity at a knot between two pieces of lengths h0, h1 with chords d0, d1: the weighted
-/// harmonic mean of Fritsch and Butland; 0 if the chords differ in sign. Its magnitude is at most 3
-/// times that of the smaller chord.
+/// Returns the velocity at a knot between two pieces of lengths h0, h1 with chords d0, d1: the
+/// weighted harmonic mean of Fritsch and Butland; 0 if the chords differ in sign. Its magnitude is
+/// at most 3 times that of the smaller chord.
 double between_chords(double h0, double d0, double h1, double d1);
 
 /// Writes the velocities of between_chords() to v. At open ends the limited three-point formula

@@ -7,7 +7,7 @@
 
 namespace jounce::spec_detail {
 
-/// The same error with another key.
+/// Returns the error with another key.
 inline InputError renamed(const InputError& error, const std::string& key) {
   return {key, error.value(), error.rule()};
 }

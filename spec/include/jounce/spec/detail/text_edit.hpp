@@ -16,7 +16,8 @@ struct Edit {
   std::string text;
 };
 
-/// Byte offset of a place that TOML gives as line and column (in code points), both from 1.
+/// Returns the byte offset of a place that TOML gives as line and column (in code points), both
+/// from 1.
 std::size_t offset(const std::string& text, const toml::source_position& place);
 
 /// Returns the text with all edits. Edits must not overlap. Of two insertions at the same place,

@@ -59,10 +59,10 @@ class TomlReader {
   std::optional<std::int64_t> optional_whole(const char* key);
   std::int64_t whole(const char* key);
   std::optional<bool> optional_flag(const char* key);
-  /// The error of a missing key shows KEY = "word".
+  /// A text. The error of a missing key shows KEY = "word".
   std::string text(const char* key, const char* word = "TEXT");
   std::optional<std::string> optional_text(const char* key);
-  /// The index of the key's text in `permitted`.
+  /// Returns the index of the key's text in `permitted`.
   std::size_t choice(const char* key, std::span<const std::string> permitted);
   std::optional<std::size_t> optional_choice(const char* key,
                                              std::span<const std::string> permitted);
@@ -70,8 +70,8 @@ class TomlReader {
   std::optional<TomlReader> optional_table(const char* key);
   /// `example`: what the message for a missing table proposes to add; default: the section [key].
   TomlReader table(const char* key, const std::string& example = "");
-  /// The tables of [[key]] or key = [{...}, ...]; empty if there are none. Messages count them from
-  /// 1.
+  /// Returns the tables of [[key]] or key = [{...}, ...]; empty if there are none. Messages count
+  /// them from 1.
   std::vector<TomlReader> tables(const char* key);
   /// Two numbers: key = [a, b].
   std::optional<std::pair<double, double>> optional_pair(const char* key, const std::string& unit);
@@ -106,9 +106,9 @@ class TomlReader {
   }
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
-  /// The numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
+  /// Returns the numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
   std::vector<double> numbers(const char* key, std::span<const std::string> units);
-  /// The numbers of key = [a, b, ...], in `unit`.
+  /// Returns the numbers of key = [a, b, ...], in `unit`.
   std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
 
@@ -119,7 +119,7 @@ class TomlReader {
   [[nodiscard]] bool is_text(const char* key) const;
   [[nodiscard]] bool is_table(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// The full name of a key in messages: "segment[2].end.master".
+  /// Returns the full name of a key in messages: "segment[2].end.master".
   [[nodiscard]] std::string path(std::string_view key) const;
   /// Throws InputError if a key that was not read is a misspelling of `key`. Call it before
   /// reporting `key` as missing.
@@ -153,7 +153,7 @@ toml::table parse_toml(const Document& document);
 /// Requires the key `jounce = 1`, which every file contains.
 void require_version(TomlReader& top);
 
-/// A value as it is written in the document, for messages.
+/// Returns a value as it is written in the document, for messages.
 std::string shown(const toml::node& node);
 
 }  // namespace jounce::spec_detail

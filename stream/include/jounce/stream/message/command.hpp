@@ -8,8 +8,9 @@
 
 namespace jounce::wire {
 
-/// A command to an axis (except those for tables), with the fields of the wire format. A received
-/// message may contain any numbers; the receiver checks them and makes a ClientCommand.
+/// Any ClientCommand, with the fields of the wire format. Arm, Start and Stop have messages of
+/// their own. A received message may contain any numbers; the receiver checks them and makes a
+/// ClientCommand.
 ///
 ///     wire::message_of(command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}})
 struct Command {

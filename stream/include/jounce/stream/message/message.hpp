@@ -19,7 +19,7 @@
 
 /// The messages of version 2 of the stream protocol, as values. docs/stream-protocol.md defines
 /// their senders and their order. stream/lcm/*.lcm defines their layout on the wire; wire.hpp
-/// converts between both.
+/// converts between the values and the bytes.
 namespace jounce::wire {
 
 /// Version of the protocol in each message.
@@ -55,7 +55,7 @@ enum class StopMode : std::int8_t {
 /// Reason why the executor rejects a message; name(Refusal) gives its name.
 enum class Refusal : std::int8_t {
   none = 0,         ///< accepted
-  busy = 1,         ///< another session owns the axis
+  busy = 1,         ///< another program owns the axis in its session
   unknown_session,  ///< no header has opened this session: the executor was restarted
   /// The session was released, has timed out, or was ended by a stop of an operator.
   session_ended,
@@ -188,7 +188,7 @@ struct Ack {
   std::uint32_t credit = 0;  ///< number of chunks, from `next` on, that may be in transit
   bool complete = false;     ///< true: the table is complete, its hash matches, and it is stored
   Refusal refusal = Refusal::none;  ///< reason why the table is rejected
-  std::string reason{};             ///< the same as text; may be empty
+  std::string reason{};             ///< the reason as text; may be empty
 };
 
 /// Answers a command.
@@ -198,7 +198,7 @@ struct Reply {
   Outcome outcome = Outcome::pending;  ///< outcome of the command
   Refusal refusal = Refusal::none;     ///< reason why it is rejected
   std::int32_t cause = 0;              ///< for Refusal::axis: number of the Cause
-  std::string reason{};                ///< the same as text; may be empty
+  std::string reason{};                ///< the reason as text; may be empty
 };
 
 /// Acknowledges the rows of a queue. Arrays contain a value for each of the two banks.
@@ -261,7 +261,7 @@ struct Status {
   std::int32_t start_command = 0;           ///< number of the last start of this session; 0: none
   StartOutcome start = StartOutcome::none;  ///< outcome of this start
   std::int32_t start_cause = 0;  ///< number of the Cause for which it was dropped; 0: none
-  std::string start_reason{};    ///< the same as text
+  std::string start_reason{};    ///< the reason as text
   bool held = false;             ///< true if a motion is held until the command resume
   bool homed = false;            ///< true if the axis was homed
   std::uint8_t unwritten = 0;    ///< files that could not be written, see Unwritten
@@ -343,7 +343,7 @@ struct Message {
   std::int64_t challenge = 0;
 };
 
-/// Names of the enumerators: "follow_input", ...
+/// Returns the name of an enumerator: "follow_input", ...
 const char* name(ArmMode mode);
 const char* name(Refusal refusal);
 const char* name(Next next);
@@ -356,7 +356,7 @@ struct Cut {
   std::uint32_t per_chunk = 0;  ///< knots of a full chunk
   std::uint32_t chunks = 0;     ///< number of chunks
 
-  /// Number of knots in chunk `seq` of a table with this number of knots.
+  /// Returns the number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
   /// Returns the number of chunks that fit into the buffer space of this number of messages of
   /// message_values. Longer chunks use up to credit_values per message. At least 1.

@@ -18,7 +18,7 @@ class Challenges {
   [[nodiscard]] std::int64_t session() const { return session_; }
   [[nodiscard]] std::int64_t operators() const { return operators_; }
 
-  /// Messages with the previous challenge have no effect from now on.
+  /// Draws a new challenge: messages with the previous one have no effect from now on.
   void renew_session() { session_ = draw(); }
   void renew_operators() { operators_ = draw(); }
 

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// The number of a command; 0: the message is not a command.
+/// Returns the number of a command; 0: the message is not a command.
 std::int32_t command_number(const wire::Body& body);
 
 /// The newest command of a sender, and its outcome. Numbers ascend, and each command gets one
@@ -37,12 +37,12 @@ class LastCommand {
   /// Keeps the command to an axis until its outcome is known.
   void keep(const ClientCommand& what) { what_ = what; }
   void settle(Refused refused, std::int32_t cause = 0);
-  /// The reply is due again.
+  /// Makes the reply due again.
   void repeat() { due_ = true; }
 
   /// True if a command of this number would prove that its sender is alive: a new one, or one that
-  /// waits for its outcome. 0, a message that is not a command, is a proof before the first command
-  /// only: a repeated message may come from any sender, or from the network.
+  /// waits for its outcome. The number 0 (a message that is not a command) is a proof only before
+  /// the first command, because a repeated message may come from any sender, or from the network.
   [[nodiscard]] bool is_news(std::int32_t number) const;
   /// True if the command of this number is the recorded one, and waits for its outcome.
   [[nodiscard]] bool waits(std::int32_t number) const;

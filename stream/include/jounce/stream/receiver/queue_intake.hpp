@@ -33,13 +33,13 @@ class QueueIntake {
  public:
   explicit QueueIntake(const QueueLimits& limits) : limits_(limits) {}
 
-  /// A refusal that is no part of the queue's own acknowledgment: the queue contradicts itself or
-  /// exceeds the limits, or its index belongs to another queue.
+  /// Adds a queue. Returns a refusal that is not part of the queue's own acknowledgment: the queue
+  /// contradicts itself or exceeds the limits, or its index belongs to another queue.
   [[nodiscard]] Refused add(const wire::Queue& queue);
-  /// Ignores rows that have overtaken their queue.
+  /// Adds rows. Ignores rows that have overtaken their queue.
   void add(const wire::Rows& rows);
 
-  /// The queue that the last add() has opened.
+  /// Returns the queue that the last add() has opened.
   [[nodiscard]] std::optional<wire::Queue> take_opened();
   /// The rows that are now in order, each once.
   [[nodiscard]] std::vector<wire::Rows> take_rows();
@@ -53,7 +53,7 @@ class QueueIntake {
 
   // These have no effect on a queue that is not open.
   void level(std::uint32_t queue, const QueueLevel& level);
-  /// Row from 0 in its bank; -1: the whole queue.
+  /// Rejects a row (index in its bank, from 0), or the whole queue (-1).
   void refuse(std::uint32_t queue, Refused refused, std::int64_t row = -1);
   /// Drops the rows of this bank that are not played; its messages count again from `seq`.
   void clear_bank(std::uint32_t queue, std::uint8_t bank, std::uint32_t seq);

@@ -29,7 +29,7 @@ struct ReceiverOptions {
   std::size_t memory = std::size_t{1} << 28U;
   /// A session without a message for this time ends, and the axis is free.
   Nanos session_timeout = std::chrono::seconds(1);
-  Nanos hold_timeout = std::chrono::milliseconds(200);  ///< the same during a hold-to-run jog
+  Nanos hold_timeout = std::chrono::milliseconds(200);  ///< like session_timeout, during a jog
   /// Messages of 12.8 KB in transit, 1 to 64; 8 fit into the default buffer of a socket.
   std::uint32_t credit = 8;
   std::uint32_t most_rows = 1U << 20U;  ///< greatest number of rows of one bank of a queue
@@ -101,7 +101,7 @@ struct StopRequested {
   wire::StopMode mode = wire::StopMode::stop;  ///< stop or abort
 };
 
-/// Event: no session owns the axis any more. An armed motion without a start must be disarmed. The
+/// Event: the session of the axis has ended. An armed motion without a start must be disarmed. The
 /// axis decides whether a motion in progress continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
@@ -216,8 +216,8 @@ class Receiver {
   Session session_;
   TableIntake tables_;
   QueueIntake queues_;
-  LastCommand command_;                        // newest command of the present session, or of the last one
-  LastCommand operator_;                       // newest command of session 0
+  LastCommand command_;   // newest command of the present session, or of the last one
+  LastCommand operator_;  // newest command of session 0
   std::int64_t operators_last_challenge_ = 0;  // challenge of the last command in session 0
 
   bool armed_ = false;

@@ -19,7 +19,7 @@ struct SessionTimeouts {
 /// True if this message can open a session.
 bool opens_session(const wire::Body& body);
 
-/// The owner of an axis: at most one session at a time, and each session once.
+/// The session of an axis: at most one at a time, and each session once.
 ///
 ///     Session session(timeouts);
 ///     if (session.is_silent(now)) session.end();
@@ -34,15 +34,16 @@ class Session {
   [[nodiscard]] std::int64_t id() const { return id_; }        ///< 0: the axis is free
   [[nodiscard]] std::int64_t owner() const { return owner_; }  ///< the present, or the last one
 
-  /// The reason why this message must have no effect, with the present challenge of the executor.
+  /// Returns the reason why this message must have no effect, with the present challenge of the
+  /// executor.
   [[nodiscard]] Refused bars(const wire::Message& message, std::int64_t challenge) const;
   /// True if the last owner sent this message, and its session has ended.
   [[nodiscard]] bool is_of_last_owner(const wire::Message& message) const;
 
   void open(std::int64_t id, std::int64_t challenge);
-  /// Sign of life of the owner.
+  /// Records a sign of life of the owner.
   void receive(Nanos now) { received_ = now; }
-  /// The shorter timeout applies from now on.
+  /// Applies the shorter timeout from now on.
   void hold() { holds_ = true; }
   [[nodiscard]] bool is_silent(Nanos now) const;
   void end();

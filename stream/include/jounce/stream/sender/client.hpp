@@ -32,9 +32,9 @@ struct ClientOptions {
 /// then. A call throws only InputError, for a value that is out of range for any axis, and
 /// TransportError. Units are those of the axis and of its master.
 ///
-/// The first call opens a session, which owns the axis. If another session owns it, the call is
-/// rejected as busy. If there is no call for a second, the session ends, and the next call opens
-/// another one.
+/// The first call opens a session: from then on, the client owns the axis. If another program owns
+/// the axis, the call is rejected as busy. If there is no call for a second, the session ends, and
+/// the next call opens another one.
 class Client {
  public:
   /// Subscribes to the replies. `link` must outlive the client. Throws InputError for an invalid
@@ -49,8 +49,9 @@ class Client {
   CallOutcome set_position(double position, bool relative = false);
   /// Homes at the present position, without motion: assigns this value to it.
   CallOutcome home(double position);
-  /// Starts a homing by a method of CiA 402. `offset`: position to assign to the home position. 0
-  /// and NaN: as configured. The call returns when the search has begun; see await_home().
+  /// Starts a homing by a method of CiA 402. `offset`: position value of the axis at the home
+  /// position. Method 0 and offset NaN: as configured. The call returns when the search has begun;
+  /// see await_home().
   CallOutcome search_home(int method = 0, double offset = as_configured);
   CallOutcome hold() { return command(command::Hold{}); }
   CallOutcome resume() { return command(command::Resume{}); }
@@ -65,8 +66,8 @@ class Client {
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
   /// `velocity` is signed, 0: to rest.
   CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
-  /// The same as a hold-to-run jog: it stops when this session ends, or is silent for 0.2 s. beat()
-  /// keeps it running.
+  /// Like move_velocity(), but as a hold-to-run jog: the axis stops when this session ends, or when
+  /// this client sends no message for 0.2 s. beat() keeps the jog running.
   CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }

@@ -110,7 +110,7 @@ class ReceiverPump {
   /// Sends a message.
   void send(const wire::Message& message) { send_message(link_, message, key_); }
 
-  /// The receiver of an axis.
+  /// Returns the receiver of an axis.
   [[nodiscard]] Receiver& receiver(std::size_t axis = 0) { return receivers_[axis]; }
   [[nodiscard]] const Receiver& receiver(std::size_t axis = 0) const { return receivers_[axis]; }
   /// Counts of the packets that were rejected.

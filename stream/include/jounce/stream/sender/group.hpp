@@ -36,8 +36,8 @@ struct GroupOptions {
 /// therefore rejected.
 ///
 /// If one axis then cannot start, stops, or fails, the others stop, too. The executor stops them in
-/// the same cycle or the next one, since one session has started them. With an older executor, the
-/// group stops them itself.
+/// the same cycle or the next one, since their motions were started in one session. With an older
+/// executor, the group stops them itself.
 class Group {
  public:
   /// `session` > 0: a random number. Throws InputError like Sender, and for fewer than 2 plans or a

@@ -67,8 +67,8 @@ StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMod
                      Nanos patience, const std::optional<wire::Key>& key = {},
                      const Clock& clock = steady_now);
 
-/// The tick of an executor that is this number of seconds (>= 0) after its present status; nullopt:
-/// no status arrives within two seconds.
+/// Returns the tick of an executor that lies this number of seconds (>= 0) after its present
+/// status; nullopt: no status arrives within two seconds.
 std::optional<std::int64_t> tick_after(Transport& link, const std::string& executor, double seconds,
                                        const std::optional<wire::Key>& key = {},
                                        const Clock& clock = steady_now);

@@ -21,7 +21,7 @@ using Clock = std::function<Nanos()>;
 /// Returns the time of the system's monotonic clock.
 Nanos steady_now();
 
-/// Seconds as a time; more than thirty years counts as unlimited.
+/// Converts seconds to a time; more than thirty years counts as unlimited.
 Nanos nanos(double seconds);
 
 /// Bytes received on a channel.
