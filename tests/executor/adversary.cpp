@@ -133,8 +133,7 @@ ExecutorOptions axis_of(Random& random, std::size_t i, Bounds& b) {
                       .index_velocity = b.velocity * random.uniform(0.02, 0.3),
                       .acceleration = b.acceleration * random.uniform(0.3, 1),
                       .offset = random.uniform(-20, 20),
-                      .timeout = random.below(4) == 0 ? random.uniform(0.1, 2) : 20,
-                      .distance = 0};
+                      .timeout = random.below(4) == 0 ? random.uniform(0.1, 2) : 20};
   if (random.below(2) == 0) add_switches(random, axis, b);
   axis.adopt_start = random.below(2) == 0;
   axis.receiver.session_timeout = 300ms;
