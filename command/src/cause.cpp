@@ -273,7 +273,7 @@ std::string text(const Refusal& refusal, const std::string& unit) {
   if (cause == Cause::start_position)
     return words + ": " +
            (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + "; ") +
-           "the axis is at " + shown(refusal.limit) + ".";
+           "the axis would start it at " + shown(refusal.limit) + ".";
   const std::string instant =
       std::isnan(refusal.where) ? "" : " at " + six_digits(refusal.where) + " s";
   return words + ": " + shown(refusal.value) + instant + ", limit " + shown(refusal.limit) + ".";

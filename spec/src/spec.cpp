@@ -63,13 +63,14 @@ MasterRun master_run(TomlReader& top, const Spec& spec) {
 
 /// The speed of the master, in its unit or in cycles per time.
 double read_master_velocity(TomlReader& table, const Spec& spec, const MasterRun& run) {
-  const auto positive = [&](double value) {
-    if (!(value > 0)) table.fail("velocity", number(value), "must be greater than 0");
-    return value;
-  };
   const std::string unit = rate_unit(spec.units.x, spec.time_unit, 1);
   const std::string cycles = rate_unit("", spec.time_unit, 1);
   const auto text = table.is_text("velocity") ? table.optional_text("velocity") : std::nullopt;
+  const auto positive = [&](double value) {
+    if (!(value > 0))
+      table.fail("velocity", text ? '"' + *text + '"' : number(value), "must be greater than 0");
+    return value;
+  };
   if (!text || !is_convertible(quantity_unit(*text), cycles))
     return positive(table.number("velocity", unit));
   if (!run.repeats || !run.length)

@@ -71,7 +71,8 @@ TEST(StartOutcome, WhatIsDroppedIsSaidToTheStreamerWithItsNumbers) {
     EXPECT_FALSE(outcome.started);
     if (coupling.start == StartMode::absolute) {
       EXPECT_EQ(outcome.cause, static_cast<int>(Cause::start_position));
-      EXPECT_THAT(outcome.reason, AllOf(HasSubstr("begins at 125"), HasSubstr("the axis is at 0")));
+      EXPECT_THAT(outcome.reason,
+                  AllOf(HasSubstr("begins at 125"), HasSubstr("the axis would start it at 0")));
     } else {
       EXPECT_EQ(outcome.cause, static_cast<int>(Cause::would_reverse));
       EXPECT_THAT(outcome.reason, HasSubstr("would_reverse"));

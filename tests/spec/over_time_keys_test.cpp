@@ -70,7 +70,7 @@ TEST(MasterRate, NeedsACycle) {
             "a.toml:9:12: master.velocity = \"120 cpm\": counts cycles, but this motion does not "
             "repeat: give the velocity in deg/s");
   EXPECT_EQ(complaint(cam(turn, "[master]\nvelocity = \"0 cpm\"\n")),
-            "a.toml:13:12: master.velocity = 0 1/s: must be greater than 0");
+            "a.toml:13:12: master.velocity = \"0 cpm\": must be greater than 0");
   EXPECT_EQ(complaint(cam(turn, "[master]\nvelocity = \"120 mm/s\"\n")),
             "a.toml:13:12: master.velocity = \"120 mm/s\": mm/s is not a unit of this quantity: "
             "give the value in deg/s");
