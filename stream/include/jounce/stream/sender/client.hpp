@@ -64,13 +64,14 @@ class Client {
   CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
   /// dynamics.velocity is the velocity of the added move alone.
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
-  /// `velocity` is signed, 0: to rest.
+  /// `velocity` is signed, 0: to rest. dynamics.velocity is not sent.
   CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
   /// Like move_velocity(), but as a hold-to-run jog: the axis stops when this session ends, or when
   /// this client sends no message for 0.2 s. beat() keeps the jog running.
   CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat.
   CallOutcome beat() { return tell(wire::Heartbeat{}); }
+  /// Sends dynamics.deceleration and dynamics.jerk only.
   CallOutcome halt(const MoveDynamics& dynamics = {});
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
