@@ -28,8 +28,8 @@ struct SCurveSpec {
   double deceleration_jerk = 0;  ///< u/s^3, while it slows down; 0: the same as jerk
 };
 
-/// Returns the time-optimal move under the limits. The speeding-up and the slowing-down part each
-/// have their own acceleration and jerk. Throws InputError for a value out of range.
+/// Returns the time-optimal move under the limits. The part that speeds up and the part that slows
+/// down each have their own acceleration and jerk. Throws InputError for a value out of range.
 Profile s_curve(const SCurveSpec& spec);
 
 }  // namespace jounce
