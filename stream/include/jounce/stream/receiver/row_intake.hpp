@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// Progress of a queue on an axis. Arrays contain a value for each of the two banks.
+/// Progress of a queue on an axis. Arrays have one entry for each of the two banks.
 struct QueueLevel {
   /// Number of rows that were freed since the queue was opened.
   std::array<std::uint64_t, 2> freed{};
@@ -19,9 +19,9 @@ struct QueueLevel {
   wire::Progress progress = wire::Progress::none;  ///< progress of the motion
 };
 
-/// The arriving rows of one queue. It puts them into order, checks them, and never accepts more
-/// than the free space. It keeps at most `credit` messages that have arrived before their
-/// predecessors.
+/// The arriving rows of one queue. The class puts them into order, checks them, and never accepts
+/// more rows than the free space holds. It keeps at most `credit` messages that have arrived before
+/// their predecessors.
 class RowIntake {
  public:
   /// `credit`: greatest number of messages in transit.
@@ -36,9 +36,9 @@ class RowIntake {
   /// Drops the rows of this bank. The next message of the bank has the number `seq`.
   void clear(std::uint8_t bank, std::uint32_t seq);
 
-  /// Reports the progress of the axis. Returns true if there is something new to acknowledge.
+  /// Reports the progress of the axis. Returns true if an acknowledgment is due.
   bool level(const QueueLevel& level);
-  /// Rejects the queue. Later calls have no effect.
+  /// Rejects the queue. Only the first call has an effect.
   void refuse(Refused refused, std::int64_t row = -1);
 
   /// Returns the acknowledgment. `boot`: number of this start of the executor.
