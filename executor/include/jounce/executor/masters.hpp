@@ -16,11 +16,12 @@
 
 namespace jounce {
 
-/// A master of a machine, in the options of an executor. Follow::index is its index in the list of
+/// A master of a machine, in the options of an executor. Follow::index is an index into the list of
 /// masters.
 struct MachineMaster {
-  std::string name;                ///< name; an ExternalMaster receives the channel of this name
-  std::string unit;                ///< unit of its position
+  std::string name;                ///< name of the master; an ExternalMaster receives the channel
+                                   ///< of this name
+  std::string unit;                ///< unit of the position
   std::shared_ptr<Master> source;  ///< computes the position
 };
 
@@ -36,7 +37,8 @@ class MasterServer {
   /// Options of the masters of a machine.
   struct Options {
     std::vector<MachineMaster> masters = {};  ///< the masters of the machine
-    /// For each axis, the master that it follows; its status reports that master.
+    /// For each axis, the master that it follows; the status of the axis includes that of this
+    /// master.
     std::vector<Follow> follows = {};
     bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake
     std::function<void(const std::string& notice)> notify{};  ///< receives notices as text

@@ -19,7 +19,7 @@ namespace jounce {
 ///     auto job = worker.ask([table] { return std::make_unique<Job>(1, table); });
 ///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or throws
 ///
-/// The destructor waits for the present task, and drops the others.
+/// The destructor waits for the end of the present task, and drops the other tasks.
 class Worker {
  public:
   Worker() : thread_([this](const std::stop_token& leave) { run(leave); }) {}
