@@ -40,11 +40,11 @@ bool has_sensors(const HomingMethod& method, const Sensors& sensors) noexcept;
 ///     if (homing.done()) rename(homing.home());
 ///
 /// 1. The axis searches for the switch with search_velocity. At a limit switch it reverses, once
-///   only.
+///    only.
 /// 2. The axis moves to the side of the edge from which the method passes home: with index_velocity
-///   onto the switch, or with search_velocity off the switch.
+///    onto the switch, or with search_velocity off the switch.
 /// 3. The axis passes the edge with index_velocity, then the index if the method uses one, and
-///   comes to rest.
+///    comes to rest.
 ///
 /// The axis reverses only at rest, and only when the switch has been stable for the time `settle`,
 /// because contacts may bounce.
