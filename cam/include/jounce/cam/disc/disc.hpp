@@ -153,7 +153,7 @@ Report check(const Disc& disc, const DiscLimits& limits);
 /// Returns the least base radius with which the cam satisfies the limits of pressure angle and
 /// profile radius; nullopt if no radius does. spec.base_radius is ignored. The extrema at the
 /// result are exact; a radius smaller by 1e-9 of it breaks one of the limits.
-/// them.
+///
 /// The search increases the radius in steps and returns the first result. A step is 2 %
 /// (translating), or 1/400 of the reach of the arm (oscillating). The search can therefore miss a
 /// narrow range of smaller radii.

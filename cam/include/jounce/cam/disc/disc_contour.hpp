@@ -26,6 +26,7 @@ enum class Pieces { lines, arcs };
 /// Returns the curve parallel to the pitch curve, at `distance` (u) outwards: 0 is the pitch curve
 /// itself, -roller_radius the profile, cutter_radius - roller_radius the path of the center of a
 /// cutter.
+///
 /// No point of the true curve is farther than `tolerance` (u, > 0) from the contour. A bound over
 /// the whole length of each piece proves this (equations (1) and (2) in disc_contour.cpp), not
 /// samples. The vertices lie on the curve, include every break of the cam, and close exactly. If

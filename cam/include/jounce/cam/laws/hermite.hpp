@@ -28,10 +28,9 @@ struct HermitePoint {
 ///     Cam cam(pieces, 0, Extrapolation::hold);
 ///
 /// Positions are rounded to double precision. Over a piece of length h, this rounding causes an
-/// error of geo_jerk of about
-/// slave| 1e-14 / h^3. Throws InputError (key "points[2].slave", ...) for fewer
-/// than two points, a number that is not finite, masters that do not ascend, and a jerk at some
-/// points only. Source: J. Stoer, R. Bulirsch, Introduction to Numerical Analysis, 2.1.5.
+/// error of geo_jerk of about |slave| 1e-14 / h^3. Throws InputError (key "points[2].slave", ...)
+/// for fewer than two points, a number that is not finite, masters that do not ascend, and a jerk
+/// at some points only. Source: J. Stoer, R. Bulirsch, Introduction to Numerical Analysis, 2.1.5.
 std::vector<Segment> hermite(std::span<const HermitePoint> points);
 
 }  // namespace jounce

@@ -93,8 +93,7 @@ void require_valid(Law law, const LawForm& form);
 
 /// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at the ends of
 /// the law. Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the
-/// velocity
-/// v and acceleration a with respect to the master at both ends (0: start, 1: end),
+/// velocity v and acceleration a with respect to the master at both ends (0: start, 1: end),
 ///
 ///     f = p0 + h rise + v0 L enter + v1 L leave + a0 L^2 bend_in + a1 L^2 bend_out
 ///

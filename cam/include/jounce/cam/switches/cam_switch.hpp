@@ -36,7 +36,6 @@ namespace jounce {
 /// **Compensation** is a time c in s for each edge: negative for early, positive for late, as in
 /// PLCopen. The edge at position p occurs when the position x and the velocity v of the axis
 /// satisfy
-/// The edge occurs when the position x and the velocity v of the axis satisfy
 ///
 ///     (1)  x(t) - c v(t) = p,
 ///
