@@ -123,16 +123,15 @@ struct QueuedMotion {
 /// acceleration (without a jerk limit: up to the velocity). Rules:
 ///
 /// 1. A junction is passed exactly at the end position, with acceleration 0, at the velocity that
-/// 1. A junction is passed exactly at the end position, with acceleration 0, at the velocity that
-///   the mode requires. The velocity is lower in two cases. If the move before the junction is too
-///   short, the junction velocity is the highest that this move can reach. If the moves after the
-///   junction are too short, it is the highest from which all of them can keep their junction
-///   velocities and the last one can stop. All moves of a batch are considered.
+///    the mode requires. The velocity is lower in two cases. If the move before the junction is too
+///    short, the junction velocity is the highest that this move can reach. If the moves after the
+///    junction are too short, it is the highest from which all of them can keep their junction
+///    velocities and the last one can stop. All moves of a batch are considered.
 /// 2. The junction velocity is 0 if the next command reverses, covers no distance, or dwells. After
 ///    MoveVelocity and Halt the next command begins when they are done, in every mode.
 /// 3. No move overshoots its end, except the first move of a batch, if the axis is too fast at the
-///   beginning of the batch. If the following moves permit, the axis then passes the end faster
-///   than planned. Otherwise it overshoots, returns, and begins the next move at rest.
+///    beginning of the batch. If the following moves permit, the axis then passes the end faster
+///    than planned. Otherwise it overshoots, returns, and begins the next move at rest.
 /// 4. An aborting command begins with the position, velocity and acceleration at that moment. The
 ///    acceleration counts as 0 if the aborted motion has no jerk limit.
 /// 5. Each command keeps its own dynamics, with two exceptions. A command that begins with a

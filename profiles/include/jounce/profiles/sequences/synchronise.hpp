@@ -56,6 +56,7 @@ struct Synchronised {
 /// - The axes have different kinds of goals.
 /// - An axis inside its bounds cannot stay inside them on the line. On a line, the axis with the
 ///   least jerk in proportion to its distance limits how fast the accelerations of all axes fall.
+///
 /// A start outside the bounds: see move_to(). Does not allocate or throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
