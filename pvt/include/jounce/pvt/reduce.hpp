@@ -29,23 +29,23 @@ namespace jounce {
 ///
 /// **Fewest.** Knots may be anywhere, not only at the breaks of the curve.
 /// 1. Each interval is made as long as possible. The result has the fewest knots if the following
-///   holds: whenever an interval is within the tolerance, each part of the interval is, too.
+///    holds: whenever an interval is within the tolerance, each part of the interval is, too.
 /// 2. All intervals are shortened together until they have the same error. For a smooth curve, the
-///   error is then within a hundredth of that of the best table with this number of knots. For
-///   other curves it is near the best.
+///    error is then within a hundredth of that of the best table with this number of knots. For
+///    other curves it is near the best.
 /// 3. For tables of at most 64 knots and curves of at most 128 segments, a further search covers
-///   the breaks of the curve and 64 divisions of it: no subset of these places is better by more
-///   than a hundredth (pvt/src/sample/best_places.hpp).
+///    the breaks of the curve and 64 divisions of it: no subset of these places is better by more
+///    than a hundredth (pvt/src/sample/best_places.hpp).
 ///
 /// Except for knots at dwells and straight lines, no knot can be removed: two intervals joined in
 /// one would break the tolerance.
 ///
 /// **Dwells and straight lines** of the curve (such as a slave in step) are exact intervals of the
 /// table, for every tolerance. The two ends of such an interval are knots; on a grid, the knots are
-/// the nearest grid places inside the interval. Between other straight lines, as in a table that
-/// was recorded in counts, this applies only to dwells of at least 1/64 of the curve. A line is an
-/// ordinary part of the curve if its rounded ends would break the tolerance; dwells and lines are
-/// ordinary parts if `spacing` leaves no place for their knots.
+/// the nearest grid places inside the interval. If the neighbors are straight lines as well, as
+/// in a table that was recorded in counts, this applies only to dwells of at least 1/64 of the
+/// curve. A line is not kept exact if its rounded ends would break the tolerance. Neither dwells
+/// nor lines are kept exact if `spacing` leaves no place for their knots.
 ///
 /// **Quadratic pieces.** Each interval between two knots of the curve has an additional knot in its
 /// middle, so that the velocity does not step. Every other knot is on the curve, so errors do not
