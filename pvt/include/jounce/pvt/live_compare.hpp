@@ -37,8 +37,8 @@ struct CompareStep {
 /// motion, not samples: exact to 1e-12 s for a constant jerk. Times are in s, positions in u.
 ///
 /// **Arming** starts the list again, with the output off, from the position in the previous step.
-/// All points that the axis passes after this position fire in the next step, even if arm() was
-/// called late or within a cycle. A point at this position fires in the next step as well. No point
+/// The points that the axis passes in the next step fire in that step, even if arm() was called
+/// within the cycle. A point at the position of the axis fires in the next step as well. No point
 /// fires before arming, or after the last point of the list.
 ///
 /// step() does not allocate, lock or throw. If the position is not finite, only time passes, and

@@ -140,7 +140,8 @@ class SegmentFifos {
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
   /// Queues a switch to the other FIFO at the end of the pass; before the start, at the end of the
-  /// first pass. Returns false if tables have ended, or if the other FIFO has no rows.
+  /// first pass. Returns false for a stream, if the tables have ended, or if the other FIFO has no
+  /// rows.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------
@@ -152,9 +153,9 @@ class SegmentFifos {
   /// Returns the direction in which a FIFO begins: the sign of the first displacement in its first
   /// 64 rows; 0: none.
   [[nodiscard]] int direction(int fifo) const;
-  /// take() selects the FIFO to start. It returns false if the FIFO is empty, in use or being
-  /// cleared, or is a stream that has ended. give_back() cancels the selection, or a start after
-  /// which nothing was played.
+  /// take() selects the FIFO to start. It returns false if a FIFO is already selected or played, if
+  /// the FIFO is empty or being cleared, or if it is a stream that has ended and was not cleared.
+  /// give_back() cancels the selection, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
   /// Plays the selected FIFO. The pass begins at the given x and position; a stream begins at its
