@@ -27,7 +27,8 @@ namespace jounce {
 ///
 /// **Intervals.** A segment includes its start but not its end; the last segment includes both. So
 /// at a break the curve has the value of the segment that begins there (right-continuous).
-/// Side::left selects the limit from the left.
+/// Side::left selects the limit from the left. At the end of a periodic curve, Side::right gives
+/// the start of the next period.
 ///
 /// **Outside [start, end]**, the policy given to the constructor applies; see Extrapolation in
 /// jet.hpp.
