@@ -39,8 +39,9 @@ namespace jounce {
 ///
 ///     (1)  x(t) - c v(t) = p,
 ///
-/// that is, the time c after the axis would pass p at its present velocity, as in common
-/// controllers. It is exact at constant velocity; at an acceleration a, the error is c^2 a / (2 v).
+/// that is, at the time c after the axis would pass p at its present velocity, as in common
+/// controllers. At constant velocity, the time of the edge is exact; at an acceleration a, its error
+/// is c^2 a / (2 v).
 /// For an axis that moves forwards, the lower boundary of the range is the on edge and the upper
 /// one the off edge; for an axis that moves backwards, they are exchanged. On edges and off edges
 /// have their own c. If compensation places the off edge before the on edge, the switch stays off;
