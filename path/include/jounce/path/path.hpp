@@ -40,7 +40,7 @@ struct PathPiece {
 /// that it replaces. So a path of lines has the same length in q with and without rounded corners.
 /// On a turn, |r'| <= 1, where r is the position on the path.
 ///
-/// **Memory.** A piece needs 32 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn, 6n
+/// **Memory.** A piece needs 40 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn, 6n
 /// + 1 for a blend. curve() makes a Curve from these numbers.
 class Path {
  public:
