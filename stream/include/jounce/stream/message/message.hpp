@@ -56,7 +56,7 @@ enum class StopMode : std::int8_t {
 enum class Refusal : std::int8_t {
   none = 0,         ///< accepted
   busy = 1,         ///< another program owns the axis in its session
-  unknown_session,  ///< no header has opened this session: the executor may have restarted
+  unknown_session,  ///< no message has opened this session: the executor may have restarted
   /// The session was released, has timed out, or was ended by a stop of an operator.
   session_ended,
   bad_header,  ///< the header is inconsistent, or differs from an earlier one with the same index
@@ -113,7 +113,7 @@ enum class Next : std::int8_t {
 
 // ---- from the streamer -------------------------------------------------------------------------
 
-/// Announces a table. The first header of a session opens the session.
+/// Announces a table. A Header can open a session, and so can a Queue or a Heartbeat.
 struct Header {
   std::uint32_t table = 0;     ///< index of the table in the session, 0 to 63
   Sha256 hash{};               ///< content_hash(table, units); zeros: the hash follows in a later
