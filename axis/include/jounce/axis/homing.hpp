@@ -56,7 +56,7 @@ class Homing {
   struct Seen {
     Sensors sensors = {};  ///< states of the sensors
     double position = 0;   ///< actual position, u
-    bool at_rest = false;  ///< true if the setpoint is at rest; required when velocity() is 0
+    bool at_rest = false;  ///< true if the setpoint has come to rest, as velocity() = 0 requests
     double dt = 0;         ///< time since the previous cycle, s
   };
 
