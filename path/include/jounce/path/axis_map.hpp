@@ -51,8 +51,8 @@ class AxisMap {
   [[nodiscard]] std::size_t joints() const { return joints_; }
 
   /// Computes the joints and their three derivatives from a point and its three derivatives. The
-  /// derivatives are with respect to the same parameter, which may be any. An angle may jump by
-  /// whole turns between two calls; plans remove such jumps.
+  /// derivatives are with respect to one common parameter. An angle may jump by whole turns
+  /// between two calls; plans remove such jumps.
   virtual MapState jets(std::span<const Jet> point, std::span<Jet> joints) const = 0;
 
   /// Period of a joint, in its unit (360 for an angle in deg); 0: not periodic.

@@ -31,9 +31,9 @@ Plan resumed(const Plan& plan, double from);
 
 /// Plans a retreat: a motion from the rest at the end of `held` back along the path to the path
 /// position q = `to`. The result has the same path in the opposite direction; its q counts from the
-/// end. The lower of the plan's acceleration and deceleration limits both. The retreat rests at
-/// every place where the plan rests. Throws InputError "to" outside [0, q at the end of `held`),
-/// and inside a corner, which is passed at constant velocity.
+/// end. Acceleration and deceleration have the same limit: the lower of the plan's two limits. The
+/// retreat rests at every place where the plan rests. Throws InputError "to" outside [0, q at the
+/// end of `held`), and inside a corner, which is passed at constant velocity.
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce

@@ -22,7 +22,7 @@ enum class Corner : std::uint8_t {
   /// distance between the curve and the sides of the corner (G64 P).
   deviation,
   /// Rounded: the curve begins at most `value` (u) before the corner and ends at most `value` after
-  /// it (TMCornerDistance).
+  /// the corner (TMCornerDistance).
   distance,
   curvature,  ///< rounded: curvature at most `value`, 1/u (HIMC MAX_CORNER_CURV)
   velocity,   ///< rounded: passed at `value`, u/s, with the least deviation (HIMC CONST_VEL)
