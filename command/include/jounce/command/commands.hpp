@@ -200,9 +200,9 @@ constexpr void each_field(C& c, F f) {
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
   double position = 0;  ///< target, u
-  /// velocity, acceleration, deceleration and jerk of the move
+  /// Velocity, acceleration, deceleration and jerk of the move.
   MoveDynamics dynamics = {};
-  /// direction on a modulo axis: shortest, positive or negative
+  /// Direction on a modulo axis: shortest, positive or negative.
   Direction direction = Direction::shortest;
   /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
