@@ -14,7 +14,7 @@ namespace jounce {
 
 /// Times of a claim.
 struct ClaimOptions {
-  /// time between two requests before the claim is up
+  /// Time between two requests before the claim is up.
   Nanos repeat = std::chrono::milliseconds(30);
   int asked = 10;                         ///< number of requests before the claim is up
   Nanos again = std::chrono::seconds(1);  ///< time between two requests when the claim is up
