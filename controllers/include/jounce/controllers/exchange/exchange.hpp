@@ -34,8 +34,8 @@ std::string exchange_text(const CamFormat& format, const TableFile& file);
 
 /// One cam of a file.
 struct ExchangeCam {
-  std::string name;  ///< name of its reference, array or tag; "" in formats without names
-  TableFile file;    ///< name of the cam's reference, array or tag; "" in formats without names
+  std::string name;  ///< name of the cam's reference, array or tag; "" in formats without names
+  TableFile file;    ///< table of the cam, with its units and provenance
   std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
 };
 
@@ -44,9 +44,8 @@ struct ExchangeCam {
 /// true, 0,5 is read as 0.5, in columns that are not separated by commas.
 ///
 /// Throws InputError with file, line, key, value and rule for a wrong number of columns; for text
-/// that is not a finite number (the error names a decimal comma); for knots that do not
-/// ascend; for a number of knots or a hash that does not match; and for a format that cannot be
-/// read.
+/// that is not a finite number (the error names a decimal comma); for knots that do not ascend; for
+/// a number of knots or a hash that does not match; and for a format that cannot be read.
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma = false);
 
