@@ -107,7 +107,7 @@ struct Outcome {
   /// Proven lower bound of the objective: no result that satisfies the constraints has a lower
   /// objective (optimize_shape(): no spline over its knots). nullopt: no bound is known.
   std::optional<double> bound = {};
-  /// figures of `minimize`, followed by figures that are limited
+  /// Figures of `minimize`, followed by figures that are limited.
   std::vector<FigureResult> figures = {};
   Report limits = {};  ///< constraints of `best`, checked independently of the solver
   /// Obstacles to further improvement: limits that are reached ("limit/..."), free quantities at
