@@ -31,6 +31,7 @@ struct KeyFigure {
 /// - "stroke", "knots" (of the table);
 /// - for a motion, and for a cam with a [master]: "duration" (the spec's time unit), "peak
 ///   velocity", "peak acceleration", "peak jerk", and "rms velocity", ... (over the duration);
+/// - for a cam: "peak geo_velocity", ... and "rms geo_velocity", ... (over the master);
 /// - "master velocity", "cycle time" of a periodic cam, "fastest master" at which the slave is
 ///   within [limits.slave];
 /// - figures of the generator (sync_figures()): "longest cut", "fastest line", "in step", ...;
@@ -65,10 +66,10 @@ struct Assessment {
 /// necessary.
 bool states_limit(const Finding& finding);
 
-/// Makes the spec and checks it against its limits. Simulates its [drive] only if `names` contains
-/// "margin" or a figure of the drive. If `names` is empty, returns all figures. Throws InputError
-/// like make(); for a name that is not a figure of this spec (the message lists the figures); and
-/// if the integration of the drive does not reach the end. Thread-safe.
+/// Makes the spec, checks it against its limits, and returns the figures in `names`; all figures if
+/// `names` is empty. Simulates the [drive] of the spec only for "margin" and the figures of the
+/// drive. Throws InputError like make(); for a name that is not a figure of this spec (the message
+/// lists the figures); and if the integration of the drive does not reach the end. Thread-safe.
 Assessment assess(const Spec& spec, const std::vector<std::string>& names = {});
 
 /// Like assess(), with the margins of each segment (`rooms`).
