@@ -72,8 +72,8 @@ struct Comparison {
 /// over a master, if units do not convert, or if the curves have no common interval.
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
 
-/// Returns the version in other units: curve, knots and limits. Where the old or the new unit is
-/// unknown, numbers stay. Throws InputError (key "unit") if two units do not convert.
+/// Returns the version in other units: curve, knots and limits. If the old or the new unit is
+/// unknown, the numbers stay. Throws InputError (key "unit") if two units do not convert.
 Version in_units(Version version, const Units& units);
 
 /// Returns a text for people: one line for each quantity with its peaks and its largest difference,
