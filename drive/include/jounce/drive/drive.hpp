@@ -15,7 +15,7 @@ struct DriveSetpoint {
   double position = 0;      ///< commanded position, u, in the coordinate of the drive
   double velocity = 0;      ///< commanded velocity, u/s, for a feed-forward
   double acceleration = 0;  ///< commanded acceleration, u/s^2, for a feed-forward
-  /// true: follow the setpoints; false: stop with the drive's own quick stop, then disable.
+  /// True: follow the setpoints. False: stop with the drive's own quick stop, then disable.
   bool enable = false;
   bool reset = false;  ///< true for one tick: clear the fault
 };

@@ -23,7 +23,7 @@ struct SharedProcessData {
     T data{};                 ///< the data
   };
 
-  /// magic_number; the executor writes it last, when the memory is complete
+  /// The executor writes magic_number last, when the memory is complete.
   std::atomic<std::uint64_t> magic;
   Seqlock<Counted<Cia402Outputs>> outputs;  ///< written by the executor
   Seqlock<Counted<Cia402Inputs>> inputs;    ///< written by the process of the drive
