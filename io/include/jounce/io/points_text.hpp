@@ -21,7 +21,7 @@ namespace jounce {
 /// Numbers are relative to the first knot, which is not a point. A piece of constant velocity
 /// becomes a point of the type `even`; a piece of linear velocity (reduce.hpp) becomes a point of
 /// the type `normal`. If a table over a master begins at a nonzero ratio, its first point has the
-/// type `continue`.
+/// type `continued` (in the CSV: continue).
 ///
 /// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
 /// over time that begins at a nonzero velocity.
