@@ -35,9 +35,10 @@ struct ClaimOptions {
 /// continues to send them afterwards, because two networks may be connected later, or messages may
 /// have been lost.
 ///
-/// **Exactly one** executor wins. An executor gives up only if it receives a claim that contains
-/// its boot. The other executor has then received its claim, applies the same rule, and wins.
-/// Messages recorded in an earlier run never contain this boot. Decision 0063 gives the proof.
+/// **Exactly one** executor wins. Executor A gives up only if it receives a claim of an executor B
+/// that contains the boot of A. So B has received the claim of A, applies the same rule, and wins.
+/// Messages recorded in an earlier run never contain the present boot of A. Decision 0063 gives the
+/// proof.
 class Claim {
  public:
   /// `names`: names of the axes. `boot` > 0: a random number, different at each start.
@@ -48,8 +49,8 @@ class Claim {
   /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
 
-  /// True if the claim has sent all requests before `up`, and has waited for answers. Before this
-  /// call, receive all messages that wait on the link.
+  /// True if the claim is up: poll() has sent `asked` requests, and the time for answers is over.
+  /// Before this call, receive all messages that wait on the link.
   [[nodiscard]] bool up() const { return up_; }
   /// The name that another executor owns; nullopt: none.
   [[nodiscard]] const std::optional<std::string>& lost() const { return lost_; }

@@ -107,7 +107,7 @@ enum class Progress : std::int8_t {
 /// Next action of an axis, after the present motion.
 enum class Next : std::int8_t {
   nothing = 0,
-  armed = 1,    ///< a table is armed and waits for a start
+  armed = 1,    ///< a motion is armed and waits for a start
   waiting = 2,  ///< a start was accepted and waits for its tick
 };
 
@@ -215,7 +215,7 @@ struct QueueAck {
   std::array<std::uint32_t, 2> space{};  ///< free rows after those of the messages below `next`
   std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
   Progress progress = Progress::none;  ///< progress of the motion
-  Refusal refusal = Refusal::none;     ///< reason for rejecting the queue; it stays
+  Refusal refusal = Refusal::none;     ///< reason for rejecting the queue; permanent
   std::int64_t row = -1;               ///< index of the rejected row in its bank, from 0; -1: none
   std::string reason{};                ///< the reason as text; may be empty
 };
