@@ -29,8 +29,8 @@ inline bool backwards(const Jet& x, Side side = Side::right) {
 }
 
 /// Throws InputError if the master passes more than 2e6 breaks of a cam in the periods `first` to
-/// `last`, or reaches the period 1e15. Both are far beyond any machine. The check prevents that the
-/// program runs out of memory.
+/// `last`, or reaches the period 1e15. Both limits are far beyond any machine. The check prevents
+/// the program from running out of memory.
 void require_few_periods(double first, double last, std::size_t breaks);
 
 /// The motion over time of a slave that follows a master: cam(master(t)). It is a Signal.
