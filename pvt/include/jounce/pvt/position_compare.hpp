@@ -126,7 +126,7 @@ Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory&
 namespace himc {
 
 /// Returns the position compare for positions of equal spacing: SetPT_StartPos, EndPos, Interval,
-/// PulseWidth. If start is above end, positions descend. Start and end fire both if their distance
+/// PulseWidth. If start is above end, positions descend. Both start and end fire if their distance
 /// is a whole number of intervals (to 1e-9 of an interval). pulse_width is in ns, 20 to 80000 in
 /// steps of 20. Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
