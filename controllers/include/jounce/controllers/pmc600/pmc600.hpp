@@ -26,8 +26,8 @@ namespace jounce::pmc600 {
 enum class VelocityMode {
   /// Constant acceleration.
   trapezoid = 0,
-  /// Each ramp of the trapezoid becomes a sin^2 of the velocity in the same time. So the peak
-  /// acceleration is pi/2 times the given acceleration.
+  /// The velocity of each ramp follows a sin^2, in the time of the ramp of the trapezoid. So the
+  /// peak acceleration is pi/2 times the given acceleration.
   sigmoid = 1,
   /// Like sigmoid, but the given acceleration is the peak: a ramp takes pi/2 times as long.
   sigmoid_limit = 2,
