@@ -128,8 +128,9 @@ struct Durations {
 /// Returns the possible durations of move_to(from, to, bounds).
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// Returns the fastest change to a velocity (u/s) with the given acceleration (u/s^2), at any
-/// position (PLCopen MC_MoveVelocity). A start outside the bounds returns inside as in move_to().
+/// Returns the fastest change to a velocity (u/s), at any position (PLCopen MC_MoveVelocity). The
+/// move ends with the given acceleration (u/s^2). A start outside the bounds returns inside as in
+/// move_to().
 MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                          double acceleration = 0) noexcept;
 
