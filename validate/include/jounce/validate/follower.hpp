@@ -98,8 +98,8 @@ struct FollowerResult {
 /// cam when it lands: the linkage absorbs the speed of the tip. Only the mass can rebound, on the
 /// linkage.
 ///
-/// **Accuracy.** Losses of contact and landings are found as events, within 1e-8 of a period of the
-/// exact instants. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
+/// **Accuracy.** Losses of contact and landings are found as events, to 1e-8 of a turn of the
+/// cam. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
 ///
 /// **Errors.** Throws InputError for a follower, an option or a limit out of range, and for a Table
 /// over a master. A failed integration is not an exception: see FollowerResult::integration.
