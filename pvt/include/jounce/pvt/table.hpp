@@ -48,8 +48,9 @@ struct Columns {
 /// A table is immutable: copies share their knots.
 ///
 /// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve() of
-/// the table agrees to rounding. An interval includes its start but not its end; the last interval
-/// includes both, as in a Curve.
+/// the table agrees to rounding. As in a Curve, an interval includes its start but not its end. The
+/// end of the table belongs to the last interval; but if the table repeats, Side::right gives the
+/// start of the next period.
 ///
 /// The constructor throws InputError, with the knot and the rule, for fewer than two knots; columns
 /// of unequal size; a missing column, or a column that the rule does not use; an x that does not
