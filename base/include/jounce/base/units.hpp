@@ -8,9 +8,12 @@ namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
 /// These units can be multiplied, divided and raised to powers:
-/// - length m, mm, um, cm, in; angle rad, deg, arcmin, arcsec, rev; pulses pulse (also count, inc);
-/// - time s, ms, us, ns, min, h; frequency Hz, kHz, MHz;
-/// - kg, g, N, J, W, A, V, ohm.
+/// - length: m, mm, um, cm, in;
+/// - angle: rad, deg, arcmin, arcsec, rev;
+/// - pulses: pulse (also count, inc);
+/// - time: s, ms, us, ns, min, h;
+/// - frequency: Hz, kHz, MHz;
+/// - other quantities: kg, g, N, J, W, A, V, ohm.
 ///
 /// Lengths, angles and pulses are different dimensions: a unit of one does not convert to a unit of
 /// another.
