@@ -21,7 +21,7 @@ LawForm shown_form(Law law);
 Law law_of(const std::string& name);
 /// Returns the laws that have characteristic values, that is, a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
-/// Returns the characteristic values of such a law.
+/// Returns the characteristic values of one of the rising_laws().
 Characteristics characteristics(Law law);
 
 /// Returns the permitted ends of a law, as text.
