@@ -25,10 +25,10 @@ namespace jounce {
 /// and the end, so a curve has one more break than segments. Segments store their lengths; a break
 /// is the start plus the sum of the lengths before it.
 ///
-/// **Intervals.** A segment includes its start but not its end; the last segment includes both. So
-/// at a break the curve has the value of the segment that begins there (right-continuous).
-/// Side::left selects the limit from the left. At the end of a periodic curve, Side::right gives
-/// the start of the next period.
+/// **Intervals.** A segment includes its start but not its end. So at a break the curve has the
+/// value of the segment that begins there (right-continuous). Side::left selects the limit from the
+/// left. The end of the curve belongs to the last segment; but if the curve is periodic, Side::right
+/// gives the start of the next period.
 ///
 /// **Outside [start, end]**, the policy given to the constructor applies; see Extrapolation in
 /// jet.hpp.
