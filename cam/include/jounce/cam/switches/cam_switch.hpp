@@ -40,12 +40,11 @@ namespace jounce {
 ///     (1)  x(t) - c v(t) = p,
 ///
 /// that is, at the time c after the axis would pass p at its present velocity, as in common
-/// controllers. At constant velocity, the time of the edge is exact; at an acceleration a, its error
-/// is c^2 a / (2 v).
-/// For an axis that moves forwards, the lower boundary of the range is the on edge and the upper
-/// one the off edge; for an axis that moves backwards, they are exchanged. On edges and off edges
-/// have their own c. If compensation places the off edge before the on edge, the switch stays off;
-/// it never stays on.
+/// controllers. At constant velocity, the time of the edge is exact; at an acceleration a, its
+/// error is c^2 a / (2 v). For an axis that moves forwards, the lower boundary of the range is the
+/// on edge and the upper one the off edge; for an axis that moves backwards, they are exchanged. On
+/// edges and off edges have their own c. If compensation places the off edge before the on edge,
+/// the switch stays off; it never stays on.
 ///
 /// **Hysteresis** is a distance h in the unit of the position. After an edge at p, no further edge
 /// occurs at p until the axis has left the interval from p - h to p + h. If the axis leaves on the
