@@ -14,8 +14,9 @@ struct ControllerError {
   const char* controller;  ///< name of the controller: "PMC600" or "HMPL"
   unsigned code;           ///< error number in the manual of the controller
   const char* meaning;     ///< one sentence: what happened
-  /// The equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "GearInPosStatus NAME", "SwitchStep lost" (of
-  /// CamSwitches), "Cause NAME" or "Refusal NAME" (of an executor), or "none".
+  /// The equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "GearInPosStatus NAME",
+  /// "SwitchStep lost" (of CamSwitches), "Cause NAME" or "Refusal NAME" (of an executor), or
+  /// "none".
   const char* here;
   const char* how;  ///< remark; for "none", the reason why the error cannot occur
 };

@@ -36,8 +36,8 @@ enum class VelocityMode {
   quadratic = 3,
 };
 
-/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
-/// Mode quadratic needs a jerk > 0; the other modes do not use it.
+/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from +
+/// distance). Mode quadratic needs a jerk > 0; the other modes do not use it.
 Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
                          VelocityMode mode = VelocityMode::trapezoid);
 
