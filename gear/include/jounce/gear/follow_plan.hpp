@@ -50,10 +50,10 @@ enum class FollowForm { smooth, table };
 /// greater of their slopes (equation (3) in follow_plan.cpp). If the slave would move backwards
 /// between the zones, it instead slows down, stands still and speeds up, as gently as possible.
 ///
-/// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend, zones
-/// overlap, a point inside a zone contradicts the zone, the ratio at the end of a periodic plan
-/// differs from that at its start, or the position of a zone cannot be determined. Source: Googol
-/// iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
+/// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend,
+/// zones overlap, a point inside a zone contradicts the zone, the ratio at the end of a periodic
+/// plan differs from that at its start, or the position of a zone cannot be determined. Source:
+/// Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
 struct FollowPlan {
   std::vector<FollowPoint> points = {};
   std::vector<FollowZone> zones = {};
