@@ -11,8 +11,8 @@
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 
-/// Figures that are not convex: power, torque with friction and gravity, energy. At each place, such
-/// a figure is a function of a few linear quantities.
+/// Figures that are not convex: power, torque with friction and gravity, energy. At each place,
+/// such a figure is a function of a few linear quantities.
 namespace jounce::optimizer {
 
 /// The function g(x, q_0(x), q_1(x), ...) on an interval of a shape on which it is smooth:
