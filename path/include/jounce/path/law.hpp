@@ -55,7 +55,8 @@ class TimingLaw {
   [[nodiscard]] std::size_t part_at(double t, std::size_t parts) const;
 
   std::vector<LawStretch> stretches_;
-  /// The duration in equal parts: the number of stretches that begin before each part, and before the end.
+  /// The duration in equal parts: the number of stretches that begin before each part, and before
+  /// the end.
   std::vector<std::uint32_t> before_;
   double parts_per_second_ = 0;
 };
