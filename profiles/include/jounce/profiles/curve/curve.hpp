@@ -27,8 +27,8 @@ namespace jounce {
 ///
 /// **Intervals.** A segment includes its start but not its end. So at a break the curve has the
 /// value of the segment that begins there (right-continuous). Side::left selects the limit from the
-/// left. The end of the curve belongs to the last segment; but if the curve is periodic, Side::right
-/// gives the start of the next period.
+/// left. The end of the curve belongs to the last segment; but if the curve is periodic,
+/// Side::right gives the start of the next period.
 ///
 /// **Outside [start, end]**, the policy given to the constructor applies; see Extrapolation in
 /// jet.hpp.

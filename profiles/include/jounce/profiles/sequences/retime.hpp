@@ -15,11 +15,11 @@ namespace jounce {
 ///     const Trajectory fits = retimed(motion, axis);  // reaches a limit at some instant
 ///
 /// least_stretch() returns the factor k for the duration: the least k > 0 with which the motion
-/// stays within the limits of velocity, acceleration and jerk. Retiming divides the velocity by
-/// k, the acceleration by k^2 and the jerk by k^3. The factor is below 1 if the motion has a margin
-/// to every limit. The factor follows from the exact extrema in closed form, so no faster motion of
-/// the same shape exists. Steps of the acceleration (infinite jerk) remain steps and do not count. Position limits
-/// are ignored, because retiming does not change the positions.
+/// stays within the limits of velocity, acceleration and jerk. Retiming divides the velocity by k,
+/// the acceleration by k^2 and the jerk by k^3. The factor is below 1 if the motion has a margin to
+/// every limit. The factor follows from the exact extrema in closed form, so no faster motion of
+/// the same shape exists. Steps of the acceleration (infinite jerk) remain steps and do not count.
+/// Position limits are ignored, because retiming does not change the positions.
 ///
 /// Throws InputError for limits out of range, and if no limit determines k: no limit is given, or
 /// the limited derivatives are zero everywhere.
