@@ -178,8 +178,8 @@ struct CompensateSpec {
                                          ///< segments
 };
 
-/// An operator of [[then]]. Frequencies in ShaperSpec and NotchSpec are in Hz, for every unit of time
-/// of the spec.
+/// An operator of [[then]]. Frequencies in ShaperSpec and NotchSpec are in Hz, for every unit of
+/// time of the spec.
 using Operator = std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec,
                               ChangeSpec, CompensateSpec>;
 
