@@ -11,8 +11,8 @@
 namespace jounce {
 
 /// The last messages of a streamer that has failed. They stop the axis, if a motion of the session
-/// may be in progress, and end the session, so that the axis is free. Because a message may be lost,
-/// all are repeated a few times, until the executor confirms the end of the session.
+/// may be in progress, and end the session, so that the axis is free. Because a message may be
+/// lost, all are repeated a few times, until the executor confirms the end of the session.
 class Farewell {
  public:
   /// `last`: number of the last command of the session. `stops`: true if the axis must be stopped.
