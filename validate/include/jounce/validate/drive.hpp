@@ -24,8 +24,8 @@ struct Friction {
   double stribeck_velocity = 0;  ///< w_s, rad/s, >= 0; 0: the friction falls at once
 };
 
-/// A motor. In the comments below, "0: none" means: if the value is 0, the effect is not modeled, or
-/// the quantity is not limited.
+/// A motor. In the comments below, "0: none" means: if the value is 0, the effect is not modeled,
+/// or the quantity is not limited.
 struct Motor {
   double inertia = 0;          ///< rotor inertia, kg m^2, > 0
   Friction friction = {};      ///< friction of the rotor
