@@ -18,11 +18,11 @@ namespace jounce::web {
 ///     print(page.address());
 ///
 /// The child process runs this program again (/proc/self/exe), with the given words as its
-/// arguments; it calls serve_for_parent(). The parent opens the port, so it can report at once if
-/// the port is in use. It keeps the port and the token, so a page that is started again has the
-/// same address. The parent never accepts a connection. If the child ends, the parent starts it
-/// again after a second, at most 5 times in a minute. When the parent ends, for any reason, the
-/// child ends, too. No function waits for the child.
+/// arguments. For these words, the program must call serve_for_parent(). The parent opens the port,
+/// so it can report at once if the port is in use. It keeps the port and the token, so a page that
+/// is started again has the same address. The parent never accepts a connection. If the child ends,
+/// the parent starts it again after a second, at most 5 times in a minute. When the parent ends,
+/// for any reason, the child ends, too. No function waits for the child.
 class PageProcess {
  public:
   /// `words` are the arguments of the child, beginning with the name of the program. `notify`
