@@ -68,7 +68,7 @@ class ArmedMotion {
   StartAt when_ = StartAt::tick;
   std::int64_t tick_ = 0;
   double position_ = 0;         // m
-  std::int64_t accepted_ = -1;  // tick
+  std::int64_t accepted_ = -1;  // tick in which the start was accepted
 };
 
 }  // namespace jounce

@@ -150,9 +150,9 @@ class MotionAxis {
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
 
-  /// The player of the motion, below the superimposed move.
+  /// The player of the motion, without the superimposed move.
   enum class Base : std::uint8_t { rest, path, live, move };
-  /// table: the played movement ended at a velocity.
+  /// Reason for the present stop. table: the movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
 
   // axis.cpp: one tick
@@ -219,14 +219,14 @@ class MotionAxis {
   Rejection hold(bool on);
   Rejection replan();
 
-  // axis_homing.cpp: the search for its home position
+  // axis_homing.cpp: the search for the home position
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
   /// The limits in effect; during homing, without the position range.
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
-  // axis_starts.cpp: its slots
+  // axis_starts.cpp: armed movements and their starts
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
@@ -240,7 +240,7 @@ class MotionAxis {
   [[nodiscard]] bool stands() const;
   [[nodiscard]] State playing_state() const;
 
-  // axis_path.cpp: along a path, and from one path to the next
+  // axis_path.cpp: motion along a path, and the change to another path
   Cause advance_path(Setpoint& next);
   bool replan_path();
   Rejection start_at_end();
@@ -250,7 +250,7 @@ class MotionAxis {
   void swap_at_master(double s);
   void swap(double boundary, MotionState end);
 
-  // axis_moves.cpp: moves of its own
+  // axis_moves.cpp: moves that the axis plans
   Rejection move_or_buffer(const BufferedMove& what);
   Rejection move(const BufferedMove& what);
   Rejection take_over(const Goal& goal);
@@ -265,7 +265,7 @@ class MotionAxis {
   void brake(double deceleration);
   void leave(Goal::Kind kind);
 
-  // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
+  // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
@@ -303,8 +303,8 @@ class MotionAxis {
   PathPlayer path_;
   LivePlayer live_;
   MovePlayer move_;
-  SuperimposedMove above_;        // adds to the motion
-  WaitingMoves next_;             // moves for the end of this motion
+  SuperimposedMove above_;        // superimposed on the motion
+  WaitingMoves next_;             // moves that wait for the end of the motion
   std::optional<Command> later_;  // the command that waits for its tick
 
   Ending ending_ = Ending::none;
@@ -312,11 +312,11 @@ class MotionAxis {
   bool held_ = false;
   std::int64_t begun_ = 0;  // tick at which the motion began
   TimedState bare_;         // the last output setpoint, without the superimposed move
-  bool joint_ = false;      // this tick joins one motion to another
+  bool joint_ = false;      // true if one motion continues another in this tick
 
-  std::optional<Homing> homing_;  // set until it is at rest, in success or failure
+  std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
 
-  bool has_master_ = false;  // since the start of a cam, until the next table without one
+  bool has_master_ = false;  // true from the start of a cam to the next table without a cam
   Outputs outputs_;
   Tick now_;
 };

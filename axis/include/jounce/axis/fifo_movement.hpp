@@ -104,7 +104,7 @@ class FifoPath final : public Movement {
 
   SegmentFifos fifos_;
   std::optional<double> origin_;
-  SegmentFifos::Reach range_;  // from the origin
+  SegmentFifos::Reach range_;  // relative to the origin
   double begun_at_ = 0;        // u
   bool bounded_ = true;
   std::atomic<int> first_{0};
@@ -154,7 +154,7 @@ class FifoFollow final : public Movement {
 
   SegmentFifos fifos_;
   std::optional<double> origin_;
-  SegmentFifos::Reach range_;  // range from the origin: tolerance of the start
+  SegmentFifos::Reach range_;  // relative to the origin; gives the tolerance of the start
   FollowRun run_;
   std::atomic<int> first_{0};
   bool fresh_ = false;  // begun, and nothing played yet

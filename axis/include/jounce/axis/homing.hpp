@@ -99,14 +99,14 @@ class Homing {
   double velocity_ = 0;
   double home_ = std::numeric_limits<double>::quiet_NaN();
   double elapsed_ = 0;            // s
-  double quiet_ = settle;         // s since the switch changed
-  double from_ = 0;               // u: start of the present motion
-  double position_ = 0;           // u: of the previous cycle
+  double quiet_ = settle;         // time since the last change of the switch, s
+  double from_ = 0;               // start of the present motion, u
+  double position_ = 0;           // position in the previous cycle, u
   int heading_ = 0;               // direction of the last motion
   bool on_ = false;               // state of the switch in the previous cycle
-  std::optional<double> change_;  // u: position of the switch's change in this cycle
+  std::optional<double> change_;  // position of a change of the switch in this cycle, u
   std::optional<int> side_;  // side of the switch: -1 below, 0 on it, 1 above; nullopt: unknown
-  bool turned_ = false;      // it has reversed at a limit switch
+  bool turned_ = false;      // true after a reversal at a limit switch
 };
 
 }  // namespace jounce

@@ -106,10 +106,10 @@ class Job final : public Movement {
 
   std::shared_ptr<const Table> time_;
   std::shared_ptr<const Table> cam_;
-  double least_ = 0;  // s of duration, for a ramp
+  double least_ = 0;  // least duration, for a ramp, s
   Engaged engaged_;
   CouplingStatus coupled_ = CouplingStatus::ok;
-  std::optional<double> in_sync_;  // in sync of the time table; without a cam its start
+  std::optional<double> in_sync_;  // path time from which the slave is in sync, s
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};

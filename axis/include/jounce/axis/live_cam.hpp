@@ -58,9 +58,9 @@ class LiveCam final : public Movement {
   /// The end at which the cam was left, and the motion of the slave from there.
   struct Beyond {
     double side = 0;    // 1: beyond the end, -1: before the start
-    double master = 0;  // m, at that end
-    double slave = 0;   // u
-    double ratio = 0;   // u/m
+    double master = 0;  // master position of this end, m
+    double slave = 0;   // slave position at this end, u
+    double ratio = 0;   // ratio at this end, u/m
   };
   Setpoint break_off(Cause cause) noexcept;
   void extend(double side) noexcept;
@@ -72,7 +72,7 @@ class LiveCam final : public Movement {
   CamEnd end_;
   std::optional<Released> released_;
   std::optional<Beyond> beyond_;
-  double place_ = 0;  // u, of the cam at its start
+  double place_ = 0;  // position of the cam at the start, u
   std::int64_t periods_ = 0;
   Progress progress_ = Progress::engaging;
   Cause cause_ = Cause::none;

@@ -68,8 +68,8 @@ class LivePlayer {
 
   std::int64_t period_;
   Movement* movement_ = nullptr;
-  std::int64_t origin_ = 0;  // tick of its time 0
-  double shift_ = 0;         // m, of the master's coordinate since then
+  std::int64_t origin_ = 0;  // tick in which the time of the movement is 0
+  double shift_ = 0;         // change of the master's coordinate since that tick, m
 };
 
 }  // namespace jounce

@@ -105,8 +105,8 @@ class EncoderMaster final : public Master {
   std::function<double()> position_;
   Tracked tracked_;
   MasterSample reading_, taken_;
-  bool read_ = false;      // since the last at()
-  bool was_read_ = false;  // before the last at()
+  bool read_ = false;      // true if read() was called since the last at()
+  bool was_read_ = false;  // true if read() was called before the last at()
 };
 
 /// Estimate of the offset between the sender's clock and the local one, without a round trip. For
@@ -165,7 +165,7 @@ class ExternalMaster final : public Master {
   [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
-  static constexpr std::size_t most = 64;  // most samples in a cycle
+  static constexpr std::size_t most = 64;  // greatest number of samples in a cycle
   Ring<MasterSample, most> samples_;
   std::array<MasterSample, most> taken_{};
   std::size_t count_ = 0;

@@ -67,7 +67,7 @@ class MovePlayer {
   Goal goal_;
   Profile plan_;
   std::int64_t origin_ = 0;  // tick of the start
-  double ahead_ = 0;         // s of the move that were over then
+  double ahead_ = 0;         // part of the move that was over in that tick, s
 };
 
 }  // namespace jounce

@@ -66,8 +66,8 @@ class PathClock {
   std::int64_t period_;
   std::int64_t origin_ = 0;
   double base_ = 0;    // path time at origin_, s
-  Profile change_;     // change of path time from there: position s, velocity r
-  double top_ = 1;     // the highest requested rate since it was steady
+  Profile change_;     // present change, from origin_ on: position s, velocity r
+  double top_ = 1;     // highest requested rate since the rate was last constant
   double length_ = 0;  // length of the change, s
 };
 

@@ -142,11 +142,11 @@ class PathPlayer {
   Movement* path_ = nullptr;
   Peaks peaks_;
   PathClock clock_;
-  PathClock shown_ = clock_;     // the clock at the last setpoint that went out
+  PathClock shown_ = clock_;     // the clock at the last setpoint that was output
   std::int64_t changeable_ = 0;  // the first tick in which the clock may still be changed
   double played_to_ = 0;         // path time of the last setpoint, s
   Boundary boundary_ = Boundary::none;
-  double boundary_at_ = 0;  // path time, s
+  double boundary_at_ = 0;  // path time of the boundary, s
 };
 
 }  // namespace jounce

@@ -80,10 +80,10 @@ class SuperimposedMove {
   bool running_ = false;
   bool held_ = false;
   Profile profile_;
-  Goal goal_;                // u from the start of the first move in progress
-  Limits most_;              // limits left by the motion below
+  Goal goal_;                // goal, u, relative to the start of the first move in progress
+  Limits most_;              // limits that the motion of the axis leaves
   std::int64_t origin_ = 0;  // tick
-  double finished_ = 0;      // u
+  double finished_ = 0;      // distance of the finished moves, u
 };
 
 }  // namespace jounce

@@ -27,8 +27,8 @@ class Supervision {
   void reset() noexcept { *this = {}; }
 
  private:
-  double outside_ = 0;  // s
-  double inside_ = 0;   // s
+  double outside_ = 0;  // time outside the window of the following error, s
+  double inside_ = 0;   // time inside the window of in position, s
 };
 
 /// Returns the greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity
