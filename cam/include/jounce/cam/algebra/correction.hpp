@@ -54,7 +54,7 @@ class Correction {
   Profile profile_;
   double start_ = 0;        // s, or m for a correction over master
   double distance_ = 0;     // m
-  Segment ahead_, behind_;  // over the distance from the start, forwards and backwards
+  Segment ahead_, behind_;  // over the distance of the master from the start: forwards, backwards
 };
 
 }  // namespace jounce

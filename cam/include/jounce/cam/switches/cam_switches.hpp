@@ -89,7 +89,7 @@ class CamSwitches {
   double position_ = 0;  // unreduced
   double local_ = 0;     // reduced into [0, period)
   double velocity_ = 0;
-  double elapsed_ = 0;      // since the last position
+  double elapsed_ = 0;      // time since the last position, s
   std::int64_t turns_ = 0;  // turns by which the frame moves after this step
   SwitchStep step_;
 };
