@@ -156,9 +156,9 @@ class Cycle {
   std::vector<MasterSight> sights_;
   std::vector<Jet> masters_;      // values of the masters
   std::uint64_t alive_ = 0;       // the last heartbeat seen
-  std::int64_t since_alive_ = 0;  // cycles
+  std::int64_t since_alive_ = 0;  // cycles since the last new heartbeat
   std::int64_t start_;
-  std::int64_t next_ = 0;  // tick
+  std::int64_t next_ = 0;  // number of the next tick
   CycleCounts counts_;
 };
 

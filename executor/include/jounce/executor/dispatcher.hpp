@@ -64,7 +64,7 @@ class Dispatcher {
   void announce(const wire::Event& event, std::size_t axis);
 
   CycleStatus& cycle_;
-  Nanos a_while_;  // a fraction of a cycle: the longest wait while an axis's answer is pending
+  Nanos a_while_;  // longest wait while the answer of an axis is pending: a fraction of a cycle
   Clock clock_;
   std::optional<Claim> claim_;
   ReceiverPump pump_;
@@ -73,7 +73,7 @@ class Dispatcher {
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // time of each axis's last status
   std::vector<std::pair<std::size_t, wire::Event>> again_;  // events to send again, by axis
-  Worker worker_;  // last: its work must end before the rest is destroyed
+  Worker worker_;  // declared last: its work must end before other members are destroyed
 };
 
 /// Returns the axes in the form that Machine needs, each with the name of its receiver.

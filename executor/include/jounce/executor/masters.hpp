@@ -65,13 +65,13 @@ class MasterServer {
  private:
   struct One {
     MachineMaster master;
-    std::optional<MasterIntake> intake = {};  // intake of an external one
+    std::optional<MasterIntake> intake = {};  // for an external master
     MasterSight last = {};
     bool was_there = false;
     bool told_unit = false;
-    std::optional<std::int32_t> epoch = {};       // the newest received
-    std::optional<std::int32_t> told_epoch = {};  // the epoch of the last notice about an older one
-    std::vector<bool> said_by = {};               // axes
+    std::optional<std::int32_t> epoch = {};       // newest epoch that was received
+    std::optional<std::int32_t> told_epoch = {};  // newest epoch at the last notice
+    std::vector<bool> said_by = {};               // axes that send the status of the master
   };
 
   void hear(One& one, ExternalMaster& master);

@@ -55,7 +55,7 @@ class Worker {
   std::mutex mutex_;
   std::condition_variable_any asked_;
   std::deque<std::function<void()>> tasks_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // declared last: the thread uses the other members
 };
 
 }  // namespace jounce
