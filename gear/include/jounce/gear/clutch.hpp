@@ -71,7 +71,7 @@ class Clutch {
   std::int64_t from_, to_;    // ratios * common_
   std::int64_t common_;       // denominator of both ratios
   std::int64_t scale_;        // 2 d, or 1 where d is 0
-  std::int64_t denominator_;  // common_ * scale_: the parts of a slave count
+  std::int64_t denominator_;  // common_ * scale_: number of parts of a slave count
 };
 
 /// The directions of the master in which a slave follows (Googol GT_PrfGear dir, manual 7.5).
