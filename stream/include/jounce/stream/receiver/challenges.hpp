@@ -26,7 +26,7 @@ class Challenges {
   [[nodiscard]] std::int64_t draw();
 
   std::int64_t boot_;
-  std::int64_t drawn_ = 0;  // count
+  std::int64_t drawn_ = 0;  // number of challenges drawn
   std::int64_t session_ = draw();
   std::int64_t operators_ = draw();
 };

@@ -52,14 +52,14 @@ class RowIntake {
 
  private:
   struct Bank {
-    std::uint32_t next = 0;   // message
+    std::uint32_t next = 0;   // number of the next message
     std::uint64_t rows = 0;   // rows before the next message
-    std::uint64_t freed = 0;  // rows of these that were freed
+    std::uint64_t freed = 0;  // number of these rows that were freed
     std::uint64_t begin = 0;  // first row since the last clear
-    bool resumes = false;     // the next message repeats the number of rows before it
-    bool ended = false;       // its last row was marked as last
-    double x = 0;             // x at the end of its last row
-    std::map<std::uint32_t, wire::Rows> held;  // at most credit_
+    bool resumes = false;     // true if the next message sets the number of rows before it
+    bool ended = false;       // true if the last row of the stream has arrived
+    double x = 0;             // x at the end of the last row
+    std::map<std::uint32_t, wire::Rows> held;  // early messages, at most credit_
   };
 
   void advance(Bank& bank);

@@ -53,10 +53,10 @@ class Session {
   SessionTimeouts timeouts_;
   std::int64_t id_ = 0;
   std::int64_t owner_ = 0;
-  std::int64_t challenge_ = 0;  // at the begin of the owner's session
+  std::int64_t challenge_ = 0;  // challenge at the start of the present session
   Nanos received_{};
   bool holds_ = false;
-  std::deque<std::int64_t> ended_;  // the last ones
+  std::deque<std::int64_t> ended_;  // the last sessions that have ended
 };
 
 }  // namespace jounce

@@ -49,7 +49,7 @@ class ChunkWindow {
  private:
   struct State {
     Nanos sent{};
-    std::uint64_t order = 0;  // number of its last transmission among all
+    std::uint64_t order = 0;  // number of its last transmission, counted over all chunks
     std::uint32_t times = 0;
     bool arrived = false;
   };

@@ -68,8 +68,8 @@ class Group {
   struct Axis {
     std::string name;
     Sender sender;
-    std::optional<wire::Status> status{};  // the newest status in its session
-    std::optional<StreamOutcome> own{};    // outcome before the group ended it
+    std::optional<wire::Status> status{};  // newest status of the axis in this session
+    std::optional<StreamOutcome> own{};    // outcome of the axis before the group ended its stream
     bool over = false;
   };
 

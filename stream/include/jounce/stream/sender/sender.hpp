@@ -149,8 +149,8 @@ class Sender {
   bool leg_armed_ = false;
   std::int32_t start_ = 0;     // number of the last accepted start
   std::optional<Nanos> due_;   // time since which the last start appears to have taken place
-  bool waited_ = false;        // the start was seen waiting
-  std::optional<Nanos> over_;  // time since which the axis is at rest with nothing to begin
+  bool waited_ = false;        // true if a status has shown the start as waiting
+  std::optional<Nanos> over_;  // time since which the axis is at rest and no start waits
   std::int64_t session_;
   SenderOptions options_;
   std::int64_t challenge_ = 0;  // the last challenge of the executor
@@ -160,7 +160,7 @@ class Sender {
   std::vector<wire::Message> outgoing_;
 
   std::size_t table_ = 0;              // the present table
-  std::optional<ChunkWindow> window_;  // set once its header is acknowledged
+  std::optional<ChunkWindow> window_;  // set when the header of the table is acknowledged
   std::size_t arrived_before_ = 0, resent_before_ = 0;
   struct Hashing {
     std::size_t table = 0;
@@ -168,7 +168,7 @@ class Sender {
     ContentHasher hasher{};
   };
   std::optional<Hashing> hashing_;
-  bool told_ = false;  // the last header had the hash
+  bool told_ = false;  // true if the last header contained the hash
 
   CommandSlot command_;
 
