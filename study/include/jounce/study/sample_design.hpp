@@ -50,7 +50,7 @@ class SampleDesign {
   std::uint64_t seed_ = 1;
   std::vector<std::string> names_;
   std::vector<std::vector<std::uint32_t>>
-      order_;  ///< order of a Latin hypercube: which N-th, by parameter and sample
+      order_;  ///< for a Latin hypercube: index of the interval, by parameter and sample
 };
 
 /// Returns the u-quantile of the standard normal distribution; 0 < u < 1.

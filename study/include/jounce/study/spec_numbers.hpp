@@ -52,7 +52,7 @@ class SpecNumbers {
 
  private:
   struct Place {
-    std::size_t begin = 0;  ///< bytes of the text
+    std::size_t begin = 0;  ///< first byte of the number in the text
     std::size_t end = 0;
     double value = 0;
     std::string unit = {};
