@@ -60,10 +60,10 @@ class Jogs {
 
   MakeLink make_link_;
   std::optional<wire::Key> key_;
-  std::mutex mutex_;                                         // guards all below
+  std::mutex mutex_;                                         // guards the members below
   std::map<std::string, std::shared_ptr<Held>> held_;        // by axis
   std::set<std::pair<std::string, std::int64_t>> over_;      // numbers of finished jogs
-  std::deque<std::pair<std::string, std::int64_t>> oldest_;  // the same, oldest first
+  std::deque<std::pair<std::string, std::int64_t>> oldest_;  // contents of over_, the oldest first
 };
 
 }  // namespace jounce::web
